@@ -1,0 +1,174 @@
+#include "program/process.h"
+
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace symreal::program {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+struct Pipe {
+  int read_end = -1, write_end = -1;
+
+  Pipe() {
+    std::array<int, 2> ends;
+    if (pipe2(ends.data(), O_CLOEXEC) == 0) read_end = ends[0], write_end = ends[1];
+  }
+  ~Pipe() { close_read(), close_write(); }
+  Pipe(Pipe const &) = delete;
+  Pipe &operator=(Pipe const &) = delete;
+  void close_read() { close_end(read_end); }
+  void close_write() { close_end(write_end); }
+
+private:
+  static void close_end(int &end) {
+    if (end >= 0) close(end);
+    end = -1;
+  }
+};
+
+// What the child needs, prepared before the fork: between fork and exec nothing may allocate.
+struct Prepared {
+  std::vector<char *> arguments, environment;
+
+  explicit Prepared(Command const &command) {
+    for (std::string const &word : command.arguments) arguments.push_back(const_cast<char *>(word.c_str()));
+    arguments.push_back(nullptr);
+    for (char **entry = environ; *entry; ++entry)
+      if (!overridden(*entry, command)) environment.push_back(*entry);
+    for (std::string const &entry : command.environment) environment.push_back(const_cast<char *>(entry.c_str()));
+    environment.push_back(nullptr);
+  }
+
+private:
+  static bool overridden(std::string_view entry, Command const &command) {
+    std::string_view name = entry.substr(0, entry.find('=') + 1);
+    for (std::string const &added : command.environment)
+      if (std::string_view(added).starts_with(name)) return true;
+    return false;
+  }
+};
+
+[[noreturn]] void become(Command const &command, Prepared const &prepared, Pipe const &output, Pipe const &failure,
+                         pid_t parent) {
+  auto give_up = [&] {
+    int reason = errno;
+    if (write(failure.write_end, &reason, sizeof reason) < 0) _exit(126);
+    _exit(127);
+  };
+  // A group of its own, so that a time-out ends what it started too; and it never outlives the tool.
+  setpgid(0, 0);
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (getppid() != parent) _exit(127);
+  if (!command.directory.empty() && chdir(command.directory.c_str()) != 0) give_up();
+  int input = open(command.standard_input.empty() ? "/dev/null" : command.standard_input.c_str(), O_RDONLY);
+  if (input < 0 || dup2(input, 0) < 0 || dup2(output.write_end, 1) < 0 || dup2(output.write_end, 2) < 0) give_up();
+  for (int descriptor : command.inherited) fcntl(descriptor, F_SETFD, 0);
+  signal(SIGPIPE, SIG_DFL);
+  execvpe(prepared.arguments[0], prepared.arguments.data(), prepared.environment.data());
+  give_up();
+  std::abort();
+}
+
+// Cuts a stream into lines.
+class Lines {
+public:
+  explicit Lines(LineSink const &sink) : sink_(sink) {}
+  void add(std::string_view text) {
+    for (std::size_t end; (end = text.find('\n')) != text.npos; text.remove_prefix(end + 1)) {
+      rest_ += text.substr(0, end);
+      sink_(rest_);
+      rest_.clear();
+    }
+    rest_ += text;
+  }
+  void finish() {
+    if (!rest_.empty()) sink_(rest_);
+    rest_.clear();
+  }
+
+private:
+  LineSink const &sink_;
+  std::string rest_;
+};
+
+// True when the stream has ended, false when the time limit came first.
+bool read_to_end(int descriptor, Lines &lines, Clock::time_point start, double limit) {
+  std::array<char, 8192> buffer;
+  for (;;) {
+    double left = limit - seconds_since(start);
+    if (limit > 0 && left <= 0) return false;
+    pollfd wanted = {descriptor, POLLIN, 0};
+    int ready = poll(&wanted, 1, limit > 0 ? static_cast<int>(left * 1000) + 1 : -1);
+    if (ready < 0 && errno != EINTR) return true;
+    if (ready <= 0) continue;
+    ssize_t got = read(descriptor, buffer.data(), buffer.size());
+    if (got == 0 || (got < 0 && errno != EINTR)) return true;
+    if (got > 0) lines.add({buffer.data(), static_cast<std::size_t>(got)});
+  }
+}
+
+// The exit status, or nothing when the time limit came first (a process may close its output and run on).
+bool wait_for(pid_t child, int &status, Clock::time_point start, double limit) {
+  while (limit > 0) {
+    if (waitpid(child, &status, WNOHANG) == child) return true;
+    if (seconds_since(start) >= limit) return false;
+    usleep(2000);
+  }
+  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
+  return true;
+}
+
+} // namespace
+
+Outcome run(Command const &command, LineSink const &sink) {
+  auto start = Clock::now();
+  Prepared prepared(command);
+  Pipe output, failure;
+  pid_t parent = getpid();
+  pid_t child = output.read_end < 0 || failure.read_end < 0 ? -1 : fork();
+  if (child < 0) return {Ending::not_started, errno, 0};
+  if (child == 0) become(command, prepared, output, failure, parent);
+  setpgid(child, child);
+  output.close_write();
+  failure.close_write();
+
+  int reason = 0;
+  if (read(failure.read_end, &reason, sizeof reason) == sizeof reason) {
+    waitpid(child, nullptr, 0);
+    return {Ending::not_started, reason, seconds_since(start)};
+  }
+  Lines lines(sink);
+  int status = 0;
+  bool ended = read_to_end(output.read_end, lines, start, command.time_limit) &&
+               wait_for(child, status, start, command.time_limit);
+  if (!ended) {
+    kill(-child, SIGKILL);
+    waitpid(child, &status, 0);
+  }
+  lines.finish();
+  double seconds = seconds_since(start);
+  if (!ended) return {Ending::timed_out, 0, seconds};
+  if (WIFSIGNALED(status)) return {Ending::signalled, WTERMSIG(status), seconds};
+  return {Ending::exited, WEXITSTATUS(status), seconds};
+}
+
+Captured capture(Command const &command) {
+  Captured captured;
+  captured.outcome = run(command, [&](std::string_view line) { captured.output.append(line) += '\n'; });
+  return captured;
+}
+
+} // namespace symreal::program

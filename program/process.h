@@ -1,0 +1,54 @@
+// Runs one process without a shell: argument vector, directory, environment, standard input, time limit. Standard
+// output and standard error of the process arrive as one stream of lines, in the order in which they were written.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace symreal::program {
+
+struct Command {
+  std::vector<std::string> arguments;        // arguments[0] is looked up in PATH
+  std::string directory = {};                // empty: the current one
+  std::vector<std::string> environment = {}; // "NAME=value", added to the current one
+  std::string standard_input = {};           // a file; empty: no input at all
+  double time_limit = 0;                     // seconds; 0: none
+  std::vector<int> inherited = {};           // descriptors that stay open, with their numbers, besides 0, 1 and 2
+};
+
+enum class Ending {
+  exited,      // status is the exit status
+  signalled,   // status is the signal
+  timed_out,   // it and the processes it started were killed
+  not_started, // status is the errno that says why
+};
+
+struct Outcome {
+  Ending ending;
+  int status = 0;
+  double seconds = 0;
+
+  bool success() const { return ending == Ending::exited && status == 0; }
+};
+
+using LineSink = std::function<void(std::string_view line)>;
+
+// Calls `sink` for every line of output, without its newline; a last line without newline counts as a line.
+Outcome run(Command const &command, LineSink const &sink);
+
+// The same with the output gathered.
+struct Captured {
+  Outcome outcome;
+  std::string output;
+};
+Captured capture(Command const &command);
+
+// The command as a line that can be pasted into a shell.
+std::string shell_line(std::vector<std::string> const &arguments);
+
+// Words of an option like --run-args or --link: separated by blanks; quotes and backslashes as in a POSIX shell.
+std::vector<std::string> split_words(std::string_view text);
+
+} // namespace symreal::program

@@ -1,0 +1,28 @@
+# What stands in RUN lines: %symreal the tool, %inputs the example programs, %runtime_include the public headers,
+# %runtime the directory of the runtime, %tools helper scripts, %version the tool's version, %cxx %cc %clang compilers.
+import os
+
+import lit.formats
+
+config.name = "symreal"
+config.test_format = lit.formats.ShTest(execute_external=False)
+config.suffixes = [".test", ".cpp", ".c", ".graph", ".txt"]
+# Unit tests are GoogleTest's; a directory "Inputs" holds what tests read; CMake's own files are no tests.
+config.excludes = ["unit", "tools", "Inputs", "CMakeLists.txt"]
+config.test_source_root = os.path.join(config.source_dir, "tests")
+config.test_exec_root = os.path.join(config.binary_dir, "tests")
+
+config.substitutions += [
+    (r"%symreal\b", os.path.join(config.binary_dir, "tool", "symreal")),
+    (r"%inputs\b", os.path.join(config.source_dir, "inputs")),
+    (r"%runtime_include\b", os.path.join(config.source_dir, "runtime", "include")),
+    (r"%runtime\b", os.path.join(config.source_dir, "runtime")),
+    (r"%library\b", os.path.join(config.binary_dir, "runtime", "libsymreal_runtime.a")),
+    (r"%tools\b", os.path.join(config.source_dir, "tests", "tools")),
+    (r"%version\b", config.version),
+    (r"%clang\b", "clang-19"),
+    (r"%cxx\b", "g++"),
+    (r"%cc\b", "gcc"),
+]
+# FileCheck and count; `not` is built into lit. At the end of PATH: the compilers are the system's.
+config.environment["PATH"] = os.pathsep.join([os.environ["PATH"], os.path.join(config.llvm_tools, "bin")])
