@@ -1,0 +1,20 @@
+// Forward dynamics of an N-link chain, masses and inertias as parameters: aba_parameters [N [model.csv]]
+#include "example.h"
+
+#pragma symreal function input(q[0:n], qd[0:n], tau[0:n]) parameter(inertial[0:10 * n]) output(qdd[0:n])
+void aba(chain::Link const *links, int n, double const *inertial, double const *q, double const *qd, double const *tau,
+         double *qdd) {
+  chain::Model model(std::vector<chain::Link>(links, links + n));
+  model.set_parameters(inertial);
+  chain::forward_dynamics(model, q, qd, tau, qdd);
+}
+
+int main(int argc, char **argv) {
+  chain::Model const model = chain::example_model(argc, argv);
+  int const n = model.size();
+  std::vector<double> const q = chain::example_q(n), qd = chain::example_qd(n), tau = chain::example_qdd_or_tau(n);
+  std::vector<double> const inertial = model.parameters();
+  std::vector<double> qdd(n);
+  aba(model.links().data(), n, inertial.data(), q.data(), qd.data(), tau.data(), qdd.data());
+  chain::print(qdd);
+}
