@@ -1,0 +1,101 @@
+#include "program/compile.h"
+
+#include "program/compiler_errors.h"
+#include "program/process.h"
+
+#include <algorithm>
+#include <atomic>
+#include <filesystem>
+#include <thread>
+
+namespace symreal::program {
+namespace {
+
+constexpr unsigned compilations_at_a_time = 2;
+
+std::string_view define(Form form) { return form == Form::symbolic ? "-DMBD_SYMBOLIC" : "-DMBD_REPLAY"; }
+std::string_view name(Form form) { return form == Form::symbolic ? "symbolic" : "replay"; }
+
+using Words = std::vector<std::string>;
+
+void append(Words &words, Words const &more) { words.insert(words.end(), more.begin(), more.end()); }
+
+// The reference build of docs/floating-point.md, with debug information for places.
+Words const reference_flags = {
+    "-O1", "-g", "-w", "-ffp-contract=off", "-fno-builtin", "-fno-fast-math", "-DEIGEN_DONT_VECTORIZE"};
+
+Words compile_command(BuildRequest const &request, Form form, Overlay const &overlay, std::string const &source,
+                      std::string const &object) {
+  Words words = {request.compiler};
+  append(words, overlay.include_flags());
+  append(words, adapted_flags(request.flags));
+  append(words, reference_flags);
+  words.emplace_back(define(form));
+  append(words, {"-I", SYMREAL_RUNTIME_INCLUDE, "-include", "symreal/real.h"});
+  if (request.uses_eigen) append(words, {"-include", "symreal/eigen.h"});
+  append(words, {"-iquote", std::filesystem::absolute(source).parent_path().string()});
+  append(words, {"-x", "c++", "-c", overlay.compiled_path(source), "-o", object});
+  return words;
+}
+
+// -l, -L and -Wl, among the compiler flags are meant for the linker too.
+bool is_for_linker(std::string_view flag) {
+  return flag.starts_with("-l") || flag.starts_with("-L") || flag.starts_with("-Wl,") || flag == "-pthread" ||
+         flag.starts_with("-fsanitize");
+}
+
+Words link_command(BuildRequest const &request, Words const &objects, std::string const &executable) {
+  Words words = {request.compiler};
+  append(words, objects);
+  std::copy_if(request.flags.begin(), request.flags.end(), std::back_inserter(words), is_for_linker);
+  append(words, request.link);
+  append(words, {SYMREAL_RUNTIME_LIBRARY, "-o", executable});
+  return words;
+}
+
+Captured run_compiler(Words const &command) {
+  // The messages are read by a program.
+  return capture({.arguments = command, .environment = {"LC_ALL=C", "GCC_COLORS="}});
+}
+
+std::vector<Captured> run_all(std::vector<Words> const &commands) {
+  std::vector<Captured> results(commands.size());
+  std::atomic<std::size_t> next = 0;
+  auto work = [&] {
+    for (std::size_t i; (i = next++) < commands.size();) results[i] = run_compiler(commands[i]);
+  };
+  std::vector<std::jthread> threads;
+  for (unsigned i = 1; i < std::min<std::size_t>(compilations_at_a_time, commands.size()); ++i)
+    threads.emplace_back(work);
+  work();
+  threads.clear();
+  return results;
+}
+
+} // namespace
+
+std::vector<std::string> build_programs(BuildRequest const &request, std::span<Form const> forms,
+                                        Overlay const &overlay, Workspace const &workspace) {
+  std::vector<Words> compilations, links;
+  std::vector<std::string> executables;
+  for (Form form : forms) {
+    std::string directory = workspace.directory(std::string(name(form)));
+    Words objects;
+    for (std::string const &source : request.sources) {
+      objects.push_back(directory + "/" + std::to_string(objects.size()) + ".o");
+      compilations.push_back(compile_command(request, form, overlay, source, objects.back()));
+    }
+    executables.push_back(directory + "/program");
+    links.push_back(link_command(request, objects, executables.back()));
+  }
+
+  std::vector<Captured> compiled = run_all(compilations);
+  for (std::size_t i = 0; i < compiled.size(); ++i)
+    if (!compiled[i].outcome.success()) throw DiagnosticError(compiler_failure(compilations[i], compiled[i], overlay));
+  std::vector<Captured> linked = run_all(links);
+  for (std::size_t i = 0; i < linked.size(); ++i)
+    if (!linked[i].outcome.success()) throw DiagnosticError(linker_failure(links[i], linked[i], overlay));
+  return executables;
+}
+
+} // namespace symreal::program

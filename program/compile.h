@@ -1,0 +1,36 @@
+// Builds the rewritten sources in one of their two annotated forms with the host's compiler.
+#pragma once
+
+#include "program/overlay.h"
+#include "program/workspace.h"
+
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace symreal::program {
+
+enum class Form {
+  symbolic, // REAL is a RealNumber: running the program records its kernels
+  replay,   // REAL is double and the annotations are live: the original's numbers, on inputs of our choice
+};
+
+struct BuildRequest {
+  std::vector<std::string> sources; // as the user named them
+  std::vector<std::string> flags;   // the user's compiler flags
+  std::vector<std::string> link;    // further words for the linker
+  std::string compiler = "c++";
+  bool uses_eigen = false;
+};
+
+// What becomes of the user's flags: options that change the numbers, choose outputs or turn warnings into errors go,
+// a C standard becomes a C++ one, and c++20 is the default.
+std::vector<std::string> adapted_flags(std::vector<std::string> const &flags);
+
+// Builds the program in each of the forms, two compilations at a time, and returns the paths of the executables in the
+// same order. Throws compiler_missing, build_failed or link_failed with places in the user's sources.
+std::vector<std::string> build_programs(BuildRequest const &request, std::span<Form const> forms,
+                                        Overlay const &overlay, Workspace const &workspace);
+
+} // namespace symreal::program

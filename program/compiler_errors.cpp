@@ -1,0 +1,107 @@
+#include "program/compiler_errors.h"
+
+#include <cstring>
+#include <optional>
+#include <regex>
+#include <sstream>
+
+namespace symreal::program {
+namespace {
+
+constexpr std::size_t most_notes = 4;
+
+struct Message {
+  Place place;
+  std::string text;
+};
+
+std::vector<std::string> lines_of(std::string const &output) {
+  std::vector<std::string> lines;
+  std::istringstream in(output);
+  for (std::string line; std::getline(in, line);) lines.push_back(line);
+  return lines;
+}
+
+std::optional<Message> match(std::string const &line, std::regex const &pattern, Overlay const &overlay) {
+  std::smatch found;
+  if (line.size() > 2000 || !std::regex_match(line, found, pattern)) return {};
+  Place place{found[1], static_cast<unsigned>(std::stoul(found[2])), 0};
+  if (found[3].matched) place.column = static_cast<unsigned>(std::stoul(found[3]));
+  return Message{overlay.original(place), found[4]};
+}
+
+// The last line of the user's own before `end` that says from where a template was instantiated.
+std::optional<Message> instantiation(std::vector<std::string> const &lines, std::size_t end, Overlay const &overlay) {
+  static std::regex const required("([^:]+):([0-9]+):(?:([0-9]+):)? +(required from.*|in instantiation of.*)");
+  for (std::size_t i = end; i-- > 0 && end - i < 40;)
+    if (auto message = match(lines[i], required, overlay); message && overlay.contains(message->place.file))
+      return message;
+  return {};
+}
+
+std::optional<Diagnostic> did_not_start(std::vector<std::string> const &command, Captured const &result) {
+  if (result.outcome.ending != Ending::not_started) return {};
+  return Diagnostic{DiagnosticId::compiler_missing,
+                    Severity::error,
+                    {},
+                    "the compiler '" + command[0] + "' cannot be run: " + std::strerror(result.outcome.status)};
+}
+
+std::vector<Note> first_lines(std::vector<std::string> const &lines) {
+  std::vector<Note> notes;
+  for (std::string const &line : lines)
+    if (!line.empty() && notes.size() < most_notes) notes.push_back({{}, line});
+  return notes;
+}
+
+} // namespace
+
+Diagnostic compiler_failure(std::vector<std::string> const &command, Captured const &result, Overlay const &overlay) {
+  if (auto missing = did_not_start(command, result)) return *missing;
+  static std::regex const error("([^:]+):([0-9]+):(?:([0-9]+):)? (?:fatal error|error): (.*)");
+  Diagnostic diagnostic{DiagnosticId::build_failed, Severity::error, {}, ""};
+  std::vector<std::string> lines = lines_of(result.output);
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    auto message = match(lines[i], error, overlay);
+    if (!message || diagnostic.notes.size() > most_notes) continue;
+    auto cause = overlay.contains(message->place.file) ? std::nullopt : instantiation(lines, i, overlay);
+    if (diagnostic.message.empty()) {
+      diagnostic.place = cause ? cause->place : message->place;
+      diagnostic.message = message->text;
+      if (cause) diagnostic.notes.push_back({message->place, "the compiler stopped here"});
+    } else {
+      diagnostic.notes.push_back({cause ? cause->place : message->place, message->text});
+    }
+  }
+  if (!diagnostic.message.empty()) {
+    diagnostic.message = "the program does not compile in symbolic mode: " + diagnostic.message;
+    return diagnostic;
+  }
+  diagnostic.message = "the compiler '" + command[0] + "' failed";
+  diagnostic.notes = first_lines(lines);
+  return diagnostic;
+}
+
+Diagnostic linker_failure(std::vector<std::string> const &command, Captured const &result, Overlay const &overlay) {
+  if (auto missing = did_not_start(command, result)) return *missing;
+  // With debug information the linker names the source: file:line: undefined reference to `...'
+  static std::regex const undefined("(?:[^ ]+: )?(?:([^: ]+):([0-9]+):)?(\\(.*\\):)? *(undefined reference to .*)");
+  Diagnostic diagnostic{DiagnosticId::link_failed, Severity::error, {}, "the symbolic program cannot be linked"};
+  std::vector<std::string> lines = lines_of(result.output);
+  for (std::string const &line : lines) {
+    std::smatch found;
+    if (line.size() > 2000 || !std::regex_match(line, found, undefined)) continue;
+    Place place;
+    if (found[1].matched) place = overlay.original({found[1], static_cast<unsigned>(std::stoul(found[2])), 0});
+    if (diagnostic.place.file.empty() && diagnostic.notes.empty()) {
+      diagnostic.place = place;
+      diagnostic.message = found[4];
+    } else if (diagnostic.notes.size() < most_notes) {
+      diagnostic.notes.push_back({place, found[4]});
+    }
+  }
+  if (diagnostic.place.file.empty() && diagnostic.notes.empty()) diagnostic.notes = first_lines(lines);
+  return diagnostic;
+}
+
+} // namespace symreal::program

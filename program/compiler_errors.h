@@ -1,0 +1,13 @@
+// What a host compiler or linker printed, as a diagnostic on the user's source.
+#pragma once
+
+#include "program/overlay.h"
+#include "program/process.h"
+
+namespace symreal::program {
+
+// `command` is what was run; its output and end say why it failed.
+Diagnostic compiler_failure(std::vector<std::string> const &command, Captured const &result, Overlay const &overlay);
+Diagnostic linker_failure(std::vector<std::string> const &command, Captured const &result, Overlay const &overlay);
+
+} // namespace symreal::program
