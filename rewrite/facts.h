@@ -1,0 +1,113 @@
+// What the Clang half records about the sources, free of Clang's types: the decisions are made on these alone.
+//
+// A fact carries the real path and the byte offsets it is about, so the same header met through two sources gives the
+// same fact twice and the sets drop the second.
+#pragma once
+
+#include "rewrite/rewrite.h"
+
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace symreal::rewrite {
+
+// Bytes [begin, end) of a file within the roots.
+struct Span {
+  std::string file;
+  std::size_t begin = 0;
+  std::size_t end = 0;
+  auto operator<=>(Span const &) const = default;
+};
+
+// A token that spells a type: `double`, or the name of a library's typedef such as Vector3d.
+struct TypeToken {
+  Span span;
+  std::string replacement; // empty: it stays, and is known to
+  auto operator<=>(TypeToken const &) const = default;
+};
+
+// Why an expression is wrapped. The macro of each is in decide.cpp.
+enum class Use { literal, value, conversion, state, cast, returned };
+
+struct Wrap {
+  Span span;
+  Use use;
+  std::string detail; // conversion, cast: the type; state: the declaration's place; returned: the other arguments
+  auto operator<=>(Wrap const &) const = default;
+};
+
+// What the base of an annotated object is, as far as the source of the annotation depends on it.
+enum class Base { object, pointer, pointer_to_const, const_pointer_to_const, const_object };
+
+struct ItemFact {
+  std::string label;
+  std::string expression;         // with symreal_i[k] where a section stood
+  std::string base;               // the item without its sections
+  std::vector<Section> sections;  // none: the whole object
+  Place place;
+  bool is_return = false;
+  bool base_is_name = false; // the base is one identifier
+  bool section_on_base = false;
+  // From the syntax tree.
+  bool seen = false; // it stands where a statement can
+  bool carries_real = false;
+  std::string type;
+  Base base_kind = Base::object;
+};
+
+struct ClauseFact {
+  std::string name;
+  Place place;
+  std::string argument; // range, generate, call: the text between the parentheses
+  std::vector<ItemFact> items;
+};
+
+// The function that a function pragma stands before.
+struct FunctionFact {
+  std::string name;
+  std::string signature;
+  Span brace;
+  bool returns_value = false;
+};
+
+struct PragmaFact {
+  Span span;
+  std::size_t continued_lines = 0;
+  Place place;
+  std::string display_file;
+  bool is_function = false;
+  std::vector<ClauseFact> clauses;
+  std::vector<FunctionFact> function; // at most one
+};
+
+// A function that carries REAL, used from code that is compiled here, and not defined in the same source.
+struct UseFact {
+  std::string mangled;
+  std::string name;
+  std::size_t parameters = 0;
+  Place declaration;
+  Place place;
+};
+
+struct FileFact {
+  std::string display_path;
+  std::string text;
+};
+
+struct Facts {
+  std::map<std::string, FileFact> files; // by real path
+  std::set<TypeToken> types;
+  std::set<Wrap> wraps;
+  std::set<Span> quoted;               // arguments that a macro stringifies or pastes: their text is data
+  std::map<Span, PragmaFact> pragmas;  // by the span of the directive
+  std::set<std::string> definitions;   // mangled names of the functions that the sources define
+  std::map<std::string, UseFact> uses; // by mangled name, the first use
+  std::vector<std::string> include_dirs;
+  std::vector<Diagnostic> diagnostics;
+  bool broken = false; // a source does not compile
+  bool uses_eigen = false;
+};
+
+} // namespace symreal::rewrite

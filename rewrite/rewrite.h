@@ -1,0 +1,96 @@
+// Source to symbolic program: rewrites `double` to REAL and `#pragma symreal` lines to annotation macros.
+//
+//   sources ──record──▶ facts ──decide──▶ rewordings, kernels, diagnostics ──compose──▶ files
+//             Clang               plain                                       plain
+//
+// This library is the only place that knows Clang, and nothing of Clang shows in this header. It reads files and
+// writes none: what becomes of the texts (an overlay, a diff, a mirror) is the caller's matter.
+#pragma once
+
+#include "diagnostics/diagnostic.h"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace symreal::rewrite {
+
+struct Request {
+  std::vector<std::string> sources; // as the user named them; a name ending in .c is parsed as C
+  std::vector<std::string> roots;   // what may be rewritten; empty: the directories of the sources
+  std::vector<std::string> flags;   // the compiler flags of every source
+};
+
+// A replacement on the original bytes of a file. Its length is never zero: an insertion takes the neighbouring
+// character with it, so that an edit says where it belongs even when two sources ask for it.
+struct Edit {
+  std::size_t offset;
+  std::size_t length;
+  std::string text;
+  auto operator<=>(Edit const &) const = default;
+};
+
+// A file within the roots that at least one source includes, changed or not.
+struct File {
+  std::string path;         // real path
+  std::string display_path; // as the user or the including file named it
+  std::string original;
+  std::string text; // the original with its edits; it has as many lines as the original
+  std::vector<Edit> edits;
+};
+
+// One dimension of an array section [low:length], in the source's own words.
+struct Section {
+  std::string low;
+  std::string length;
+};
+
+struct Annotation {
+  std::string kind; // input, parameter, constant or output
+  std::string label;
+  Place place;
+  std::string expression; // the item without its sections; "return" for the returned value
+  std::vector<Section> sections;
+};
+
+// What `generate`, or a function with a pragma, asks for.
+struct Kernel {
+  std::string name;
+  bool is_function = false;
+  Place place;
+  std::string output_file; // the name in generate("..."), else empty
+  std::string signature;   // of the function, in the source's own words without its body, else empty
+  std::vector<Annotation> annotations;
+  std::string source; // display path of the file that holds the pragma
+};
+
+// A function that carries REAL and is declared within the roots, that the sources use and none of them defines. What a
+// compiled library would supply under its name works on double: linking it would mix the two silently.
+struct Boundary {
+  std::string name;    // qualified
+  std::string mangled; // as in the numeric program
+  std::size_t parameters = 0;
+  Place place; // of the declaration
+  Place use;   // where it is called
+};
+
+struct Result {
+  std::vector<File> files; // sorted by path; empty when a source does not compile
+  std::vector<Kernel> kernels;
+  std::vector<std::string> include_dirs; // header search directories of the sources, in order, once each
+  std::vector<Boundary> boundaries;      // each also has its diagnostic
+  std::vector<Diagnostic> diagnostics;
+  bool uses_eigen = false; // a source includes Eigen: force-include <symreal/eigen.h> too
+};
+
+// Throws DiagnosticError only for a source that cannot be read; all else is found in Result::diagnostics.
+Result run(Request const &request);
+
+// `diff -u` of the original and the rewritten text; empty when nothing changed.
+std::string unified_diff(File const &file);
+
+// Writes the mirror of the files under `directory`, each at its path below the deepest directory that all share, and
+// returns the written paths. Every file begins with a #line directive, so that places and assertions keep their names.
+std::vector<std::string> write_mirror(std::vector<File> const &files, std::string const &directory);
+
+} // namespace symreal::rewrite
