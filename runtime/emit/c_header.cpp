@@ -1,0 +1,53 @@
+#include "emit/c_parts.h"
+#include "emit/names.h"
+
+#include <cctype>
+#include <fmt/format.h>
+
+namespace symreal {
+
+static std::string guard(EmitOptions const &options) {
+  std::string name = prefixed(options, options.base_name) + "_H";
+  for (char &c : name) c = std::isalnum(static_cast<unsigned char>(c)) ? static_cast<char>(std::toupper(c)) : '_';
+  return std::isdigit(static_cast<unsigned char>(name[0])) ? "H_" + name : name;
+}
+
+// The index of each object's first element, and a struct of doubles with the objects in order: a pointer to it is a
+// pointer to the array.
+static std::string describe(EmitOptions const &options, std::string const &role, std::vector<Object> const &objects) {
+  std::vector<std::string> names = identifiers(objects);
+  std::string indices, members;
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    if (objects[i].count == 0) continue;
+    if (!indices.empty()) indices += ",";
+    indices += fmt::format("\n  {} = {}", prefixed(options, role + "_" + names[i]), objects[i].first);
+    members += "  double " + names[i];
+    for (std::size_t extent : objects[i].extents) members += fmt::format("[{}]", extent);
+    members += ";\n";
+  }
+  if (members.empty()) return {};
+  std::string type = prefixed(options, role);
+  return fmt::format("enum {{{}\n}};\ntypedef struct {}_values {{\n{}}} {}_values;\n\n", indices, type, members, type);
+}
+
+std::string c_header(Program const &program, EmitOptions const &options) {
+  Graph const &graph = *program.graph;
+  std::string out = c_banner(program, options);
+  out += fmt::format("#ifndef {0}\n#define {0}\n\n#ifdef __cplusplus\nextern \"C\" {{\n#endif\n\n", guard(options));
+  out += fmt::format("enum {{ {} = {}, {} = {}, {} = {}, {} = {} }};\n\n", prefixed(options, "input_count"),
+                     graph.input_count(), prefixed(options, "parameter_count"), graph.parameter_count(),
+                     prefixed(options, "constant_count"), program.constant_count, prefixed(options, "output_count"),
+                     graph.output_count());
+  out += describe(options, "input", graph.inputs);
+  out += describe(options, "parameter", graph.parameters);
+  out += describe(options, "output", graph.outputs);
+  out += "/* Once, and again whenever a parameter changes. */\n";
+  out += fmt::format("void {}(double const *parameters, double *constants);\n\n", prefixed(options, "preprocess"));
+  out += "/* The arrays may overlap: all inputs are read before an output is written. */\n";
+  out += fmt::format("void {}(double const *input, double const *constants, double *output);\n\n",
+                     prefixed(options, "compute"));
+  out += "#ifdef __cplusplus\n}\n#endif\n\n#endif\n";
+  return out;
+}
+
+} // namespace symreal

@@ -1,0 +1,20 @@
+// The parts of the C output, one function each. Shared by emit_c only.
+#pragma once
+
+#include "emit/emit.h"
+#include "schedule/program.h"
+
+namespace symreal {
+
+// What verification and people need to know of a generated file: the first lines of source and header. One line is
+// JSON, so that a tool can recognise the file as its own.
+std::string c_banner(Program const &program, EmitOptions const &options);
+
+std::string c_source(Program const &program, EmitOptions const &options);
+std::string c_header(Program const &program, EmitOptions const &options);
+std::string c_mainline(Program const &program, EmitOptions const &options);
+
+// "arm_" + name, or the bare name.
+std::string prefixed(EmitOptions const &options, std::string const &name);
+
+} // namespace symreal

@@ -1,0 +1,30 @@
+// Graph to C99: a source with preprocess() and compute(), a header, and on request a runnable main.
+#pragma once
+
+#include "graph/graph.h"
+#include "passes/floating_point.h"
+
+#include <string>
+#include <vector>
+
+namespace symreal {
+
+struct EmitOptions {
+  std::string base_name = "kernel"; // files are base_name.c, base_name.h, base_name_main.c
+  std::string prefix;               // of every identifier with external linkage: "arm" gives arm_compute
+  FloatingPoint mode = FloatingPoint::finite;
+  bool mainline = false;
+};
+
+struct EmittedFile {
+  std::string name;
+  std::string text;
+};
+
+// The generated functions, with `prefix_` before their names if a prefix is given:
+//   void preprocess(double const *parameters, double *constants);
+//   void compute(double const *input, double const *constants, double *output);
+// All inputs are read before an output is written, so the arrays may overlap. Nothing is allocated, no state is kept.
+std::vector<EmittedFile> emit_c(Graph const &graph, EmitOptions const &options);
+
+} // namespace symreal

@@ -1,0 +1,127 @@
+#include "emit/expression.h"
+
+#include "support/number.h"
+
+#include <cmath>
+
+namespace symreal {
+
+std::string c_constant(double value) {
+  if (std::isnan(value)) return "NAN";
+  if (std::isinf(value)) return value < 0 ? "-INFINITY" : "INFINITY";
+  std::string text = shortest(value);
+  return text.find_first_of(".e") == std::string::npos ? text + ".0" : text;
+}
+
+namespace {
+
+constexpr int loosest = 0, prefix_operand = 15, additive = 12, unary = 14, conditional_operand = 4;
+
+// What is still to be printed: text, or a node that needs parentheses unless it binds at least this tightly.
+struct Piece {
+  std::string text;
+  NodeId node = no_node;
+  int binding = loosest;
+  bool spelled_out = false;
+};
+
+class Printer {
+public:
+  Printer(Program const &program, FunctionContext const &context) : program_(program), context_(context) {}
+
+  // An explicit stack instead of recursion; pieces are pushed last first.
+  std::string print(NodeId root, bool spelled_out) {
+    stack_.push_back({.text = {}, .node = root, .binding = loosest, .spelled_out = spelled_out});
+    while (!stack_.empty()) {
+      Piece piece = std::move(stack_.back());
+      stack_.pop_back();
+      if (piece.node == no_node) text_ += piece.text;
+      else print_node(piece);
+    }
+    return std::move(text_);
+  }
+
+private:
+  void print_node(Piece const &piece) {
+    Node const &node = program_.graph->nodes[piece.node];
+    if (node.is_constant()) return print_constant(node.value(), piece.binding);
+    if (!piece.spelled_out && (*context_.name)[piece.node] != no_slot) {
+      text_ += "t" + std::to_string((*context_.name)[piece.node]);
+      return;
+    }
+    if (context_.in_compute && program_.constant_slot[piece.node] != no_slot) {
+      text_ += "constants[" + std::to_string(program_.constant_slot[piece.node]) + "]";
+      return;
+    }
+    if (is_leaf(node.op)) {
+      text_ += (node.op == Op::input ? "input[" : "parameters[") + std::to_string(node.slot()) + "]";
+      return;
+    }
+    print_operation(node, piece.binding);
+  }
+
+  void print_constant(double value, int binding) {
+    bool parenthesised = std::signbit(value) && binding > unary;
+    text_ += parenthesised ? "(" + c_constant(value) + ")" : c_constant(value);
+  }
+
+  void print_operation(Node const &node, int binding) {
+    OperationInfo const &operation = info(node.op);
+    std::string c(operation.c);
+    bool parenthesised = operation.form != Form::call && operation.precedence < binding;
+    if (parenthesised) {
+      text_ += '(';
+      push(")");
+    }
+    switch (operation.form) {
+    case Form::call:
+      push(")");
+      for (unsigned i = operation.arity; i-- > 0;) {
+        push(node.operand[i], loosest);
+        if (i > 0) push(", ");
+      }
+      push(c + "(");
+      break;
+    case Form::prefix:
+      push(node.operand[0], prefix_operand);
+      push(c);
+      break;
+    case Form::infix: {
+      // Comparisons and logic are not mixed without parentheses: compilers warn, and readers stumble.
+      bool arithmetic = operation.precedence >= additive;
+      int left = arithmetic ? operation.precedence : additive, right = arithmetic ? operation.precedence + 1 : additive;
+      push(node.operand[1], right);
+      push(operation.precedence > additive ? c : " " + c + " ");
+      push(node.operand[0], left);
+      break;
+    }
+    case Form::select:
+      push(node.operand[2], conditional_operand);
+      push(" : ");
+      push(node.operand[1], conditional_operand);
+      push(" ? ");
+      push(node.operand[0], conditional_operand);
+      break;
+    }
+  }
+
+  void push(std::string text) { stack_.push_back({std::move(text)}); }
+  void push(NodeId node, int binding) { stack_.push_back({.text = {}, .node = node, .binding = binding}); }
+
+  Program const &program_;
+  FunctionContext const &context_;
+  std::vector<Piece> stack_;
+  std::string text_;
+};
+
+} // namespace
+
+std::string c_expression(Program const &program, FunctionContext const &context, NodeId root) {
+  return Printer(program, context).print(root, true);
+}
+
+std::string c_use(Program const &program, FunctionContext const &context, NodeId node) {
+  return Printer(program, context).print(node, false);
+}
+
+} // namespace symreal

@@ -1,0 +1,24 @@
+// Expressions in C: nested as far as the schedule nests them, parenthesised no more than needed.
+#pragma once
+
+#include "schedule/program.h"
+
+#include <string>
+
+namespace symreal {
+
+// A double as a C constant that reads back to the same bits.
+std::string c_constant(double value);
+
+// How the nodes that stand in an array are spelled inside one function.
+struct FunctionContext {
+  bool in_compute;                       // reads input[] and constants[]; otherwise parameters[]
+  std::vector<std::uint32_t> const *name; // per node: the number k of its variable tk, or no_slot
+};
+
+// The value of `root`, spelled out even where the node has a variable (it is the statement that sets it).
+std::string c_expression(Program const &program, FunctionContext const &context, NodeId root);
+// A use of the node: its variable, its array element or its constant; a nested expression is spelled out.
+std::string c_use(Program const &program, FunctionContext const &context, NodeId node);
+
+} // namespace symreal

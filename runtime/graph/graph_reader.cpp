@@ -1,0 +1,199 @@
+#include "graph/graph_text.h"
+#include "graph/node_table.h"
+#include "graph/validate.h"
+#include "support/number.h"
+
+#include <charconv>
+#include <cmath>
+
+namespace symreal {
+
+namespace {
+
+// The words of one line. A quoted string is one word, kept with its opening quote to tell it from a bare one.
+class Line {
+public:
+  Line(std::string_view text, Place place) : place_(std::move(place)) {
+    for (std::size_t i = 0; i < text.size();) {
+      if (text[i] == ';') break;
+      if (text[i] == ' ' || text[i] == '\t' || text[i] == '\r') {
+        ++i;
+        continue;
+      }
+      std::string word(1, text[i++]);
+      if (word[0] == '"') {
+        while (i < text.size() && text[i] != '"') {
+          if (text[i] == '\\' && i + 1 < text.size()) ++i;
+          word += text[i++];
+        }
+        if (i++ >= text.size()) error("a string is not closed");
+      } else {
+        while (i < text.size() && std::string_view(" \t\r;").find(text[i]) == std::string_view::npos) word += text[i++];
+      }
+      words_.push_back(std::move(word));
+    }
+  }
+
+  bool done() const { return next_ == words_.size(); }
+  std::string const &peek() const { return words_[next_]; }
+  bool accept(std::string_view word) {
+    if (done() || peek() != word) return false;
+    ++next_;
+    return true;
+  }
+  std::string const &word(char const *what) {
+    if (done()) error(std::string(what) + " is missing");
+    return words_[next_++];
+  }
+  std::string string(char const *what) {
+    std::string const &text = word(what);
+    if (text[0] != '"') error(std::string(what) + " must stand in quotes");
+    return text.substr(1);
+  }
+  std::uint32_t count(char const *what) {
+    std::string const &text = word(what);
+    std::uint32_t value = 0;
+    auto [end, failed] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (failed != std::errc() || end != text.data() + text.size()) error("'" + text + "' is no " + what);
+    return value;
+  }
+  double number(char const *what) {
+    std::string const &text = word(what);
+    auto value = parse_number(text);
+    if (!value) error("'" + text + "' is no number");
+    return *value;
+  }
+  [[noreturn]] void error(std::string const &message) const { fail(DiagnosticId::graph_syntax, place_, message); }
+
+private:
+  Place place_;
+  std::vector<std::string> words_;
+  std::size_t next_ = 0;
+};
+
+class Reader {
+public:
+  Graph read(std::string_view text, std::string const &file_name) {
+    unsigned number = 0;
+    while (!text.empty()) {
+      std::size_t end = std::min(text.find('\n'), text.size());
+      Line line(text.substr(0, end), {file_name, ++number, 0});
+      text.remove_prefix(std::min(end + 1, text.size()));
+      if (line.done()) continue;
+      read_line(line);
+      if (!line.done()) line.error("'" + line.peek() + "' is unexpected here");
+    }
+    Line end("", {file_name, number, 0});
+    if (!headed_) end.error("the file is no graph: its first line must be 'symreal-graph 1'");
+    graph_.nodes = table_.release();
+    if (std::string violation = find_violation(graph_); !violation.empty()) end.error(violation);
+    return std::move(graph_);
+  }
+
+private:
+  void read_line(Line &line) {
+    std::string head = line.word("a line");
+    if (!headed_) {
+      if (head != "symreal-graph" || line.count("version") != 1) line.error("the first line must be 'symreal-graph 1'");
+      headed_ = true;
+    } else if (head == "kernel") graph_.kernel = line.string("the kernel's name");
+    else if (head == "input") read_object(line, graph_.inputs, &graph_.input_values);
+    else if (head == "parameter") read_object(line, graph_.parameters, &graph_.parameter_values);
+    else if (head == "output") read_object(line, graph_.outputs, nullptr);
+    else if (head == "frozen") read_frozen(line);
+    else if (head == "executed") read_executed(line);
+    else if (head == "result") read_root(line, graph_.results);
+    else if (head == "precomputed") read_root(line, graph_.precomputed);
+    else if (head[0] == '%') read_node(line, head);
+    else line.error("'" + head + "' begins no line of a graph");
+  }
+
+  static Place read_place(Line &line) {
+    if (!line.accept("at")) return {};
+    std::string file = line.string("the file");
+    unsigned number = line.count("line number");
+    return {std::move(file), number, line.count("column")};
+  }
+
+  static void read_object(Line &line, std::vector<Object> &objects, std::vector<double> *values) {
+    Object object;
+    object.label = line.string("the label");
+    std::size_t count = 1;
+    while (!line.done() && line.peek()[0] == '[') {
+      std::string text = line.word("extent");
+      auto extent = parse_number(std::string_view(text).substr(1, text.size() - 2));
+      if (text.back() != ']' || !extent || *extent < 0 || *extent != std::floor(*extent))
+        line.error("'" + text + "' is no extent");
+      object.extents.push_back(static_cast<std::size_t>(*extent));
+      count *= object.extents.back();
+    }
+    object.place = read_place(line);
+    if (line.accept("range")) {
+      double low = line.number("lower end of the range");
+      object.range = {low, line.number("upper end of the range")};
+    }
+    object.count = static_cast<std::uint32_t>(count);
+    object.first = objects.empty() ? 0 : objects.back().first + objects.back().count;
+    objects.push_back(object);
+    if (!values) return;
+    bool given = line.accept("=");
+    for (std::size_t k = 0; k < count; ++k) values->push_back(given ? line.number("a value") : 0);
+  }
+
+  void read_frozen(Line &line) {
+    Frozen frozen{line.string("the name"), read_place(line), {}};
+    if (line.accept("="))
+      while (!line.done()) frozen.values.push_back(line.number("a value"));
+    graph_.frozen.push_back(std::move(frozen));
+  }
+
+  void read_executed(Line &line) {
+    Op op = read_operation(line);
+    graph_.executed[op] = line.count("count");
+  }
+
+  static Op read_operation(Line &line) {
+    std::string name = line.word("an operation");
+    auto op = find_operation(name);
+    if (!op) line.error("'" + name + "' is no operation");
+    return *op;
+  }
+
+  void read_node(Line &line, std::string const &head) {
+    if (head != "%" + std::to_string(named_.size()))
+      line.error("nodes are numbered from %0 on; expected %" + std::to_string(named_.size()));
+    if (!line.accept("=")) line.error("'=' is missing");
+    if (line.accept("input")) return named_.push_back(table_.append(Node::input(line.count("slot"))));
+    if (line.accept("parameter")) return named_.push_back(table_.append(Node::parameter(line.count("slot"))));
+    Op op = read_operation(line);
+    std::array<NodeId, 3> operand = {no_node, no_node, no_node};
+    for (unsigned i = 0; i < arity(op); ++i) operand[i] = read_operand(line);
+    named_.push_back(table_.append(table_.operation(op, operand[0], operand[1], operand[2])));
+  }
+
+  void read_root(Line &line, std::vector<NodeId> &roots) {
+    if (line.count("slot") != roots.size()) line.error("slots must follow each other from 0 on");
+    roots.push_back(read_operand(line));
+  }
+
+  NodeId read_operand(Line &line) {
+    if (!line.done() && line.peek()[0] != '%') return table_.constant(line.number("an operand"));
+    std::string text = line.word("an operand");
+    std::uint32_t id = 0;
+    auto [end, failed] = std::from_chars(text.data() + 1, text.data() + text.size(), id);
+    if (failed != std::errc() || end != text.data() + text.size() || id >= named_.size())
+      line.error("'" + text + "' is no node above this line");
+    return named_[id];
+  }
+
+  Graph graph_;
+  NodeTable table_;
+  std::vector<NodeId> named_; // the node behind %k
+  bool headed_ = false;
+};
+
+} // namespace
+
+Graph read_graph(std::string_view text, std::string const &file_name) { return Reader().read(text, file_name); }
+
+} // namespace symreal

@@ -1,0 +1,78 @@
+#include "graph/graph_text.h"
+#include "support/number.h"
+
+#include <ostream>
+
+namespace symreal {
+
+static std::string quoted(std::string const &text) {
+  std::string result = "\"";
+  for (char c : text) {
+    if (c == '"' || c == '\\') result += '\\';
+    result += c;
+  }
+  return result + '"';
+}
+
+static void write_place(std::ostream &out, Place const &place) {
+  if (!place.file.empty()) out << " at " << quoted(place.file) << ' ' << place.line << ' ' << place.column;
+}
+
+static void write_objects(std::ostream &out, char const *role, std::vector<Object> const &objects,
+                          std::vector<double> const *values) {
+  for (Object const &object : objects) {
+    out << role << ' ' << quoted(object.label);
+    for (std::size_t extent : object.extents) out << " [" << extent << ']';
+    write_place(out, object.place);
+    if (object.range) out << " range " << shortest(object.range->low) << ' ' << shortest(object.range->high);
+    if (values) {
+      out << " =";
+      for (std::uint32_t k = 0; k < object.count; ++k) out << ' ' << shortest((*values)[object.first + k]);
+    }
+    out << '\n';
+  }
+}
+
+void write_graph(std::ostream &out, Graph const &graph) {
+  out << "symreal-graph 1\nkernel " << quoted(graph.kernel) << '\n';
+  write_objects(out, "input", graph.inputs, &graph.input_values);
+  write_objects(out, "parameter", graph.parameters, &graph.parameter_values);
+  write_objects(out, "output", graph.outputs, nullptr);
+  for (Frozen const &frozen : graph.frozen) {
+    out << "frozen " << quoted(frozen.name);
+    write_place(out, frozen.place);
+    out << " =";
+    for (double value : frozen.values) out << ' ' << shortest(value);
+    out << '\n';
+  }
+  for (OperationInfo const &operation : operations())
+    if (std::size_t count = graph.executed[operation.op]) out << "executed " << operation.name << ' ' << count << '\n';
+
+  // Constants have no line, so nodes are numbered as they are written.
+  std::vector<NodeId> number(graph.nodes.size(), no_node);
+  NodeId next = 0;
+  auto spell = [&](NodeId id) {
+    Node const &node = graph.nodes[id];
+    return node.is_constant() ? shortest(node.value()) : "%" + std::to_string(number[id]);
+  };
+  for (std::size_t id = 0; id < graph.nodes.size(); ++id) {
+    Node const &node = graph.nodes[id];
+    if (node.is_constant()) continue;
+    number[id] = next++;
+    out << '%' << number[id] << " = ";
+    if (is_leaf(node.op)) {
+      out << (node.op == Op::input ? "input " : "parameter ") << node.slot() << '\n';
+      continue;
+    }
+    out << info(node.op).name;
+    for (NodeId operand : node.operand)
+      if (operand != no_node) out << ' ' << spell(operand);
+    out << '\n';
+  }
+  for (std::size_t slot = 0; slot < graph.results.size(); ++slot)
+    out << "result " << slot << ' ' << spell(graph.results[slot]) << '\n';
+  for (std::size_t slot = 0; slot < graph.precomputed.size(); ++slot)
+    out << "precomputed " << slot << ' ' << spell(graph.precomputed[slot]) << '\n';
+}
+
+} // namespace symreal

@@ -1,0 +1,88 @@
+#include "graph/node_table.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace symreal {
+
+static std::size_t hash(Node const &node) {
+  constexpr std::uint64_t odd = 0x9E3779B97F4A7C15u;
+  std::uint64_t mix = static_cast<std::uint64_t>(node.op);
+  for (NodeId word : node.operand) {
+    mix = (mix ^ word) * odd;
+    mix ^= mix >> 32;
+  }
+  return static_cast<std::size_t>(mix * odd >> 7);
+}
+
+static NodeId newest_operand(Node const &node) {
+  NodeId newest = node.operand[0];
+  for (NodeId operand : {node.operand[1], node.operand[2]})
+    if (operand != no_node) newest = std::max(newest, operand);
+  return newest;
+}
+
+Node NodeTable::operation(Op op, NodeId a, NodeId b, NodeId c) const {
+  Attribute attribute = nodes_[a].attribute;
+  for (NodeId operand : {b, c})
+    if (operand != no_node) attribute = std::max(attribute, nodes_[operand].attribute);
+  return {op, attribute, {a, b, c}};
+}
+
+NodeId NodeTable::append(Node const &node) {
+  auto id = static_cast<NodeId>(nodes_.size());
+  nodes_.push_back(node);
+  first_user_.push_back(no_node);
+  next_user_.push_back(no_node);
+  return id;
+}
+
+NodeId NodeTable::intern(Node const &node) {
+  if (is_leaf(node.op)) return intern_in_hash(node);
+  NodeId owner = newest_operand(node);
+  int steps = 0;
+  for (NodeId user = first_user_[owner]; user != no_node; user = next_user_[user]) {
+    if (nodes_[user] == node) return user;
+    if (++steps == longest_list) return intern_in_hash(node);
+  }
+  NodeId id = append(node);
+  next_user_[id] = std::exchange(first_user_[owner], id);
+  return id;
+}
+
+NodeId NodeTable::intern_in_hash(Node const &node) {
+  if (2 * (hashed_ + 1) > hash_.size()) grow_hash();
+  std::size_t mask = hash_.size() - 1, place = hash(node) & mask;
+  for (; hash_[place] != no_node; place = (place + 1) & mask)
+    if (nodes_[hash_[place]] == node) return hash_[place];
+  ++hashed_;
+  return hash_[place] = append(node);
+}
+
+void NodeTable::grow_hash() {
+  std::vector<NodeId> old(std::max<std::size_t>(64, 2 * hash_.size()), no_node);
+  old.swap(hash_);
+  std::size_t mask = hash_.size() - 1;
+  for (NodeId id : old) {
+    if (id == no_node) continue;
+    std::size_t place = hash(nodes_[id]) & mask;
+    while (hash_[place] != no_node) place = (place + 1) & mask;
+    hash_[place] = id;
+  }
+}
+
+std::vector<Node> NodeTable::release() {
+  std::vector<Node> nodes = std::move(nodes_);
+  clear();
+  return nodes;
+}
+
+void NodeTable::clear() {
+  nodes_.clear();
+  first_user_.clear();
+  next_user_.clear();
+  hash_.clear();
+  hashed_ = 0;
+}
+
+} // namespace symreal

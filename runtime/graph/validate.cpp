@@ -1,0 +1,52 @@
+#include "graph/validate.h"
+
+#include <algorithm>
+
+namespace symreal {
+
+static std::string check_objects(std::vector<Object> const &objects) {
+  std::uint32_t next = 0;
+  for (Object const &object : objects) {
+    std::size_t product = 1;
+    for (std::size_t extent : object.extents) product *= extent;
+    if (object.first != next || object.count != product) return "object '" + object.label + "' does not fit its slots";
+    next += object.count;
+  }
+  return {};
+}
+
+static std::string check_node(Graph const &graph, NodeId id) {
+  Node const &node = graph.nodes[id];
+  auto at = [id](char const *text) { return "node " + std::to_string(id) + " " + text; };
+  if (node.op >= Op::count) return at("has no operation");
+  if (node.op == Op::input && node.slot() >= graph.input_count()) return at("names an input that does not exist");
+  if (node.op == Op::parameter && node.slot() >= graph.parameter_count())
+    return at("names a parameter that does not exist");
+  if (is_leaf(node.op)) return {};
+  Attribute attribute = Attribute::constant;
+  for (std::size_t i = 0; i < node.operand.size(); ++i) {
+    if ((i < arity(node.op)) != (node.operand[i] != no_node)) return at("has the wrong number of operands");
+    if (i >= arity(node.op)) continue;
+    if (node.operand[i] >= id) return at("is older than its operand");
+    attribute = std::max(attribute, graph.nodes[node.operand[i]].attribute);
+  }
+  return node.attribute == attribute ? std::string() : at("has the wrong attribute");
+}
+
+std::string find_violation(Graph const &graph) {
+  for (auto const *objects : {&graph.inputs, &graph.parameters, &graph.outputs})
+    if (std::string violation = check_objects(*objects); !violation.empty()) return violation;
+  if (graph.results.size() != graph.output_count()) return "the number of results differs from the outputs' size";
+  if (graph.input_values.size() != graph.input_count()) return "the number of input values differs";
+  if (graph.parameter_values.size() != graph.parameter_count()) return "the number of parameter values differs";
+  for (auto const *roots : {&graph.results, &graph.precomputed})
+    for (NodeId root : *roots)
+      if (root >= graph.nodes.size()) return "a result names a node that does not exist";
+  for (NodeId stored : graph.precomputed)
+    if (graph.nodes[stored].attribute != Attribute::parametric) return "a precomputed node is not parametric";
+  for (std::size_t id = 0; id < graph.nodes.size(); ++id)
+    if (std::string violation = check_node(graph, static_cast<NodeId>(id)); !violation.empty()) return violation;
+  return {};
+}
+
+} // namespace symreal

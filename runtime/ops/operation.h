@@ -1,0 +1,57 @@
+// What derives from the table of operations (include/symreal/operations.def): the enum, the descriptions, evaluation.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+
+namespace symreal {
+
+// The leaves come first; they are no operations and stand in no table.
+enum class Op : std::uint8_t {
+  constant,
+  input,
+  parameter,
+#define OPERATION(id, ...) id,
+#include <symreal/operations.def>
+#undef OPERATION
+  count
+};
+
+enum class Form : std::uint8_t { infix, prefix, call, select };
+enum class Domain : std::uint8_t { any, positive, unit, above_one };
+
+struct OperationInfo {
+  Op op;
+  std::string_view name;
+  unsigned arity;
+  Form form;
+  std::string_view c;
+  int precedence;
+  std::string_view derivative;
+  int cost;
+  unsigned flags;
+  Domain domain;
+  std::string_view doc;
+
+  bool has(unsigned flag) const { return (flags & flag) != 0; }
+};
+
+namespace flag {
+inline constexpr unsigned COMMUTATIVE = 1, ROUNDED = 2, ZERO_SIGN = 4, BOOLEAN = 8, LOGICAL = 16;
+}
+
+// All operations in the order of the table.
+std::span<OperationInfo const> operations();
+
+// The row of an operation; leaves have none.
+OperationInfo const &info(Op op);
+inline bool is_leaf(Op op) { return op <= Op::parameter; }
+unsigned arity(Op op);
+std::optional<Op> find_operation(std::string_view name);
+
+// The reference semantics. Unused operands are ignored. Truth values are 0 and 1.
+double evaluate(Op op, double x, double y, double z);
+
+} // namespace symreal

@@ -1,0 +1,8 @@
+#include "passes/compact.h"
+#include "passes/pass.h"
+
+namespace symreal {
+
+Graph pass_cull(Graph const &graph, FloatingPoint) { return compact(graph, live_nodes(graph)); }
+
+} // namespace symreal

@@ -1,0 +1,19 @@
+// The three floating-point modes. docs/floating-point.md is the law book.
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+namespace symreal {
+
+// A rule that is valid in one mode is valid in every later one.
+enum class FloatingPoint {
+  strict, // bit-identical to the reference for all inputs, any NaN equal to any NaN
+  finite, // equal (==) to the reference where all values are finite and no zero reaches an operation that sees its sign
+  fast    // real-number algebra
+};
+
+std::string_view to_string(FloatingPoint mode);
+std::optional<FloatingPoint> parse_floating_point(std::string_view text);
+
+} // namespace symreal

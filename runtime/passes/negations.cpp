@@ -1,0 +1,59 @@
+#include "graph/node_table.h"
+#include "passes/compact.h"
+#include "passes/pass.h"
+
+namespace symreal {
+
+// Pass `signs` leaves one canonical node for a value and its negative, and a `neg` where the negative is wanted. Where
+// nobody wants the canonical one, the negative is made directly: -(a - b) is b - a, -(a * k) is a * -k. This is the
+// reverse of the rules in signs, so it runs once, at the end, and only where every use of the node is that `neg`.
+Graph pass_negations(Graph const &graph, FloatingPoint mode) {
+  std::vector<std::uint32_t> uses(graph.nodes.size(), 0);
+  std::vector<char> live = live_nodes(graph);
+  for (std::size_t id = 0; id < graph.nodes.size(); ++id) {
+    Node const &node = graph.nodes[id];
+    if (!live[id] || is_leaf(node.op)) continue;
+    for (NodeId operand : node.operand)
+      if (operand != no_node) ++uses[operand];
+  }
+  for (NodeId root : graph.results) ++uses[root];
+  for (NodeId root : graph.precomputed) ++uses[root];
+
+  // The negative of `node` as one operation, or nothing. b - a for -(a - b) differs in the sign of zero.
+  NodeTable table;
+  auto negative = [&](Node node) -> std::optional<Node> {
+    auto constant = [&](int i) { return table[node.operand[i]].is_constant(); };
+    auto negate = [&](int i) { node.operand[i] = table.constant(-table[node.operand[i]].value()); };
+    switch (node.op) {
+    case Op::sub:
+      if (mode == FloatingPoint::strict) return std::nullopt;
+      std::swap(node.operand[0], node.operand[1]);
+      return node;
+    case Op::mul:
+    case Op::div:
+      if (constant(1)) negate(1);
+      else if (constant(0)) negate(0);
+      else return std::nullopt;
+      return node;
+    default: return std::nullopt;
+    }
+  };
+
+  std::vector<NodeId> now(graph.nodes.size(), no_node);
+  for (std::size_t id = 0; id < graph.nodes.size(); ++id) {
+    Node node = graph.nodes[id];
+    if (!is_leaf(node.op))
+      for (NodeId &operand : node.operand)
+        if (operand != no_node) operand = now[operand];
+    std::optional<Node> direct;
+    if (node.op == Op::neg && uses[graph.nodes[id].operand[0]] == 1) direct = negative(table[node.operand[0]]);
+    now[id] = table.intern(direct.value_or(node));
+  }
+  Graph result = without_nodes(graph);
+  for (NodeId root : graph.results) result.results.push_back(now[root]);
+  for (NodeId root : graph.precomputed) result.precomputed.push_back(now[root]);
+  result.nodes = table.release();
+  return compact(result, live_nodes(result));
+}
+
+} // namespace symreal

@@ -1,0 +1,56 @@
+#include "passes/pass.h"
+
+#include "graph/validate.h"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace symreal {
+
+std::span<PassInfo const> pass_table() {
+  static constexpr PassInfo table[] = {
+#define PASS(name, by_default, doc) {#name, pass_##name, by_default, doc},
+#include "passes/passes.def"
+#undef PASS
+  };
+  return table;
+}
+
+std::vector<std::string> default_passes() {
+  std::vector<std::string> names;
+  for (PassInfo const &pass : pass_table())
+    if (pass.by_default) names.emplace_back(pass.name);
+  return names;
+}
+
+static PassInfo const &find_pass(std::string_view name) {
+  auto table = pass_table();
+  auto found = std::find_if(table.begin(), table.end(), [name](PassInfo const &pass) { return pass.name == name; });
+  if (found == table.end()) fail(DiagnosticId::unknown_pass, {}, "no pass is named '" + std::string(name) + "'");
+  return *found;
+}
+
+std::vector<std::string> parse_passes(std::string_view text) {
+  if (text == "default") return default_passes();
+  std::vector<std::string> names;
+  if (text == "none") return names;
+  while (true) {
+    std::size_t comma = std::min(text.find(','), text.size());
+    names.emplace_back(find_pass(text.substr(0, comma)).name);
+    if (comma == text.size()) return names;
+    text.remove_prefix(comma + 1);
+  }
+}
+
+Graph run_passes(Graph graph, std::span<std::string const> names, FloatingPoint mode) {
+  for (std::string const &name : names) {
+    graph = find_pass(name).run(graph, mode);
+    if (std::string violation = find_violation(graph); !violation.empty()) {
+      std::fprintf(stderr, "symreal: after pass %s: %s\n", name.c_str(), violation.c_str());
+      internal_check(!"a pass left the graph invalid");
+    }
+  }
+  return graph;
+}
+
+} // namespace symreal

@@ -1,0 +1,34 @@
+// A pass is a function from graph to graph, one file and one row of passes.def.
+#pragma once
+
+#include "graph/graph.h"
+#include "passes/floating_point.h"
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace symreal {
+
+#define PASS(name, ...) Graph pass_##name(Graph const &graph, FloatingPoint mode);
+#include "passes/passes.def"
+#undef PASS
+
+struct PassInfo {
+  std::string_view name;
+  Graph (*run)(Graph const &, FloatingPoint);
+  bool by_default;
+  std::string_view doc;
+};
+std::span<PassInfo const> pass_table();
+
+std::vector<std::string> default_passes();
+
+// "a,b,c", "default" or "none". Throws unknown_pass.
+std::vector<std::string> parse_passes(std::string_view text);
+
+// Runs the passes one after the other and validates the graph after each. Throws unknown_pass.
+Graph run_passes(Graph graph, std::span<std::string const> names, FloatingPoint mode);
+
+} // namespace symreal

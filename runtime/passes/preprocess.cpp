@@ -1,0 +1,26 @@
+#include "passes/pass.h"
+
+namespace symreal {
+
+// The boundary between the two functions: every parametric node that the variable part or an output uses directly gets
+// a slot of `constants`, a bare parameter too, since `compute` sees no parameters. What lies behind the boundary is
+// parametric by definition of the attribute and so runs in `preprocess`.
+Graph pass_preprocess(Graph const &graph, FloatingPoint) {
+  std::vector<char> live = live_nodes(graph), stored(graph.nodes.size(), 0);
+  auto is_parametric = [&](NodeId id) { return graph.nodes[id].attribute == Attribute::parametric; };
+  for (std::size_t id = 0; id < graph.nodes.size(); ++id) {
+    Node const &node = graph.nodes[id];
+    if (!live[id] || is_leaf(node.op) || node.attribute != Attribute::variable) continue;
+    for (NodeId operand : node.operand)
+      if (operand != no_node && is_parametric(operand)) stored[operand] = 1;
+  }
+  for (NodeId root : graph.results)
+    if (is_parametric(root)) stored[root] = 1;
+  Graph result = graph;
+  result.precomputed.clear();
+  for (std::size_t id = 0; id < stored.size(); ++id)
+    if (stored[id]) result.precomputed.push_back(static_cast<NodeId>(id));
+  return result;
+}
+
+} // namespace symreal

@@ -1,0 +1,79 @@
+#include "passes/sweep.h"
+
+namespace symreal {
+
+namespace {
+
+class Sweep {
+public:
+  explicit Sweep(SweepOptions const &options) : options_(options) {
+    for (Rule const &rule : rules())
+      if ((options.topics & static_cast<unsigned>(rule.topic)) && rule.mode <= options.mode)
+        rules_[static_cast<std::size_t>(rule.pattern.op)].push_back(&rule);
+  }
+
+  Graph run(Graph const &graph) {
+    std::vector<NodeId> now(graph.nodes.size());
+    for (std::size_t id = 0; id < graph.nodes.size(); ++id) {
+      Node const &node = graph.nodes[id];
+      if (is_leaf(node.op)) {
+        now[id] = table_.intern(node);
+        continue;
+      }
+      std::array<NodeId, 3> operand = node.operand;
+      for (NodeId &o : operand)
+        if (o != no_node) o = now[o];
+      now[id] = make(node.op, operand);
+    }
+    Graph result = without_nodes(graph);
+    for (NodeId root : graph.results) result.results.push_back(now[root]);
+    for (NodeId root : graph.precomputed) result.precomputed.push_back(now[root]);
+    result.nodes = table_.release();
+    return result;
+  }
+
+private:
+  // Recursion is bounded: a replacement has at most three operations, and a sign only moves outwards past each.
+  NodeId make(Op op, std::array<NodeId, 3> operand) {
+    if (options_.canonical_order && info(op).has(flag::COMMUTATIVE) && is_newer(operand[0], operand[1], table_))
+      std::swap(operand[0], operand[1]);
+    Node node = table_.operation(op, operand[0], operand[1], operand[2]);
+    if (options_.fold && node.attribute == Attribute::constant) return fold(node);
+    Bindings bindings;
+    for (Rule const *rule : rules_[static_cast<std::size_t>(op)])
+      if (match(*rule, node, table_, bindings)) return build(rule->replacement, bindings);
+    return table_.intern(node);
+  }
+
+  NodeId build(Term const &term, Bindings &bindings) {
+    switch (term.kind) {
+    case Term::Kind::variable: return bindings[term.variable];
+    case Term::Kind::number: return table_.constant(term.number);
+    case Term::Kind::operation: break;
+    }
+    std::array<NodeId, 3> operand = {no_node, no_node, no_node};
+    bool constant = true;
+    for (std::size_t i = 0; i < term.operands.size(); ++i) {
+      operand[i] = build(term.operands[i], bindings);
+      constant = constant && table_[operand[i]].is_constant();
+    }
+    if (constant) return fold(table_.operation(term.op, operand[0], operand[1], operand[2]));
+    return make(term.op, operand);
+  }
+
+  NodeId fold(Node const &node) {
+    auto value = [&](NodeId id) { return id == no_node ? 0.0 : table_[id].value(); };
+    return table_.constant(
+        evaluate(node.op, value(node.operand[0]), value(node.operand[1]), value(node.operand[2])));
+  }
+
+  SweepOptions options_;
+  std::array<std::vector<Rule const *>, static_cast<std::size_t>(Op::count)> rules_;
+  NodeTable table_;
+};
+
+} // namespace
+
+Graph sweep(Graph const &graph, SweepOptions const &options) { return Sweep(options).run(graph); }
+
+} // namespace symreal

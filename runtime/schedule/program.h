@@ -1,0 +1,30 @@
+// A graph laid out as two functions of statements: what an emitter prints.
+#pragma once
+
+#include "graph/graph.h"
+
+#include <vector>
+
+namespace symreal {
+
+// A function body: `variables` are computed in this order, one statement each; every other operation is used once and is
+// nested in its user's expression. `results` are stored at the end, result k to slot k.
+struct FunctionBody {
+  std::vector<NodeId> variables;
+  std::vector<NodeId> results;
+};
+
+inline constexpr std::uint32_t no_slot = ~std::uint32_t{0};
+
+struct Program {
+  Graph const *graph;
+  FunctionBody preprocess, compute;
+  std::vector<std::uint32_t> constant_slot; // per node: where preprocess stores it for compute, or no_slot
+  std::size_t constant_count = 0;
+};
+
+// The order of statements is the order of recording: measured against depth-first, Sethi-Ullman and kill-most orders it
+// keeps live ranges shortest. `graph` must outlive the program.
+Program schedule(Graph const &graph);
+
+} // namespace symreal

@@ -1,0 +1,56 @@
+#include "support/files.h"
+
+#include "diagnostics/diagnostic.h"
+
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <sstream>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace symreal {
+
+static std::optional<std::string> contents(std::string const &path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  if (!file || std::filesystem::is_directory(path)) return std::nullopt;
+  if (file.peek() != std::ifstream::traits_type::eof()) text << file.rdbuf();
+  return file.bad() ? std::nullopt : std::optional(text.str());
+}
+
+std::string read_file(std::string const &path) {
+  errno = 0;
+  if (auto text = contents(path)) return *text;
+  fail(DiagnosticId::unreadable_file, {path}, "cannot read '" + path + "': " + std::strerror(errno ? errno : EISDIR));
+}
+
+void write_if_changed(std::string const &path, std::string const &text) {
+  if (contents(path) == text) return;
+  std::string temporary = path + ".XXXXXX";
+  int descriptor = mkstemp(temporary.data());
+  auto give_up = [&](int reason) {
+    if (descriptor >= 0) unlink(temporary.c_str());
+    fail(DiagnosticId::unwritable_output, {path}, "cannot write '" + path + "': " + std::strerror(reason));
+  };
+  if (descriptor < 0) give_up(errno);
+  std::size_t done = 0;
+  while (done < text.size()) {
+    ssize_t written = write(descriptor, text.data() + done, text.size() - done);
+    if (written < 0 && errno != EINTR) {
+      int reason = errno;
+      close(descriptor);
+      give_up(reason);
+    }
+    if (written > 0) done += static_cast<std::size_t>(written);
+  }
+  mode_t mask = umask(0); // mkstemp makes private files; the result gets the permissions that any new file gets
+  umask(mask);
+  if (fchmod(descriptor, 0666 & ~mask) != 0 || close(descriptor) != 0) give_up(errno);
+  if (rename(temporary.c_str(), path.c_str()) != 0) give_up(errno);
+}
+
+} // namespace symreal

@@ -1,0 +1,16 @@
+// Numbers as text that reads back to the same bits.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace symreal {
+
+// The shortest decimal text that reads back to the same double: "10", "-0", "0.1", "1e+300", "inf", "nan".
+std::string shortest(double value);
+
+// The inverse; also hexadecimal floating point ("0x1.8p+1"). The whole text must be a number.
+std::optional<double> parse_number(std::string_view text);
+
+} // namespace symreal
