@@ -1,0 +1,113 @@
+#include "program/record.h"
+
+#include "graph/graph_text.h"
+#include "program/symbolize.h"
+#include "support/files.h"
+
+#include <algorithm>
+#include <csignal>
+#include <cstring>
+#include <fmt/format.h>
+
+namespace symreal::program {
+namespace {
+
+constexpr std::size_t most_frames = 8; // of a decision, as notes
+
+bool is_recording_of(RecordedKernel const &recorded, rewrite::Kernel const &kernel) {
+  return recorded.name == kernel.name || (!kernel.output_file.empty() && recorded.output_file == kernel.output_file);
+}
+
+Diagnostic explain(Decision const &decision, Symbolizer &symbolizer) {
+  Diagnostic diagnostic{DiagnosticId::symbolic_decision, Severity::error, {}, ""};
+  diagnostic.message = fmt::format("the program decides on a symbolic value: {} (met {} time{})", decision.condition,
+                                   decision.count, decision.count == 1 ? "" : "s");
+  std::vector<Frame> frames = symbolizer.frames(decision.addresses);
+  // The innermost place in a rewritten file is where the user can act; what is further in (Eigen, std) led there.
+  auto own = std::find_if(frames.begin(), frames.end(), [](Frame const &frame) { return frame.rewritten; });
+  if (own == frames.end()) own = frames.begin();
+  if (own != frames.end()) diagnostic.place = own->place;
+  for (auto frame = frames.begin(); frame != frames.end() && diagnostic.notes.size() < most_frames; ++frame) {
+    if (frame == own) continue;
+    diagnostic.notes.push_back({frame->place, (frame < own ? "decided in " : "called from ") + frame->function});
+  }
+  return diagnostic;
+}
+
+// Why a kernel that was asked for is missing, from how the program ended.
+Diagnostic explain_missing(rewrite::Kernel const &kernel, bool begun, Outcome const &outcome) {
+  Diagnostic diagnostic{DiagnosticId::kernel_not_reached, Severity::error, kernel.place, ""};
+  if (!begun && !kernel.annotations.empty()) diagnostic.place = kernel.annotations.front().place;
+  std::string waited_for = begun                ? fmt::format("the end of kernel '{}'", kernel.name)
+                           : kernel.is_function ? fmt::format("a call of function '{}'", kernel.name)
+                                                : fmt::format("the annotations of kernel '{}'", kernel.name);
+  switch (outcome.ending) {
+  case Ending::not_started:
+    diagnostic = {DiagnosticId::program_not_started, Severity::error, {}, "the program cannot be started: "};
+    diagnostic.message += std::strerror(outcome.status);
+    break;
+  case Ending::timed_out:
+    diagnostic.id = DiagnosticId::program_timed_out;
+    diagnostic.message = fmt::format("after {:.0f} s the program had not reached {}", outcome.seconds, waited_for);
+    break;
+  case Ending::signalled:
+    diagnostic.id = DiagnosticId::program_crashed;
+    diagnostic.message = fmt::format("the program was ended by signal {} ({}) before it reached {}", outcome.status,
+                                     strsignal(outcome.status), waited_for);
+    break;
+  case Ending::exited:
+    diagnostic.message =
+        fmt::format("the program ended with status {} and never reached {}", outcome.status, waited_for);
+    break;
+  }
+  return diagnostic;
+}
+
+bool has_error(std::vector<Diagnostic> const &diagnostics) {
+  return std::any_of(diagnostics.begin(), diagnostics.end(),
+                     [](Diagnostic const &diagnostic) { return diagnostic.severity == Severity::error; });
+}
+
+Command command(std::string const &executable, RunOptions const &options) {
+  Command command{.arguments = {executable},
+                  .directory = options.directory,
+                  .standard_input = options.standard_input,
+                  .time_limit = options.time_limit};
+  command.arguments.insert(command.arguments.end(), options.arguments.begin(), options.arguments.end());
+  return command;
+}
+
+} // namespace
+
+Recording record(std::string const &executable, RunOptions const &options, std::vector<rewrite::Kernel> const &wanted,
+                 Overlay const &overlay, Workspace const &workspace, LineSink const &sink) {
+  std::string directory = workspace.directory("recording");
+  Command program = command(executable, options);
+  program.environment = {"SYMREAL_RECORD=" + directory};
+  if (!options.run_on) program.environment.push_back("SYMREAL_KERNELS=" + std::to_string(wanted.size()));
+  Outcome outcome = run(program, sink);
+
+  Recording recording;
+  recording.seconds = outcome.seconds;
+  Events events = read_events(directory + "/events");
+  recording.diagnostics = events.diagnostics;
+  if (!events.decisions.empty()) {
+    Symbolizer symbolizer(executable, overlay);
+    for (Decision const &decision : events.decisions) recording.diagnostics.push_back(explain(decision, symbolizer));
+  }
+  bool explained = has_error(recording.diagnostics);
+  for (rewrite::Kernel const &kernel : wanted) {
+    auto found = std::find_if(events.kernels.begin(), events.kernels.end(),
+                              [&](RecordedKernel const &recorded) { return is_recording_of(recorded, kernel); });
+    if (found != events.kernels.end()) {
+      std::string file = directory + "/" + found->graph_file;
+      recording.kernels.push_back({read_graph(read_file(file), file), kernel, found->output_file});
+    } else if (!explained) {
+      bool begun = std::find(events.started.begin(), events.started.end(), kernel.name) != events.started.end();
+      recording.diagnostics.push_back(explain_missing(kernel, begun, outcome));
+    }
+  }
+  return recording;
+}
+
+} // namespace symreal::program

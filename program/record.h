@@ -1,0 +1,41 @@
+// Runs the symbolic program once and gathers the kernels it records, or says why there are none.
+#pragma once
+
+#include "graph/graph.h"
+#include "program/events.h"
+#include "program/overlay.h"
+#include "program/process.h"
+#include "program/workspace.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace symreal::program {
+
+// How the program is run, for recording and for verification alike.
+struct RunOptions {
+  std::vector<std::string> arguments;
+  std::string directory;      // empty: the current one
+  std::string standard_input; // empty: none
+  double time_limit = 60;     // seconds
+  bool run_on = false;        // let the program go on to its own end
+};
+
+struct Recorded {
+  Graph graph;             // as recorded, no pass has run
+  rewrite::Kernel kernel;  // what the source says of it
+  std::string output_file; // the name in generate, else empty
+};
+
+struct Recording {
+  std::vector<Recorded> kernels;       // in the order of recording
+  std::vector<Diagnostic> diagnostics; // of any severity
+  double seconds = 0;
+};
+
+// `wanted`: the kernels that must be recorded. `sink` receives the program's output.
+Recording record(std::string const &executable, RunOptions const &options, std::vector<rewrite::Kernel> const &wanted,
+                 Overlay const &overlay, Workspace const &workspace, LineSink const &sink);
+
+} // namespace symreal::program

@@ -1,0 +1,54 @@
+#include "program/symbolize.h"
+
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wconversion"
+#pragma GCC diagnostic ignored "-Wshadow"
+#pragma GCC diagnostic ignored "-Wunused-parameter"
+#include <llvm/DebugInfo/Symbolize/Symbolize.h>
+#pragma GCC diagnostic pop
+
+namespace symreal::program {
+
+struct Symbolizer::Engine {
+  llvm::symbolize::LLVMSymbolizer symbolizer;
+
+  static llvm::symbolize::LLVMSymbolizer::Options options() {
+    llvm::symbolize::LLVMSymbolizer::Options options;
+    // As the #line directives of the overlay spell them.
+    options.PathStyle = llvm::DILineInfoSpecifier::FileLineInfoKind::RelativeFilePath;
+    options.RelativeAddresses = true;
+    options.UseSymbolTable = false;
+    return options;
+  }
+  Engine() : symbolizer(options()) {}
+};
+
+Symbolizer::Symbolizer(std::string executable, Overlay const &overlay)
+    : executable_(std::move(executable)),
+      overlay_(overlay),
+      engine_(std::make_unique<Engine>()) {}
+Symbolizer::~Symbolizer() = default;
+
+std::vector<Frame> Symbolizer::frames(std::vector<std::uint64_t> const &return_addresses) {
+  std::vector<Frame> frames;
+  for (std::uint64_t address : return_addresses) {
+    if (address == 0) continue;
+    // One before the return address lies within the call.
+    llvm::object::SectionedAddress call{address - 1, llvm::object::SectionedAddress::UndefSection};
+    auto found = engine_->symbolizer.symbolizeInlinedCode(executable_, call);
+    if (!found) {
+      llvm::consumeError(found.takeError());
+      continue;
+    }
+    for (unsigned i = 0; i < found->getNumberOfFrames(); ++i) {
+      llvm::DILineInfo const &info = found->getFrame(i);
+      if (info.FileName == llvm::DILineInfo::BadString || info.Line == 0) continue;
+      if (info.FileName.find("/symreal/") != std::string::npos && !overlay_.contains(info.FileName)) continue;
+      Place place{info.FileName, info.Line, info.Column};
+      frames.push_back({info.FunctionName, overlay_.original(place), overlay_.contains(info.FileName)});
+    }
+  }
+  return frames;
+}
+
+} // namespace symreal::program

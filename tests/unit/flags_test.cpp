@@ -1,0 +1,19 @@
+#include "program/compile.h"
+
+#include <gtest/gtest.h>
+
+using symreal::program::adapted_flags;
+using Flags = std::vector<std::string>;
+
+TEST(Flags, WhatChangesTheNumbersOrChoosesOutputsIsDropped) {
+  EXPECT_EQ(adapted_flags({"-O3", "-ffast-math", "-Ofast", "-Wall", "-Werror", "-c", "-o", "a.o", "-MD", "-MF", "a.d"}),
+            Flags{"-std=c++20"});
+  EXPECT_EQ(adapted_flags({"-Iinc", "-DX=1", "-include", "a.h", "-Wl,-rpath,x"}),
+            (Flags{"-Iinc", "-DX=1", "-include", "a.h", "-Wl,-rpath,x", "-std=c++20"}));
+}
+
+TEST(Flags, TheStandardIsAtLeastTheOneTheHeadersNeed) {
+  EXPECT_EQ(adapted_flags({"-std=c99"}), Flags{"-std=c++20"});
+  EXPECT_EQ(adapted_flags({"-std=gnu++14"}), Flags{"-std=gnu++20"});
+  EXPECT_EQ(adapted_flags({"-std=c++23"}), Flags{"-std=c++23"});
+}
