@@ -11,7 +11,7 @@ namespace symreal {
 
 struct EmitOptions {
   std::string base_name = "kernel"; // files are base_name.c, base_name.h, base_name_main.c
-  std::string prefix;               // of every identifier with external linkage: "arm" gives arm_compute
+  std::string prefix = {};          // of every identifier with external linkage: "arm" gives arm_compute
   FloatingPoint mode = FloatingPoint::finite;
   bool mainline = false;
 };

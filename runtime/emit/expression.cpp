@@ -86,6 +86,11 @@ private:
       push(node.operand[0], prefix_operand);
       push(c);
       break;
+    case Form::cast:
+      push(")");
+      push(node.operand[0], loosest);
+      push(c + "(");
+      break;
     case Form::infix: {
       // Comparisons and logic are not mixed without parentheses: compilers warn, and readers stumble.
       bool arithmetic = operation.precedence >= additive;

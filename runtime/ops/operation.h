@@ -1,25 +1,16 @@
-// What derives from the table of operations (include/symreal/operations.def): the enum, the descriptions, evaluation.
+// What derives from the table of operations (include/symreal/operations.def): descriptions and
+// evaluation. The enum stands in include/symreal/op.h, since a symbolic program sees it.
 #pragma once
 
-#include <cstdint>
+#include <symreal/op.h>
+
 #include <optional>
 #include <span>
 #include <string_view>
 
 namespace symreal {
 
-// The leaves come first; they are no operations and stand in no table.
-enum class Op : std::uint8_t {
-  constant,
-  input,
-  parameter,
-#define OPERATION(id, ...) id,
-#include <symreal/operations.def>
-#undef OPERATION
-  count
-};
-
-enum class Form : std::uint8_t { infix, prefix, call, select };
+enum class Form : std::uint8_t { infix, prefix, call, cast, select };
 enum class Domain : std::uint8_t { any, positive, unit, above_one };
 
 struct OperationInfo {

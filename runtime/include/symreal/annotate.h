@@ -1,0 +1,196 @@
+// What the pragmas become: objects are walked down to their numbers, and each number is handed to the recorder (symbolic
+// programs, where it is a RealNumber) or to the replay (where it is a double). Both sides share the life of a kernel.
+#pragma once
+
+#include <symreal/real_number.h>
+
+#include <cstddef>
+#include <initializer_list>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace symreal {
+
+enum class Kind { input, parameter, constant, output };
+
+struct SourcePlace {
+  char const *file;
+  unsigned line, column;
+};
+
+namespace detail {
+
+// Which numbers a program is made of: RealNumber and double have the same size, so one interface serves both.
+enum class Program { symbolic, replay };
+
+// Whether an annotation that is met now counts: a kernel is open or may begin.
+bool begin_object(Program, Kind, char const *label, SourcePlace) noexcept;
+// Row by row. A temporary has no place to write back to.
+void element(void *number, bool is_temporary) noexcept;
+void end_object(std::size_t const *extents, std::size_t rank) noexcept;
+
+bool begin_function(Program, char const *name, SourcePlace, unsigned call) noexcept;
+void end_function() noexcept;
+void end_region(Program, char const *file_name, SourcePlace) noexcept;
+void *private_copy(void const *original, std::size_t low, std::size_t count) noexcept;
+
+template <class T, class = void> struct is_matrix : std::false_type {};
+template <class T>
+struct is_matrix<T, std::void_t<decltype(std::declval<T &>().rows()), decltype(std::declval<T &>().cols()),
+                                decltype(std::declval<T &>()(0, 0))>> : std::true_type {};
+template <class T, class = void> struct is_sequence : std::false_type {};
+template <class T>
+struct is_sequence<T, std::void_t<decltype(std::declval<T &>().size()), decltype(std::declval<T &>()[0])>>
+    : std::true_type {};
+template <class T, class = void> struct is_complex : std::false_type {};
+template <class T>
+struct is_complex<T, std::enable_if_t<std::is_same_v<typename T::value_type, std::decay_t<decltype(std::declval<T &>().imag())>>>>
+    : std::true_type {};
+
+template <class> inline constexpr bool always_false = false;
+
+#ifdef MBD_REPLAY
+inline constexpr Program program = Program::replay;
+template <class T> inline constexpr bool is_number = std::is_same_v<T, double>;
+#else
+inline constexpr Program program = Program::symbolic;
+template <class T> inline constexpr bool is_number = std::is_same_v<T, RealNumber>;
+#endif
+
+// Visits the numbers of an object; the extents of the outermost visit are appended to `extents`.
+template <class T> void walk(T &object, bool is_temporary, std::vector<std::size_t> *extents) {
+  using Plain = std::remove_cv_t<T>;
+  std::vector<std::size_t> *inner = extents;
+  auto visit = [&](auto &&part) {
+    walk(part, is_temporary || !std::is_lvalue_reference_v<decltype(part)>, inner);
+    inner = nullptr; // the first part tells the shape of all
+  };
+  if constexpr (is_number<Plain>) {
+    element(const_cast<Plain *>(&object), is_temporary);
+  } else if constexpr (std::is_array_v<Plain>) {
+    if (extents) extents->push_back(std::extent_v<Plain>);
+    for (auto &part : object) visit(part);
+  } else if constexpr (is_matrix<T>::value) {
+    auto rows = object.rows(), columns = object.cols();
+    bool vector = columns == 1 || rows == 1;
+    if (extents && !vector) extents->push_back(static_cast<std::size_t>(rows));
+    if (extents) extents->push_back(static_cast<std::size_t>(vector ? rows * columns : columns));
+    for (decltype(rows) i = 0; i < rows; ++i)
+      for (decltype(columns) j = 0; j < columns; ++j) visit(object(i, j));
+  } else if constexpr (is_sequence<T>::value) {
+    if (extents) extents->push_back(static_cast<std::size_t>(object.size()));
+    for (decltype(object.size()) i = 0; i < object.size(); ++i) visit(object[i]);
+  } else if constexpr (is_complex<Plain>::value) {
+    using Number = typename Plain::value_type; // the standard lays a complex number out as an array of two
+    if (extents) extents->push_back(2);
+    for (int part : {0, 1}) visit(reinterpret_cast<Number *>(const_cast<Plain *>(&object))[part]);
+  } else {
+    static_assert(always_false<T>, "symreal: this object cannot be annotated: name its numbers, or an array section");
+  }
+}
+
+} // namespace detail
+
+using Extents = std::vector<std::size_t>;
+
+template <class... Count> Extents extents(Count... count) { return {static_cast<std::size_t>(count)...}; }
+
+template <class T> void annotate(Kind kind, char const *label, SourcePlace place, T &&object) {
+  if (!detail::begin_object(detail::program, kind, label, place)) return;
+  Extents shape;
+  detail::walk(object, !std::is_lvalue_reference_v<T &&>, &shape);
+  detail::end_object(shape.data(), shape.size());
+}
+
+// `element` takes the indices of a section and yields one element, which may again be an object.
+template <class Element>
+void annotate_section(Kind kind, char const *label, SourcePlace place, Extents shape, Element element) {
+  if (!detail::begin_object(detail::program, kind, label, place)) return;
+  std::vector<std::size_t> index(shape.size(), 0);
+  Extents inner, *wanted = &inner;
+  std::size_t count = 1;
+  for (std::size_t extent : shape) count *= extent;
+  for (std::size_t k = 0; k < count; ++k) {
+    std::size_t rest = k;
+    for (std::size_t dimension = shape.size(); dimension-- > 0; rest /= shape[dimension])
+      index[dimension] = rest % shape[dimension];
+    decltype(auto) part = element(index.data());
+    detail::walk(part, !std::is_lvalue_reference_v<decltype(element(index.data()))>, wanted);
+    wanted = nullptr;
+  }
+  shape.insert(shape.end(), inner.begin(), inner.end());
+  detail::end_object(shape.data(), shape.size());
+}
+
+// The carried value of an input that is given none.
+double missing_value() noexcept;
+
+// For the inputs of the pragma that was met last.
+void set_range(double low, double high) noexcept;
+
+// Ends a region kernel: its outputs become ordinary numbers.
+inline void generate(char const *file_name, SourcePlace place) noexcept {
+  detail::end_region(detail::program, file_name, place);
+}
+
+// A private copy of pointer[0 .. low+count), so that the caller's data, which may be const, stays as it is. Memory
+// behind the copy cannot be accessed: what the annotation does not declare is not read by accident.
+template <class T> T const *rebind(T const *pointer, std::size_t low, std::size_t count) noexcept {
+  static_assert(std::is_trivially_copyable_v<T>);
+  return static_cast<T const *>(detail::private_copy(pointer, low * sizeof(T), count * sizeof(T)));
+}
+
+// The kernel of a function with a pragma: recorded during the chosen outermost call, inert in every other.
+class FunctionKernel {
+public:
+  FunctionKernel(char const *name, SourcePlace place, unsigned call = 1) noexcept
+      : active_(detail::begin_function(detail::program, name, place, call)) {}
+  FunctionKernel(FunctionKernel const &) = delete;
+  FunctionKernel &operator=(FunctionKernel const &) = delete;
+  ~FunctionKernel() {
+    if (active_) detail::end_function();
+  }
+
+  // Runs the output annotations when the function returns.
+  template <class Outputs> class OnReturn {
+  public:
+    OnReturn(bool active, Outputs outputs) : active_(active), outputs_(std::move(outputs)) {}
+    OnReturn(OnReturn const &) = delete;
+    OnReturn &operator=(OnReturn const &) = delete;
+    ~OnReturn() {
+      if (!active_) return;
+      begin_outputs();
+      outputs_();
+    }
+
+  private:
+    bool active_;
+    Outputs outputs_;
+  };
+  template <class Outputs> OnReturn<Outputs> on_return(Outputs outputs) {
+    accept_annotations();
+    return OnReturn<Outputs>(active_, std::move(outputs));
+  }
+
+  // The returned value as an output; the caller gets an ordinary number. Stands after the other outputs in order.
+  template <class T> std::decay_t<T> returned(char const *label, SourcePlace place, T &&result) {
+    std::decay_t<T> copy = std::forward<T>(result);
+    if (active_) {
+      begin_outputs();
+      annotate(Kind::output, label, place, copy);
+      make_plain(&copy, sizeof copy);
+    }
+    return copy;
+  }
+
+private:
+  // The annotations of an inert call were passed over; from here on others count again.
+  static void accept_annotations() noexcept;
+  static void begin_outputs() noexcept;
+  static void make_plain(void *object, std::size_t size) noexcept;
+
+  bool active_;
+};
+
+} // namespace symreal

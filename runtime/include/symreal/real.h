@@ -1,0 +1,69 @@
+/* The switch. A rewritten source spells `double` as REAL and its pragmas as the macros below; this header, force-included
+   before the first line, says what they mean:
+
+     (nothing)        numeric: REAL is double and every macro vanishes or leaves the original tokens; object code is the
+                      original's, in C and in C++
+     -DMBD_SYMBOLIC   symbolic: REAL is symreal::RealNumber and the program records itself
+     -DMBD_REPLAY     replay: REAL is double, annotations live; verification feeds and reads them
+
+   REAL is a macro rather than a typedef, since a typedef shows in __PRETTY_FUNCTION__ and in mangled names. */
+#ifndef SYMREAL_REAL_H
+#define SYMREAL_REAL_H
+
+#if !defined(MBD_SYMBOLIC) && !defined(MBD_REPLAY)
+
+#define REAL double
+#define REAL_C(...) __VA_ARGS__
+#define REAL_VALUE(...) __VA_ARGS__
+#define REAL_TO(type, ...) __VA_ARGS__
+#define REAL_STATE(object, place) object
+#define SYMREAL_OBJECT(...)
+#define SYMREAL_SECTION(...)
+#define SYMREAL_RANGE(...)
+#define SYMREAL_REBIND(...)
+#define SYMREAL_FUNCTION(...)
+#define SYMREAL_OUTPUTS_BEGIN
+#define SYMREAL_OUTPUTS_END
+#define SYMREAL_RETURN(label, file, line, column, ...) __VA_ARGS__
+#define SYMREAL_GENERATE(...)
+
+#else
+
+#include <symreal/annotate.h>
+
+#ifdef MBD_SYMBOLIC
+#include <symreal/symbolic.h>
+#define REAL ::symreal::RealNumber
+#define REAL_C(...) (::symreal::RealNumber(__VA_ARGS__))
+#define REAL_VALUE(...) (::symreal::value(__VA_ARGS__))
+#define REAL_TO(type, ...) (static_cast<type>(__VA_ARGS__))
+#define REAL_STATE(object, place) (::symreal::state(object, #object, place))
+#else
+#define REAL double
+#define REAL_C(...) (__VA_ARGS__)
+#define REAL_VALUE(...) (__VA_ARGS__)
+#define REAL_TO(type, ...) (static_cast<type>(__VA_ARGS__))
+#define REAL_STATE(object, place) (object)
+#endif
+
+#define SYMREAL_OBJECT(kind, label, file, line, column, ...)                                                           \
+  ::symreal::annotate(::symreal::Kind::kind, label, {file, line, column}, __VA_ARGS__);
+#define SYMREAL_SECTION(kind, label, file, line, column, extents, ...)                                                 \
+  ::symreal::annotate_section(::symreal::Kind::kind, label, {file, line, column}, extents,                             \
+                              [&](std::size_t const *symreal_i) -> decltype(auto) {                                    \
+                                (void)symreal_i;                                                                       \
+                                return (__VA_ARGS__);                                                                  \
+                              });
+#define SYMREAL_RANGE(low, high) ::symreal::set_range(low, high);
+#define SYMREAL_REBIND(pointer, low, count) pointer = ::symreal::rebind(pointer, low, count);
+/* The optional last argument is the call to record, counted from 1. */
+#define SYMREAL_FUNCTION(name, file, line, column, ...)                                                                \
+  ::symreal::FunctionKernel symreal_kernel(name, {file, line, column}, ##__VA_ARGS__);
+#define SYMREAL_OUTPUTS_BEGIN auto symreal_outputs = symreal_kernel.on_return([&] {
+#define SYMREAL_OUTPUTS_END });
+#define SYMREAL_RETURN(label, file, line, column, ...)                                                                 \
+  (symreal_kernel.returned(label, {file, line, column}, __VA_ARGS__))
+#define SYMREAL_GENERATE(name, file, line, column) ::symreal::generate(name, {file, line, column});
+
+#endif
+#endif

@@ -1,0 +1,132 @@
+// The functions of <cmath> on RealNumber: those of the operation table derive from it, the rest is written out.
+#pragma once
+
+#include <symreal/real_number.h>
+
+#include <cstdlib>
+
+namespace symreal {
+
+// A row that is spelled as a call becomes an overload; operators belong to RealNumber itself.
+#define SYMREAL_FORM_infix(...)
+#define SYMREAL_FORM_prefix(...)
+#define SYMREAL_FORM_cast(...)
+#define SYMREAL_FORM_select(...)
+#define SYMREAL_FORM_call(id, arity, evaluate) SYMREAL_CALL_##arity(id, evaluate)
+#define SYMREAL_CALL_1(id, evaluate)                                                                                   \
+  inline RealNumber id(RealNumber real_x) noexcept {                                                                   \
+    ++detail::executed[static_cast<unsigned>(Op::id)];                                                                 \
+    if (real_x.is_node()) return detail::record(Op::id, real_x, 0.0, 0.0);                                             \
+    double x = real_x.plain();                                                                                         \
+    return evaluate;                                                                                                   \
+  }
+#define SYMREAL_CALL_2(id, evaluate)                                                                                   \
+  inline RealNumber id(RealNumber real_x, RealNumber real_y) noexcept {                                                \
+    ++detail::executed[static_cast<unsigned>(Op::id)];                                                                 \
+    if (real_x.is_node() || real_y.is_node()) return detail::record(Op::id, real_x, real_y, 0.0);                      \
+    double x = real_x.plain(), y = real_y.plain();                                                                     \
+    return evaluate;                                                                                                   \
+  }                                                                                                                    \
+  template <class T, class = std::enable_if_t<std::is_arithmetic_v<T>>> RealNumber id(RealNumber x, T y) noexcept {    \
+    return id(x, RealNumber(y));                                                                                       \
+  }                                                                                                                    \
+  template <class T, class = std::enable_if_t<std::is_arithmetic_v<T>>> RealNumber id(T x, RealNumber y) noexcept {    \
+    return id(RealNumber(x), y);                                                                                       \
+  }
+#define SYMREAL_CALL_3(id, evaluate)                                                                                   \
+  inline RealNumber id(RealNumber real_x, RealNumber real_y, RealNumber real_z) noexcept {                             \
+    ++detail::executed[static_cast<unsigned>(Op::id)];                                                                 \
+    if (real_x.is_node() || real_y.is_node() || real_z.is_node())                                                      \
+      return detail::record(Op::id, real_x, real_y, real_z);                                                           \
+    double x = real_x.plain(), y = real_y.plain(), z = real_z.plain();                                                 \
+    return evaluate;                                                                                                   \
+  }
+#define OPERATION(id, arity, form, c, precedence, evaluate, ...) SYMREAL_FORM_##form(id, arity, evaluate)
+#include <symreal/operations.def>
+#undef OPERATION
+#undef SYMREAL_FORM_infix
+#undef SYMREAL_FORM_prefix
+#undef SYMREAL_FORM_cast
+#undef SYMREAL_FORM_select
+#undef SYMREAL_FORM_call
+#undef SYMREAL_CALL_1
+#undef SYMREAL_CALL_2
+#undef SYMREAL_CALL_3
+
+inline RealNumber fabs(RealNumber x) noexcept { return abs(x); }
+inline RealNumber nearbyint(RealNumber x) noexcept { return rint(x); }
+inline RealNumber ldexp(RealNumber x, int exponent) noexcept { return x * RealNumber(std::ldexp(1.0, exponent)); }
+inline RealNumber scalbn(RealNumber x, int exponent) noexcept { return ldexp(x, exponent); }
+inline RealNumber modf(RealNumber x, RealNumber *integer) noexcept { return x - (*integer = trunc(x)); }
+inline void sincos(RealNumber x, RealNumber *sine, RealNumber *cosine) noexcept {
+  *sine = sin(x);
+  *cosine = cos(x);
+}
+
+// (a < b) ? b : a, as the templates of <algorithm> have it; not fmax, which treats NaN in another way.
+inline RealNumber max(RealNumber a, RealNumber b) noexcept { return select(a < b, b, a); }
+inline RealNumber min(RealNumber a, RealNumber b) noexcept { return select(b < a, b, a); }
+
+// Results that are no real numbers are conversions: decided on the carried value and reported.
+inline RealNumber frexp(RealNumber x, int *exponent) noexcept { return std::frexp(static_cast<double>(x), exponent); }
+inline int ilogb(RealNumber x) noexcept { return std::ilogb(static_cast<double>(x)); }
+inline long lround(RealNumber x) noexcept { return std::lround(static_cast<double>(x)); }
+inline long long llround(RealNumber x) noexcept { return std::llround(static_cast<double>(x)); }
+inline long lrint(RealNumber x) noexcept { return std::lrint(static_cast<double>(x)); }
+inline long long llrint(RealNumber x) noexcept { return std::llrint(static_cast<double>(x)); }
+inline bool signbit(RealNumber x) noexcept { return std::signbit(static_cast<double>(x)); }
+inline bool isnormal(RealNumber x) noexcept { return std::isnormal(static_cast<double>(x)); }
+inline int fpclassify(RealNumber x) noexcept { return std::fpclassify(static_cast<double>(x)); }
+
+// Under the premise of `finite` mode these are constants; elsewhere the decision is reported.
+inline bool isnan(RealNumber x) noexcept { return static_cast<bool>(x != x); }
+inline bool isinf(RealNumber x) noexcept { return x.is_node() ? std::isinf(static_cast<double>(x)) : std::isinf(x.plain()); }
+inline bool isfinite(RealNumber x) noexcept {
+  return x.is_node() ? std::isfinite(static_cast<double>(x)) : std::isfinite(x.plain());
+}
+
+} // namespace symreal
+
+// C code calls them unqualified, C++ code as std::; both reach the overloads.
+#define SYMREAL_CALL_NAMES                                                                                             \
+  SYMREAL_NAME(fabs)                                                                                                   \
+  SYMREAL_NAME(nearbyint)                                                                                              \
+  SYMREAL_NAME(ldexp)                                                                                                  \
+  SYMREAL_NAME(scalbn)                                                                                                 \
+  SYMREAL_NAME(modf)                                                                                                   \
+  SYMREAL_NAME(frexp)                                                                                                  \
+  SYMREAL_NAME(ilogb)                                                                                                  \
+  SYMREAL_NAME(lround)                                                                                                 \
+  SYMREAL_NAME(llround)                                                                                                \
+  SYMREAL_NAME(lrint)                                                                                                  \
+  SYMREAL_NAME(llrint)                                                                                                 \
+  SYMREAL_NAME(signbit)                                                                                                \
+  SYMREAL_NAME(isnormal)                                                                                               \
+  SYMREAL_NAME(fpclassify)                                                                                             \
+  SYMREAL_NAME(isnan)                                                                                                  \
+  SYMREAL_NAME(isinf)                                                                                                  \
+  SYMREAL_NAME(isfinite)
+#define SYMREAL_FORM_infix(id)
+#define SYMREAL_FORM_prefix(id)
+#define SYMREAL_FORM_cast(id)
+#define SYMREAL_FORM_select(id)
+#define SYMREAL_FORM_call(id) SYMREAL_NAME(id)
+#define OPERATION(id, arity, form, ...) SYMREAL_FORM_##form(id)
+#define SYMREAL_NAME(name) using symreal::name;
+#include <symreal/operations.def>
+SYMREAL_CALL_NAMES
+using symreal::sincos;
+namespace std {
+#include <symreal/operations.def>
+SYMREAL_CALL_NAMES
+using symreal::max;
+using symreal::min;
+} // namespace std
+#undef SYMREAL_NAME
+#undef OPERATION
+#undef SYMREAL_FORM_infix
+#undef SYMREAL_FORM_prefix
+#undef SYMREAL_FORM_cast
+#undef SYMREAL_FORM_select
+#undef SYMREAL_FORM_call
+#undef SYMREAL_CALL_NAMES

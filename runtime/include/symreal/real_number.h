@@ -1,0 +1,172 @@
+// RealNumber: what stands in place of double while a program records itself.
+//
+// It is 8 bytes, trivially copyable, and its only member is a double. An ordinary double *is* a constant; a node of the
+// recorded graph rides in the payload of a signalling NaN with the sign bit set:
+//
+//   63            52 51  50        40 39         32 31                    0
+//   1 111 1111 1111  0   tag (11 bit) generation    node id
+//
+// So all-zero bytes are 0.0, memcpy, unions, calloc and arrays keep working, and sizeof is unchanged. Arithmetic that is
+// not instrumented makes the NaN quiet (bit 51) and keeps the tag: a leak that names its node. An uninstrumented fabs or
+// negation clears the sign bit. Both are caught when the value is next read. The generation tells the nodes of one
+// recording from those of another, and from another thread's.
+#pragma once
+
+#include <symreal/op.h>
+
+#include <cmath>
+#include <cstdint>
+#include <type_traits>
+
+namespace symreal {
+
+class RealNumber;
+
+namespace detail {
+
+inline constexpr std::uint64_t node_tag = 0xFFF2'C3u; // bits 63..40
+constexpr std::uint64_t bits(double value) noexcept { return __builtin_bit_cast(std::uint64_t, value); }
+
+// How many operations the program has executed, by kind: per thread, counted whether or not an operand is a node.
+extern __thread std::uint64_t executed[static_cast<unsigned>(Op::count)];
+
+// Slow paths, in the library. `record` makes or finds the node of an operation.
+[[gnu::noinline]] RealNumber record(Op op, RealNumber x, RealNumber y, RealNumber z) noexcept;
+[[gnu::noinline]] double carried_value(RealNumber x) noexcept;
+// As carried_value, for something that needs it: an input without a value is an error here.
+[[gnu::noinline]] double needed_value(RealNumber x) noexcept;
+// A comparison, a conversion: the program goes on with the carried value, and the place is reported.
+[[gnu::noinline]] bool decide(Op op, RealNumber x, RealNumber y, bool outcome) noexcept;
+[[gnu::noinline]] double convert(RealNumber x) noexcept;
+
+} // namespace detail
+
+// What a comparison yields: a truth value that knows what it was computed from. Converting it to bool is a decision.
+class SymbolicBool;
+
+class RealNumber {
+  double value_;
+
+public:
+  RealNumber() = default;
+  template <class T, class = std::enable_if_t<std::is_arithmetic_v<T>>>
+  constexpr RealNumber(T value) noexcept : value_(static_cast<double>(value)) {}
+
+  static constexpr RealNumber from_bits(std::uint64_t bits) noexcept {
+    RealNumber number(0.0);
+    number.value_ = __builtin_bit_cast(double, bits);
+    return number;
+  }
+  constexpr std::uint64_t to_bits() const noexcept { return detail::bits(value_); }
+  constexpr bool is_node() const noexcept { return to_bits() >> 40 == detail::node_tag; }
+  // The number itself where it is no node.
+  constexpr double plain() const noexcept { return value_; }
+
+  template <class T, class = std::enable_if_t<std::is_arithmetic_v<T> && !std::is_same_v<T, bool>>>
+  explicit constexpr operator T() const noexcept {
+    return static_cast<T>(is_node() ? detail::convert(*this) : value_);
+  }
+  [[gnu::always_inline]] explicit constexpr operator bool() const noexcept {
+    return is_node() ? detail::decide(Op::ne, *this, RealNumber(0.0), detail::carried_value(*this) != 0) : value_ != 0;
+  }
+
+  constexpr RealNumber &operator+=(RealNumber other) noexcept { return *this = *this + other; }
+  constexpr RealNumber &operator-=(RealNumber other) noexcept { return *this = *this - other; }
+  constexpr RealNumber &operator*=(RealNumber other) noexcept { return *this = *this * other; }
+  constexpr RealNumber &operator/=(RealNumber other) noexcept { return *this = *this / other; }
+  constexpr RealNumber &operator++() noexcept { return *this = *this + RealNumber(1.0); }
+  constexpr RealNumber &operator--() noexcept { return *this = *this - RealNumber(1.0); }
+  constexpr RealNumber operator++(int) noexcept {
+    RealNumber old = *this;
+    ++*this;
+    return old;
+  }
+  constexpr RealNumber operator--(int) noexcept {
+    RealNumber old = *this;
+    --*this;
+    return old;
+  }
+
+  friend constexpr RealNumber operator+(RealNumber x) noexcept { return x; }
+  friend constexpr RealNumber operator-(RealNumber x) noexcept {
+    if (!__builtin_is_constant_evaluated()) {
+      ++detail::executed[static_cast<unsigned>(Op::neg)];
+      if (x.is_node()) return detail::record(Op::neg, x, 0.0, 0.0);
+    }
+    return -x.value_;
+  }
+#define SYMREAL_ARITHMETIC(op, id)                                                                                     \
+  friend constexpr RealNumber operator op(RealNumber x, RealNumber y) noexcept {                                       \
+    if (!__builtin_is_constant_evaluated()) {                                                                          \
+      ++detail::executed[static_cast<unsigned>(Op::id)];                                                               \
+      if (x.is_node() || y.is_node()) return detail::record(Op::id, x, y, 0.0);                                        \
+    }                                                                                                                  \
+    return x.value_ op y.value_;                                                                                       \
+  }
+  SYMREAL_ARITHMETIC(+, add)
+  SYMREAL_ARITHMETIC(-, sub)
+  SYMREAL_ARITHMETIC(*, mul)
+  SYMREAL_ARITHMETIC(/, div)
+#undef SYMREAL_ARITHMETIC
+};
+
+static_assert(sizeof(RealNumber) == 8 && alignof(RealNumber) == alignof(double));
+static_assert(std::is_trivially_copyable_v<RealNumber> && std::is_trivially_default_constructible_v<RealNumber>);
+
+class SymbolicBool {
+public:
+  constexpr SymbolicBool(bool value) noexcept : value_(value) {}
+  constexpr SymbolicBool(Op op, RealNumber x, RealNumber y, bool value) noexcept
+      : x_(x), y_(y), op_(op), value_(value), symbolic_(true) {}
+
+  [[gnu::always_inline]] constexpr operator bool() const noexcept {
+    return symbolic_ ? detail::decide(op_, x_, y_, value_) : value_;
+  }
+  // The comparison as a number for select: a node where it is symbolic.
+  RealNumber condition() const noexcept { return symbolic_ ? detail::record(op_, x_, y_, 0.0) : RealNumber(value_); }
+  bool is_symbolic() const noexcept { return symbolic_; }
+
+private:
+  RealNumber x_{0.0}, y_{0.0};
+  Op op_ = Op::constant;
+  bool value_;
+  bool symbolic_ = false;
+};
+
+#define SYMREAL_COMPARISON(op, id)                                                                                     \
+  [[gnu::always_inline]] inline constexpr SymbolicBool operator op(RealNumber x, RealNumber y) noexcept {              \
+    if (__builtin_is_constant_evaluated() || (!x.is_node() && !y.is_node())) return x.plain() op y.plain();            \
+    return {Op::id, x, y, detail::carried_value(x) op detail::carried_value(y)};                                       \
+  }
+SYMREAL_COMPARISON(<, lt)
+SYMREAL_COMPARISON(<=, le)
+SYMREAL_COMPARISON(>, gt)
+SYMREAL_COMPARISON(>=, ge)
+SYMREAL_COMPARISON(==, eq)
+SYMREAL_COMPARISON(!=, ne)
+#undef SYMREAL_COMPARISON
+
+// i += x for an arithmetic i: what the original did, a conversion back included.
+#define SYMREAL_COMPOUND(op)                                                                                           \
+  template <class T, class = std::enable_if_t<std::is_arithmetic_v<T>>>                                                \
+  constexpr T &operator op##=(T &x, RealNumber y) noexcept {                                                           \
+    return x = static_cast<T>(RealNumber(x) op y);                                                                     \
+  }
+SYMREAL_COMPOUND(+)
+SYMREAL_COMPOUND(-)
+SYMREAL_COMPOUND(*)
+SYMREAL_COMPOUND(/)
+#undef SYMREAL_COMPOUND
+
+// The carried value: the number that the program would have here. For printing; no dependency is recorded.
+inline double value(RealNumber x) noexcept { return x.is_node() ? detail::needed_value(x) : x.plain(); }
+template <class T, class = std::enable_if_t<std::is_arithmetic_v<T>>> constexpr T value(T x) noexcept { return x; }
+
+// y where the condition holds, else z; both are computed.
+inline RealNumber select(SymbolicBool condition, RealNumber y, RealNumber z) noexcept {
+  return condition.is_symbolic() ? detail::record(Op::select, condition.condition(), y, z)
+         : condition             ? y
+                                 : z;
+}
+
+} // namespace symreal

@@ -1,0 +1,60 @@
+// For those who write a symbolic main by hand: annotations as plain calls. Without -DMBD_SYMBOLIC the same program is
+// the numeric one.
+//
+//   REAL q = create_runtime_const("q", 0.5);
+//   output("y", SIN(q) * 10.0);
+//   generate_code("y.c");
+#pragma once
+
+#include <symreal/real.h>
+
+#include <math.h>
+
+#define PI 3.14159265358979323846
+
+#if defined(MBD_SYMBOLIC) || defined(MBD_REPLAY)
+
+#define SYMREAL_CALLER ::symreal::SourcePlace place = {__builtin_FILE(), __builtin_LINE(), 1}
+
+inline REAL create_runtime_const(char const *name, double value, SYMREAL_CALLER) {
+  REAL number = value;
+  ::symreal::annotate(::symreal::Kind::input, name, place, static_cast<REAL &&>(number));
+  return number;
+}
+// Without a value the program cannot decide on, print or convert what depends on this input.
+inline REAL create_runtime_const(char const *name, SYMREAL_CALLER) {
+  return create_runtime_const(name, ::symreal::missing_value(), place);
+}
+inline REAL create_parameter(char const *name, double value, SYMREAL_CALLER) {
+  REAL number = value;
+  ::symreal::annotate(::symreal::Kind::parameter, name, place, static_cast<REAL &&>(number));
+  return number;
+}
+// Numbers, arrays, std::array, std::vector, Eigen objects: in place.
+template <class T> void input(char const *name, T &object, SYMREAL_CALLER) {
+  ::symreal::annotate(::symreal::Kind::input, name, place, object);
+}
+template <class T> void parameter(char const *name, T &object, SYMREAL_CALLER) {
+  ::symreal::annotate(::symreal::Kind::parameter, name, place, object);
+}
+template <class T> void output(char const *name, T &&object, SYMREAL_CALLER) {
+  ::symreal::annotate(::symreal::Kind::output, name, place, static_cast<T &&>(object));
+}
+// Ends the kernel and writes its code.
+inline void generate_code(char const *file_name, SYMREAL_CALLER) { ::symreal::generate(file_name, place); }
+
+#undef SYMREAL_CALLER
+
+#else
+
+static inline double create_runtime_const(char const *name, double value) { return (void)name, value; }
+static inline double create_parameter(char const *name, double value) { return (void)name, value; }
+template <class T> void input(char const *, T const &) {}
+template <class T> void parameter(char const *, T const &) {}
+template <class T> void output(char const *, T const &) {}
+static inline void generate_code(char const *file_name) { (void)file_name; }
+
+#endif
+
+static inline REAL SIN(REAL x) { return sin(x); }
+static inline REAL COS(REAL x) { return cos(x); }

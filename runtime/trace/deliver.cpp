@@ -1,0 +1,61 @@
+#include "trace/deliver.h"
+
+#include "emit/emit.h"
+#include "graph/graph_text.h"
+#include "passes/pass.h"
+#include "support/files.h"
+#include "support/number.h"
+#include "trace/events.h"
+
+#include <atomic>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <iostream>
+#include <sstream>
+#include <unistd.h>
+
+namespace symreal::trace {
+
+static void hand_to_driver(Graph const &graph, std::string const &output_file) {
+  static std::atomic<unsigned> delivered = 0;
+  unsigned number = delivered++;
+  std::string const name = std::to_string(number) + ".graph";
+  std::ostringstream text;
+  write_graph(text, graph);
+  write_if_changed(record_directory() + "/" + name, text.str());
+  event({"kernel", graph.kernel, name, output_file});
+  for (Frozen const &frozen : graph.frozen) {
+    std::string values;
+    for (double value : frozen.values) values += (values.empty() ? "" : " ") + shortest(value);
+    event({"frozen", graph.kernel, frozen.name, to_string(frozen.place), values});
+  }
+  flush_events();
+  char const *wanted = std::getenv("SYMREAL_KERNELS");
+  if (wanted && number + 1 == std::strtoul(wanted, nullptr, 10)) {
+    std::fflush(nullptr);
+    std::cout.flush();
+    _exit(0);
+  }
+}
+
+static void generate_here(Graph const &graph, std::string const &output_file) {
+  if (anything_wrong()) return;
+  std::vector<std::string> const passes = default_passes();
+  std::filesystem::path const path = output_file.empty() ? graph.kernel + ".c" : output_file;
+  Graph const optimised = run_passes(graph, passes, FloatingPoint::finite);
+  for (EmittedFile const &file : emit_c(optimised, {.base_name = path.stem().string()}))
+    write_if_changed((path.parent_path() / file.name).string(), file.text);
+}
+
+void deliver(Graph const &graph, std::string const &output_file) {
+  try {
+    if (record_directory().empty()) generate_here(graph, output_file);
+    else hand_to_driver(graph, output_file);
+  } catch (DiagnosticError const &error) {
+    report(error.diagnostic());
+    give_up();
+  }
+}
+
+} // namespace symreal::trace

@@ -1,0 +1,131 @@
+#include "trace/events.h"
+
+#include "support/files.h"
+
+#include <cstdio>
+#include <cstdlib>
+#include <iostream>
+#include <map>
+#include <unistd.h>
+#include <unwind.h>
+
+extern "C" char const __ehdr_start; // the linker's name for where this executable is loaded
+
+namespace symreal::trace {
+
+namespace {
+
+struct Decision {
+  std::size_t count = 0;
+  std::string condition;
+};
+
+struct Log {
+  std::vector<std::string> lines;
+  std::map<std::vector<std::uintptr_t>, Decision> decisions;
+  std::vector<std::vector<std::uintptr_t>> decision_order;
+  bool wrong = false;
+};
+
+// Never destroyed: objects with static storage may record until the very end.
+Log &log() {
+  static Log *const instance = [] {
+    std::atexit(flush_events);
+    return new Log;
+  }();
+  return *instance;
+}
+
+std::string hexadecimal(std::vector<std::uintptr_t> const &addresses) {
+  std::string text;
+  char buffer[20];
+  for (std::uintptr_t address : addresses) {
+    std::snprintf(buffer, sizeof buffer, "%jx", static_cast<std::uintmax_t>(address));
+    text += (text.empty() ? "" : ",") + std::string(buffer);
+  }
+  return text;
+}
+
+std::string joined(std::initializer_list<std::string> fields) {
+  std::string line;
+  for (std::string const &field : fields) {
+    if (&field != fields.begin()) line += '\t';
+    for (char c : field) line += c == '\t' || c == '\n' || c == '\r' ? ' ' : c;
+  }
+  return line;
+}
+
+} // namespace
+
+std::string const &record_directory() {
+  static std::string const *const directory = [] {
+    char const *text = std::getenv("SYMREAL_RECORD");
+    return new std::string(text ? text : "");
+  }();
+  return *directory;
+}
+
+std::vector<std::uintptr_t> call_stack() {
+  constexpr std::size_t most_frames = 48;
+  std::vector<std::uintptr_t> addresses;
+  _Unwind_Backtrace(
+      [](_Unwind_Context *context, void *list) {
+        auto &found = *static_cast<std::vector<std::uintptr_t> *>(list);
+        found.push_back(_Unwind_GetIP(context) - reinterpret_cast<std::uintptr_t>(&__ehdr_start));
+        return found.size() < most_frames ? _URC_NO_REASON : _URC_END_OF_STACK;
+      },
+      &addresses);
+  return addresses;
+}
+
+void event(std::initializer_list<std::string> fields) { log().lines.push_back(joined(fields)); }
+
+void report(Diagnostic const &diagnostic) {
+  log().wrong = true;
+  event({"diagnostic", code(diagnostic.id), diagnostic.place.file, std::to_string(diagnostic.place.line),
+         std::to_string(diagnostic.place.column), diagnostic.message});
+  if (record_directory().empty()) print(std::cerr, diagnostic);
+}
+
+void report_here(DiagnosticId id, std::string const &message) {
+  log().wrong = true;
+  event({"located", code(id), message, hexadecimal(call_stack())});
+  if (record_directory().empty()) print(std::cerr, {id, Severity::error, {}, message});
+}
+
+void report_decision(std::string const &condition) {
+  std::vector<std::uintptr_t> stack = call_stack();
+  auto [found, is_new] = log().decisions.try_emplace(stack);
+  if (found->second.count++ == 0) {
+    found->second.condition = condition;
+    log().decision_order.push_back(stack);
+    if (record_directory().empty())
+      std::cerr << "symreal: a decision on " << condition << "; symreal generate tells where\n";
+  }
+  log().wrong = true;
+}
+
+bool anything_wrong() { return log().wrong; }
+
+void flush_events() {
+  if (record_directory().empty()) return;
+  std::string text;
+  for (std::string const &line : log().lines) text += line + '\n';
+  for (auto const &stack : log().decision_order) {
+    Decision const &decision = log().decisions[stack];
+    text += joined({"decision", std::to_string(decision.count), decision.condition, hexadecimal(stack)}) + '\n';
+  }
+  try {
+    write_if_changed(record_directory() + "/events", text);
+  } catch (DiagnosticError const &error) {
+    print(std::cerr, error.diagnostic());
+  }
+}
+
+void give_up() {
+  flush_events();
+  std::fflush(nullptr);
+  _exit(1);
+}
+
+} // namespace symreal::trace

@@ -1,0 +1,40 @@
+// What the recording tells the driver: lines of tab-separated fields in the file `events` of $SYMREAL_RECORD, written
+// anew at each kernel's begin and end and at exit. A program that was started by hand has no such directory; then
+// diagnostics are printed.
+//
+//   started     kernel
+//   kernel      name  N.graph  output file
+//   diagnostic  SYM0nn  file  line  column  message
+//   located     SYM0nn  message  address,address,...    the place is where the program stood: innermost first,
+//   decision    count  condition  address,address,...   hexadecimal, relative to where the executable is loaded
+//   frozen      kernel  name  place  value
+#pragma once
+
+#include "diagnostics/diagnostic.h"
+
+#include <cstdint>
+#include <initializer_list>
+#include <string>
+#include <vector>
+
+namespace symreal::trace {
+
+// Return addresses of the callers, innermost first, relative to the load base; frames of the runtime itself are
+// skipped.
+std::vector<std::uintptr_t> call_stack();
+
+void event(std::initializer_list<std::string> fields);
+void report(Diagnostic const &diagnostic);
+void report_here(DiagnosticId id, std::string const &message);
+// A decision on a symbolic value at the caller's place; repetitions are counted.
+void report_decision(std::string const &condition);
+bool anything_wrong();
+
+void flush_events();
+// After an error that leaves nothing sensible to go on with: writes the events and ends the process.
+[[noreturn]] void give_up();
+
+// $SYMREAL_RECORD, or empty.
+std::string const &record_directory();
+
+} // namespace symreal::trace

@@ -1,0 +1,107 @@
+#include "trace/kernel.h"
+
+#include "trace/events.h"
+
+#include <filesystem>
+
+namespace symreal {
+
+namespace trace {
+
+Kernel &Kernel::current() {
+  static constinit thread_local Kernel *kernel = nullptr;
+  if (!kernel) kernel = new Kernel;
+  return *kernel;
+}
+
+void Kernel::begin(detail::Program program, std::string const &name, SourcePlace place) {
+  if (!sink_) sink_ = program == detail::Program::symbolic ? make_recorder() : make_replay();
+  name_ = name;
+  begun_at_ = where(place);
+  sink_->begin(name);
+}
+
+bool Kernel::begin_object(detail::Program program, Kind kind, char const *label, SourcePlace place) {
+  if (muted_ || inert_region_ || phase_ == Phase::inside) return false;
+  if (phase_ == Phase::none) {
+    if (kind == Kind::constant) return false;
+    Place const at{place.file, place.line, place.column};
+    if (kind == Kind::output) {
+      report({DiagnosticId::annotation_outside_kernel, Severity::error, at,
+              "output '" + std::string(label) + "' is met before any input of its kernel"});
+      give_up();
+    }
+    if (recorded_.contains(where(place))) {
+      inert_region_ = true;
+      return false;
+    }
+    begin(program, to_string(at), place);
+    phase_ = Phase::region;
+  }
+  sink_->begin_object(kind, label, {place.file, place.line, place.column});
+  return true;
+}
+
+bool Kernel::begin_function(detail::Program program, char const *name, SourcePlace place, unsigned call) {
+  muted_ = true;
+  if (phase_ != Phase::none || recorded_.contains(where(place)) || ++calls_[where(place)] != call) return false;
+  muted_ = false;
+  begin(program, name, place);
+  phase_ = Phase::entering;
+  return true;
+}
+
+void Kernel::end_function() {
+  phase_ = Phase::none;
+  recorded_.insert(begun_at_);
+  sink_->end(name_, "");
+}
+
+void Kernel::end_region(detail::Program, char const *file_name, SourcePlace place) {
+  if (inert_region_) {
+    inert_region_ = false;
+    return;
+  }
+  if (muted_ || phase_ == Phase::inside || phase_ == Phase::entering || phase_ == Phase::leaving) return;
+  if (phase_ == Phase::none) {
+    report({DiagnosticId::annotation_outside_kernel, Severity::error, {place.file, place.line, place.column},
+            "generate is met before any input of its kernel"});
+    give_up();
+  }
+  phase_ = Phase::none;
+  recorded_.insert(begun_at_);
+  sink_->end(std::filesystem::path(file_name).stem().string(), file_name);
+}
+
+} // namespace trace
+
+using trace::Kernel;
+
+bool detail::begin_object(Program program, Kind kind, char const *label, SourcePlace place) noexcept {
+  return Kernel::current().begin_object(program, kind, label, place);
+}
+
+void detail::element(void *number, bool is_temporary) noexcept {
+  Kernel::current().sink().element(number, is_temporary);
+}
+
+void detail::end_object(std::size_t const *extents, std::size_t rank) noexcept {
+  Kernel::current().sink().end_object({extents, extents + rank});
+}
+
+bool detail::begin_function(Program program, char const *name, SourcePlace place, unsigned call) noexcept {
+  return Kernel::current().begin_function(program, name, place, call);
+}
+
+void detail::end_function() noexcept { Kernel::current().end_function(); }
+
+void detail::end_region(Program program, char const *file_name, SourcePlace place) noexcept {
+  Kernel::current().end_region(program, file_name, place);
+}
+
+void set_range(double low, double high) noexcept { Kernel::current().set_range(low, high); }
+
+void FunctionKernel::accept_annotations() noexcept { Kernel::current().accept_annotations(); }
+void FunctionKernel::begin_outputs() noexcept { Kernel::current().begin_outputs(); }
+
+} // namespace symreal

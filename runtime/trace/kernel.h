@@ -1,0 +1,75 @@
+// The life of a kernel, shared by symbolic and replay programs.
+//
+//   region:    none ──first input──▶ region ──generate──▶ none
+//   function:  none ──call──▶ entering ──inputs met──▶ inside ──return──▶ leaving ──outputs met──▶ none
+//
+// A kernel is recorded once. In a later pass over the same pragmas, in a recursive call, and inside another kernel they
+// are inert.
+#pragma once
+
+#include "graph/graph.h"
+
+#include <symreal/annotate.h>
+
+#include <map>
+#include <memory>
+#include <set>
+#include <string>
+
+namespace symreal::trace {
+
+// What a kernel's annotations are for: recording, or replay.
+class Sink {
+public:
+  virtual ~Sink() = default;
+  virtual void begin(std::string const &name) = 0;
+  virtual void begin_object(Kind kind, std::string const &label, Place const &place) = 0;
+  virtual void element(void *number, bool is_temporary) = 0;
+  virtual void end_object(std::vector<std::size_t> extents) = 0;
+  virtual void set_range(double low, double high) = 0;
+  virtual void end(std::string const &name, std::string const &output_file) = 0;
+  // The objects so far, for descriptions.
+  virtual Graph const &interface() const = 0;
+};
+
+std::unique_ptr<Sink> make_recorder();
+std::unique_ptr<Sink> make_replay();
+
+class Kernel {
+public:
+  static Kernel &current(); // one per thread
+
+  bool begin_object(detail::Program program, Kind kind, char const *label, SourcePlace place);
+  bool begin_function(detail::Program program, char const *name, SourcePlace place, unsigned call);
+  void accept_annotations() { muted_ = false, phase_ = phase_ == Phase::entering ? Phase::inside : phase_; }
+  void begin_outputs() { phase_ = Phase::leaving; }
+  void end_function();
+  void end_region(detail::Program program, char const *file_name, SourcePlace place);
+
+  void set_range(double low, double high) {
+    if (!muted_ && !inert_region_ && (phase_ == Phase::region || phase_ == Phase::entering)) sink_->set_range(low, high);
+  }
+
+  bool is_entering_function() const { return phase_ == Phase::entering; }
+  Sink &sink() { return *sink_; }
+  Graph const &interface() const { return sink_->interface(); }
+
+private:
+  enum class Phase { none, region, entering, inside, leaving };
+  // Identity of an annotation: where it stands.
+  using Where = std::pair<std::string, std::pair<unsigned, unsigned>>;
+  static Where where(SourcePlace place) { return {place.file, {place.line, place.column}}; }
+
+  void begin(detail::Program program, std::string const &name, SourcePlace place);
+
+  Phase phase_ = Phase::none;
+  bool muted_ = false;        // the annotations that follow belong to an inert call
+  bool inert_region_ = false; // until its generate
+  std::string name_;
+  Where begun_at_;
+  std::set<Where> recorded_;
+  std::map<Where, unsigned> calls_;
+  std::unique_ptr<Sink> sink_;
+};
+
+} // namespace symreal::trace

@@ -1,0 +1,152 @@
+// Recording: annotated numbers become nodes, and at the kernel's end the graph is checked, handed over, and every
+// annotated number becomes an ordinary one again.
+#include "trace/deliver.h"
+#include "trace/events.h"
+#include "trace/kernel.h"
+#include "trace/pool.h"
+#include "trace/state.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace symreal {
+
+namespace trace {
+
+namespace {
+
+class Recorder final : public Sink {
+public:
+  void begin(std::string const &name) override {
+    graph_ = {};
+    declared_.clear();
+    written_.clear();
+    event({"started", name});
+    flush_events();
+    Pool::current().begin();
+    State::current().begin();
+    std::copy(std::begin(detail::executed), std::end(detail::executed), executed_before_.by_op.begin());
+  }
+
+  void begin_object(Kind kind, std::string const &label, Place const &place) override {
+    kind_ = kind;
+    object_ = {label, {}, 0, 0, place, {}};
+    for (Object const &met : objects(kind)) {
+      if (met.label != label || met.place.line != place.line || met.place.column != place.column) continue;
+      report({kind == Kind::output ? DiagnosticId::output_met_twice : DiagnosticId::input_met_twice, Severity::error,
+              place, "'" + label + "' is annotated again before its kernel has ended"});
+      give_up();
+    }
+  }
+
+  void element(void *number, bool is_temporary) override {
+    auto &real = *static_cast<RealNumber *>(number);
+    Pool &pool = Pool::current();
+    switch (kind_) {
+    case Kind::constant: State::current().declare(number); break;
+    case Kind::output:
+      graph_.results.push_back(pool.node(real));
+      if (!is_temporary) written_.push_back(&real);
+      State::current().declare(number);
+      break;
+    case Kind::input:
+    case Kind::parameter: {
+      if (!is_temporary) claim(number);
+      bool is_input = kind_ == Kind::input;
+      std::vector<double> &values = is_input ? graph_.input_values : graph_.parameter_values;
+      double value = pool.carried_value(real);
+      auto slot = static_cast<std::uint32_t>(values.size());
+      values.push_back(value);
+      real = pool.leaf(is_input ? Node::input(slot) : Node::parameter(slot), value);
+      if (!is_temporary) written_.push_back(&real);
+      State::current().declare(number);
+    }
+    }
+    ++object_.count;
+  }
+
+  void end_object(std::vector<std::size_t> extents) override {
+    std::size_t product = std::accumulate(extents.begin(), extents.end(), std::size_t{1}, std::multiplies<>());
+    if (product != object_.count) extents = {object_.count}; // ragged: one long row
+    object_.extents = std::move(extents);
+    if (kind_ == Kind::constant) return;
+    std::vector<Object> &list = objects(kind_);
+    object_.first = list.empty() ? 0 : list.back().first + list.back().count;
+    list.push_back(object_);
+  }
+
+  void set_range(double low, double high) override {
+    if (graph_.inputs.empty()) return;
+    Place const last = graph_.inputs.back().place;
+    for (Object &input : graph_.inputs)
+      if (input.place.line == last.line && input.place.file == last.file) input.range = {low, high};
+  }
+
+  void end(std::string const &name, std::string const &output_file) override {
+    Pool &pool = Pool::current();
+    graph_.kernel = name;
+    for (std::size_t op = 0; op < graph_.executed.by_op.size(); ++op)
+      graph_.executed.by_op[op] = detail::executed[op] - executed_before_.by_op[op];
+    check_outputs();
+    graph_.frozen = State::current().end();
+    for (RealNumber *number : written_)
+      if (pool.owns(*number)) *number = pool.final_value(*number);
+    graph_.nodes = pool.end();
+    deliver(graph_, output_file);
+  }
+
+  Graph const &interface() const override { return graph_; }
+
+private:
+  std::vector<Object> &objects(Kind kind) {
+    return kind == Kind::input ? graph_.inputs : kind == Kind::parameter ? graph_.parameters : graph_.outputs;
+  }
+
+  // An element is an input or a parameter once.
+  void claim(void *number) {
+    auto [found, is_new] = declared_.try_emplace(number, object_.label, object_.place);
+    if (is_new) return;
+    report({DiagnosticId::input_met_twice, Severity::error, object_.place,
+            "an element of '" + object_.label + "' already belongs to '" + found->second.first + "' (" +
+                to_string(found->second.second) + ")"});
+    give_up();
+  }
+
+  void check_outputs() {
+    if (graph_.outputs.empty())
+      report({DiagnosticId::no_output, Severity::error, graph_.inputs.empty() ? Place{} : graph_.inputs[0].place,
+              "kernel '" + graph_.kernel + "' ends without an output"});
+    for (Object const &output : graph_.outputs) {
+      auto first = graph_.results.begin() + output.first;
+      bool constant = std::all_of(first, first + output.count, [](NodeId id) {
+        return Pool::current().nodes()[id].attribute == Attribute::constant;
+      });
+      if (constant)
+        report({DiagnosticId::constant_output, Severity::error, output.place,
+                "output '" + output.label + "' depends on no input and no parameter"});
+    }
+  }
+
+  Graph graph_;
+  Kind kind_ = Kind::input;
+  Object object_;
+  OperationCounts executed_before_;
+  std::map<void *, std::pair<std::string, Place>> declared_; // inputs and parameters by address
+  std::vector<RealNumber *> written_;                        // what holds nodes and becomes ordinary again
+};
+
+} // namespace
+
+std::unique_ptr<Sink> make_recorder() { return std::make_unique<Recorder>(); }
+
+} // namespace trace
+
+void FunctionKernel::make_plain(void *object, std::size_t size) noexcept {
+  trace::Pool &pool = trace::Pool::current();
+  if (!pool.is_recording()) return;
+  auto *numbers = static_cast<RealNumber *>(object);
+  for (std::size_t k = 0; k < size / sizeof(RealNumber); ++k)
+    if (pool.owns(numbers[k])) numbers[k] = pool.final_value(numbers[k]);
+}
+
+} // namespace symreal
