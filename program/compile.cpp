@@ -13,8 +13,8 @@ namespace {
 
 constexpr unsigned compilations_at_a_time = 2;
 
-std::string_view define(Form form) { return form == Form::symbolic ? "-DMBD_SYMBOLIC" : "-DMBD_REPLAY"; }
-std::string_view name(Form form) { return form == Form::symbolic ? "symbolic" : "replay"; }
+std::string_view define(Variant variant) { return variant == Variant::symbolic ? "-DMBD_SYMBOLIC" : "-DMBD_REPLAY"; }
+std::string_view name(Variant variant) { return variant == Variant::symbolic ? "symbolic" : "replay"; }
 
 using Words = std::vector<std::string>;
 
@@ -24,13 +24,13 @@ void append(Words &words, Words const &more) { words.insert(words.end(), more.be
 Words const reference_flags = {
     "-O1", "-g", "-w", "-ffp-contract=off", "-fno-builtin", "-fno-fast-math", "-DEIGEN_DONT_VECTORIZE"};
 
-Words compile_command(BuildRequest const &request, Form form, Overlay const &overlay, std::string const &source,
+Words compile_command(BuildRequest const &request, Variant variant, Overlay const &overlay, std::string const &source,
                       std::string const &object) {
   Words words = {request.compiler};
   append(words, overlay.include_flags());
   append(words, adapted_flags(request.flags));
   append(words, reference_flags);
-  words.emplace_back(define(form));
+  words.emplace_back(define(variant));
   append(words, {"-I", SYMREAL_RUNTIME_INCLUDE, "-include", "symreal/real.h"});
   if (request.uses_eigen) append(words, {"-include", "symreal/eigen.h"});
   append(words, {"-iquote", std::filesystem::absolute(source).parent_path().string()});
@@ -74,16 +74,16 @@ std::vector<Captured> run_all(std::vector<Words> const &commands) {
 
 } // namespace
 
-std::vector<std::string> build_programs(BuildRequest const &request, std::span<Form const> forms,
+std::vector<std::string> build_programs(BuildRequest const &request, std::span<Variant const> variants,
                                         Overlay const &overlay, Workspace const &workspace) {
   std::vector<Words> compilations, links;
   std::vector<std::string> executables;
-  for (Form form : forms) {
-    std::string directory = workspace.directory(std::string(name(form)));
+  for (Variant variant : variants) {
+    std::string directory = workspace.directory(std::string(name(variant)));
     Words objects;
     for (std::string const &source : request.sources) {
       objects.push_back(directory + "/" + std::to_string(objects.size()) + ".o");
-      compilations.push_back(compile_command(request, form, overlay, source, objects.back()));
+      compilations.push_back(compile_command(request, variant, overlay, source, objects.back()));
     }
     executables.push_back(directory + "/program");
     links.push_back(link_command(request, objects, executables.back()));

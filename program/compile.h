@@ -1,4 +1,4 @@
-// Builds the rewritten sources in one of their two annotated forms with the host's compiler.
+// Builds the rewritten sources in one of their two annotated variants with the host's compiler.
 #pragma once
 
 #include "program/overlay.h"
@@ -11,7 +11,7 @@
 
 namespace symreal::program {
 
-enum class Form {
+enum class Variant {
   symbolic, // REAL is a RealNumber: running the program records its kernels
   replay,   // REAL is double and the annotations are live: the original's numbers, on inputs of our choice
 };
@@ -28,9 +28,9 @@ struct BuildRequest {
 // a C standard becomes a C++ one, and c++20 is the default.
 std::vector<std::string> adapted_flags(std::vector<std::string> const &flags);
 
-// Builds the program in each of the forms, two compilations at a time, and returns the paths of the executables in the
-// same order. Throws compiler_missing, build_failed or link_failed with places in the user's sources.
-std::vector<std::string> build_programs(BuildRequest const &request, std::span<Form const> forms,
+// Builds the program in each of the variants, two compilations at a time, and returns the paths of the executables in
+// the same order. Throws compiler_missing, build_failed or link_failed with places in the user's sources.
+std::vector<std::string> build_programs(BuildRequest const &request, std::span<Variant const> variants,
                                         Overlay const &overlay, Workspace const &workspace);
 
 } // namespace symreal::program

@@ -1,0 +1,84 @@
+#include "program/front.h"
+
+#include <algorithm>
+#include <chrono>
+#include <set>
+#include <utility>
+
+namespace symreal::program {
+namespace {
+
+class Stopwatch {
+public:
+  double lap() {
+    auto now = std::chrono::steady_clock::now();
+    return std::chrono::duration<double>(now - std::exchange(start_, now)).count();
+  }
+
+private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+// True when no error is among them.
+bool report_all(std::vector<Diagnostic> const &diagnostics, Talk const &talk) {
+  bool clean = true;
+  for (Diagnostic const &diagnostic : diagnostics) {
+    talk.report(diagnostic);
+    clean &= diagnostic.severity != Severity::error;
+  }
+  return clean;
+}
+
+std::vector<rewrite::Kernel> wanted_kernels(rewrite::Result const &rewritten, FrontRequest const &request) {
+  std::vector<rewrite::Kernel> wanted = rewritten.kernels;
+  if (wanted.empty()) fail(DiagnosticId::no_kernel, {request.build.sources.front()}, "no pragma generates a kernel");
+  std::set<std::string> names;
+  std::string list;
+  for (rewrite::Kernel const &kernel : wanted) {
+    if (!names.insert(kernel.name).second)
+      fail(DiagnosticId::output_collision, kernel.place, "a second kernel has the name '" + kernel.name + "'");
+    list += (list.empty() ? "" : ", ") + kernel.name;
+  }
+  if (request.kernel.empty()) return wanted;
+  std::erase_if(wanted, [&](rewrite::Kernel const &kernel) { return kernel.name != request.kernel; });
+  if (wanted.empty())
+    fail(DiagnosticId::unknown_kernel, {}, "no kernel is named '" + request.kernel + "'; there are: " + list);
+  return wanted;
+}
+
+} // namespace
+
+std::optional<Front> run_front(FrontRequest const &request, Talk const &talk) {
+  Stopwatch watch;
+  Front front;
+  talk.stage("rewriting");
+  rewrite::Result rewritten = rewrite::run({request.build.sources, request.roots, request.build.flags});
+  if (!report_all(rewritten.diagnostics, talk)) return {};
+  std::vector<rewrite::Kernel> wanted = wanted_kernels(rewritten, request);
+  front.rewrite_seconds = watch.lap();
+
+  talk.stage("building");
+  front.workspace = std::make_unique<Workspace>(request.keep);
+  front.overlay = std::make_unique<Overlay>(rewritten, front.workspace->directory("overlay"));
+  BuildRequest build = request.build;
+  build.uses_eigen = rewritten.uses_eigen;
+  std::vector<Variant> variants = {Variant::symbolic};
+  if (request.replay) variants.push_back(Variant::replay);
+  std::vector<std::string> executables = build_programs(build, variants, *front.overlay, *front.workspace);
+  front.symbolic_program = executables.front();
+  if (request.replay) front.replay_program = executables.back();
+  front.build_seconds = watch.lap();
+
+  talk.stage("recording");
+  RunOptions run = request.run;
+  // Which kernel comes first is not known before the run, so one among several is waited for to the program's end.
+  run.run_on |= wanted.size() < rewritten.kernels.size();
+  Recording recording =
+      record(front.symbolic_program, run, wanted, *front.overlay, *front.workspace, talk.program_output);
+  front.run_seconds = watch.lap();
+  if (!report_all(recording.diagnostics, talk)) return {};
+  front.kernels = std::move(recording.kernels);
+  return front;
+}
+
+} // namespace symreal::program

@@ -1,0 +1,43 @@
+// The front half of every run on sources:
+//
+//   sources ──rewrite──▶ overlay ──build──▶ symbolic program ──run──▶ recorded graphs
+//                           └─────build──▶ replay program (for verification)
+#pragma once
+
+#include "program/compile.h"
+#include "program/record.h"
+
+#include <functional>
+#include <memory>
+#include <optional>
+
+namespace symreal::program {
+
+struct FrontRequest {
+  BuildRequest build; // sources, flags, linking
+  RunOptions run;
+  std::vector<std::string> roots;
+  std::string kernel;  // only this one; empty: all
+  bool keep = false;   // leave the workspace
+  bool replay = false; // build the replay program too
+};
+
+// How a run talks to its user.
+struct Talk {
+  std::function<void(std::string_view stage)> stage;
+  std::function<void(Diagnostic const &)> report;
+  LineSink program_output;
+};
+
+struct Front {
+  std::unique_ptr<Workspace> workspace; // holds the executables
+  std::unique_ptr<Overlay> overlay;
+  std::string symbolic_program, replay_program;
+  std::vector<Recorded> kernels; // at least one, names distinct
+  double rewrite_seconds = 0, build_seconds = 0, run_seconds = 0;
+};
+
+// Nothing when an error was reported. Also throws DiagnosticError.
+std::optional<Front> run_front(FrontRequest const &request, Talk const &talk);
+
+} // namespace symreal::program

@@ -1,0 +1,142 @@
+#include "graph/graph_text.h"
+#include "tool/console.h"
+#include "tool/frozen.h"
+#include "tool/optimise.h"
+#include "tool/outputs.h"
+#include "tool/subcommands.h"
+#include "tool/wrapper.h"
+
+#include <chrono>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+namespace symreal::tool {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Options {
+  SourceOptions source;
+  PassOptions passes;
+  EmitterOptions emitter;
+  std::string output, graph_file, language = "c", decisions = "error", frozen = "error";
+  bool wrapper = false, statistics = false, json = false;
+};
+
+// What one kernel gives.
+struct Product {
+  Graph recorded;
+  Optimised optimised;
+  std::vector<OutputFile> files;
+  double seconds;
+};
+
+bool names_directory(std::string const &path) { return path.ends_with('/') || fs::is_directory(path); }
+
+// `name` is what the file is called where the option names a directory or is not given.
+std::string place_output(std::string const &option, std::string const &name, bool several) {
+  if (option.empty()) return name;
+  bool directory = several || names_directory(option);
+  return directory ? (fs::path(option) / fs::path(name).filename()).string() : option;
+}
+
+void require_sense(Options const &options) {
+  require_one_of("--lang", options.language, "c");
+  require_one_of("--frozen", options.frozen, "error|warn|allow");
+  require_one_of("--decisions", options.decisions, "error");
+  (void)options.passes.floating_point();
+  (void)options.passes.names();
+}
+
+// What can be known to fail before the work is done.
+void require_outputs(Options const &options) {
+  // With several kernels, which only the sources know, these may be directories still to be made.
+  auto may_be_file = [](std::string const &path) { return !path.empty() && !names_directory(path); };
+  if (may_be_file(options.output)) require_writable(options.output);
+  if (may_be_file(options.graph_file)) require_writable(options.graph_file);
+}
+
+Product make_product(program::Recorded &recorded, Options const &options, bool several) {
+  auto start = std::chrono::steady_clock::now();
+  Product product{std::move(recorded.graph), {}, {}, 0};
+  product.optimised = optimise(product.recorded, options.passes);
+  std::string given = recorded.output_file.empty() ? recorded.kernel.name + ".c" : recorded.output_file;
+  std::string path = place_output(options.output, given, several);
+  product.files = emitted_files(product.optimised.graph, options.emitter, options.passes.floating_point(), path);
+  if (options.wrapper)
+    product.files.push_back(wrapper_file(recorded.kernel, product.optimised.graph, options.emitter, path));
+  if (!options.graph_file.empty()) {
+    std::ostringstream text;
+    write_graph(text, product.recorded);
+    product.files.push_back({place_output(options.graph_file, recorded.kernel.name + ".graph", several), text.str()});
+  }
+  product.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return product;
+}
+
+void show(std::vector<Product> const &products, program::Front const &front, Options const &options) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::array();
+  for (Product const &product : products) {
+    KernelReport report{&product.recorded, &product.optimised.graph, product.optimised.stages, {}, {}};
+    for (OutputFile const &file : product.files) report.files.push_back(file.path);
+    report.seconds = {{"rewrite", front.rewrite_seconds},
+                      {"build", front.build_seconds},
+                      {"run", front.run_seconds},
+                      {"optimise and emit", product.seconds}};
+    print_table(std::cerr, report, options.statistics);
+    if (options.json) json.push_back(to_json(report));
+  }
+  if (options.json) std::cout << nlohmann::ordered_json{{"kernels", json}}.dump(2) << "\n";
+}
+
+int run(Options const &options, Session const &session) {
+  require_sense(options);
+  require_outputs(options);
+  Console console;
+  auto front = program::run_front(options.source.request(session.flags), console.talk());
+  if (front && options.source.front.keep) console.note("the build directory is " + front->workspace->path());
+  if (!front || !report_frozen(front->kernels, options.frozen, console)) return error;
+
+  console.stage("optimising");
+  bool several = front->kernels.size() > 1;
+  std::vector<Product> products;
+  std::vector<OutputFile> files;
+  for (program::Recorded &recorded : front->kernels) {
+    products.push_back(make_product(recorded, options, several));
+    files.insert(files.end(), products.back().files.begin(), products.back().files.end());
+  }
+  for (std::string const &directory : {options.output, options.graph_file})
+    if (!directory.empty() && several) make_directory(directory);
+  require_writable(files);
+  write_files(files);
+  console.clear();
+  show(products, *front, options);
+  return clean;
+}
+
+} // namespace
+
+void add_generate(CLI::App &app, Session &session) {
+  CLI::App *command = app.add_subcommand("generate", "Rewrite, build, run, optimise and emit: the main job");
+  auto options = std::make_shared<Options>();
+  command->add_option("sources", options->source.sources, "C and C++ sources of the program")->required();
+  command->add_option("-o", options->output, "The generated file; with several kernels a directory")->type_name("FILE");
+  command->add_option("--graph", options->graph_file, "Also write the recorded graph as text")->type_name("FILE");
+  command->add_option("--lang", options->language, "Language of the result: c")->capture_default_str();
+  options->passes.add_to(*command);
+  options->emitter.add_to(*command);
+  command->add_flag("--wrapper", options->wrapper, "Also emit a function with the signature of the original");
+  command->add_option("--decisions", options->decisions, "What becomes of a decision on a symbolic value: error")
+      ->capture_default_str();
+  command->add_option("--frozen", options->frozen, "State that would be baked in: error, warn or allow")
+      ->capture_default_str();
+  options->source.add_to(*command, true);
+  command->add_flag("--stats", options->statistics, "Print more than the table: every object, every pass");
+  command->add_flag("--json", options->json, "Print the table as JSON to standard output");
+  command->callback([options, &session] { session.status = run(*options, session); });
+}
+
+} // namespace symreal::tool

@@ -1,0 +1,53 @@
+// The command line: symreal SUBCOMMAND [options] files [-- compiler flags].
+#include "diagnostics/diagnostic.h"
+#include "support/version.h"
+#include "tool/subcommands.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <iostream>
+
+namespace symreal::tool {
+
+void refuse_flags(Session const &session) {
+  if (!session.flags.empty())
+    fail(DiagnosticId::option_without_effect, {},
+         "this subcommand compiles nothing; '" + session.flags.front() + "' after -- would do nothing");
+}
+
+static int run(int argc, char **argv) {
+  Session session;
+  char **separator = std::find_if(argv, argv + argc, [](char const *word) { return std::string_view(word) == "--"; });
+  if (separator != argv + argc) session.flags.assign(separator + 1, argv + argc);
+
+  CLI::App app("Turns numeric C and C++ into optimised straight-line C and proves that it is the same.", "symreal");
+  app.set_version_flag("--version", "symreal " + std::string(version));
+  app.require_subcommand(1);
+  app.footer("What follows -- are the compiler flags of the sources.\n"
+             "Exit status: 0 clean, 1 error, 2 partly skipped, 3 verification failed, 4 output out of date.");
+  add_generate(app, session);
+  add_rewrite(app, session);
+  add_opt(app, session);
+  add_explain(app, session);
+  try {
+    app.parse(static_cast<int>(separator - argv), argv);
+    return session.status;
+  } catch (CLI::ParseError const &problem) {
+    if (problem.get_exit_code() == 0) return app.exit(problem);
+    print(std::cerr, {DiagnosticId::bad_option, Severity::error, {}, problem.what()});
+  } catch (DiagnosticError const &problem) {
+    print(std::cerr, problem.diagnostic());
+  }
+  return error;
+}
+
+} // namespace symreal::tool
+
+int main(int argc, char **argv) {
+  try {
+    return symreal::tool::run(argc, argv);
+  } catch (std::exception const &problem) {
+    std::fprintf(stderr, "symreal: internal error: %s\n", problem.what());
+    return symreal::tool::error;
+  }
+}

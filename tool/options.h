@@ -1,0 +1,47 @@
+// Options that several subcommands share, and how they are told to CLI11.
+#pragma once
+
+#include "passes/floating_point.h"
+#include "program/front.h"
+
+#include <CLI/CLI.hpp>
+
+#include <string>
+#include <vector>
+
+namespace symreal::tool {
+
+// What stands after `--` on the command line.
+using CompilerFlags = std::vector<std::string>;
+
+// Sources, how they are built and how the program is run.
+struct SourceOptions {
+  std::vector<std::string> sources, roots;
+  std::string run_arguments, link;
+  program::FrontRequest front;
+
+  void add_to(CLI::App &app, bool several_kernels);
+  program::FrontRequest request(CompilerFlags const &flags) const;
+};
+
+// Which passes run, in which floating-point mode.
+struct PassOptions {
+  std::string mode = "finite", passes = "default";
+
+  void add_to(CLI::App &app);
+  FloatingPoint floating_point() const;
+  std::vector<std::string> names() const;
+};
+
+// The form of the generated code.
+struct EmitterOptions {
+  std::string prefix;
+  bool mainline = false;
+
+  void add_to(CLI::App &app);
+};
+
+// Fails unless `value` is among the words, separated by '|'.
+void require_one_of(std::string const &option, std::string const &value, std::string_view words);
+
+} // namespace symreal::tool

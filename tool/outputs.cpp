@@ -1,0 +1,68 @@
+#include "tool/outputs.h"
+
+#include "diagnostics/diagnostic.h"
+#include "emit/emit.h"
+#include "support/files.h"
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <set>
+#include <unistd.h>
+
+namespace symreal::tool {
+
+namespace fs = std::filesystem;
+
+std::vector<OutputFile> emitted_files(Graph const &graph, EmitterOptions const &options, FloatingPoint mode,
+                                      std::string const &path) {
+  require_c_name(path);
+  EmitOptions emit{fs::path(path).stem().string(), options.prefix, mode, options.mainline};
+  std::vector<OutputFile> files;
+  for (EmittedFile &file : emit_c(graph, emit))
+    files.push_back({(fs::path(path).parent_path() / file.name).string(), std::move(file.text)});
+  return files;
+}
+
+void require_c_name(std::string const &path) {
+  if (fs::path(path).extension() != ".c")
+    fail(DiagnosticId::bad_option, {}, "generated C goes to a file whose name ends in .c, not to '" + path + "'");
+}
+
+void require_writable(std::string const &path) {
+  fs::path directory = fs::path(path).parent_path();
+  if (directory.empty()) directory = ".";
+  std::error_code ignored;
+  if (access(directory.c_str(), W_OK | X_OK) != 0)
+    fail(DiagnosticId::unwritable_output, {path}, "the file cannot be written: " + std::string(std::strerror(errno)));
+  if (!fs::is_directory(directory, ignored))
+    fail(DiagnosticId::unwritable_output, {path}, "the file cannot be written: its directory is a file");
+  if (fs::is_directory(path, ignored))
+    fail(DiagnosticId::unwritable_output, {path}, "the file cannot be written: a directory has this name");
+}
+
+void require_writable(std::vector<OutputFile> const &files) {
+  std::set<fs::path> paths;
+  for (OutputFile const &file : files) {
+    require_writable(file.path);
+    if (!paths.insert(fs::path(file.path).lexically_normal()).second)
+      fail(DiagnosticId::output_collision, {file.path}, "two results would be written to this file");
+  }
+}
+
+void make_directory(std::string const &path) {
+  std::error_code problem;
+  fs::create_directories(path, problem);
+  if (problem) fail(DiagnosticId::unwritable_output, {path}, "the directory cannot be made: " + problem.message());
+}
+
+std::vector<std::string> write_files(std::vector<OutputFile> const &files) {
+  std::vector<std::string> paths;
+  for (OutputFile const &file : files) {
+    write_if_changed(file.path, file.text);
+    paths.push_back(file.path);
+  }
+  return paths;
+}
+
+} // namespace symreal::tool
