@@ -23,6 +23,7 @@ struct Piece {
   NodeId node = no_node;
   int binding = loosest;
   bool spelled_out = false;
+  bool as_truth = false; // a real number stands where C wants a condition
 };
 
 class Printer {
@@ -44,6 +45,11 @@ public:
 private:
   void print_node(Piece const &piece) {
     Node const &node = program_.graph->nodes[piece.node];
+    if (piece.as_truth && (is_leaf(node.op) || !info(node.op).has(flag::BOOLEAN))) {
+      text_ += '(';
+      push(" != 0.0)");
+      return push(piece.node, additive);
+    }
     if (node.is_constant()) return print_constant(node.value(), piece.binding);
     if (!piece.spelled_out && (*context_.name)[piece.node] != no_slot) {
       text_ += "t" + std::to_string((*context_.name)[piece.node]);
@@ -83,7 +89,7 @@ private:
       push(c + "(");
       break;
     case Form::prefix:
-      push(node.operand[0], prefix_operand);
+      push(node.operand[0], prefix_operand, operation.has(flag::LOGICAL));
       push(c);
       break;
     case Form::cast:
@@ -95,9 +101,10 @@ private:
       // Comparisons and logic are not mixed without parentheses: compilers warn, and readers stumble.
       bool arithmetic = operation.precedence >= additive;
       int left = arithmetic ? operation.precedence : additive, right = arithmetic ? operation.precedence + 1 : additive;
-      push(node.operand[1], right);
+      bool logical = operation.has(flag::LOGICAL);
+      push(node.operand[1], right, logical);
       push(operation.precedence > additive ? c : " " + c + " ");
-      push(node.operand[0], left);
+      push(node.operand[0], left, logical);
       break;
     }
     case Form::select:
@@ -105,13 +112,15 @@ private:
       push(" : ");
       push(node.operand[1], conditional_operand);
       push(" ? ");
-      push(node.operand[0], conditional_operand);
+      push(node.operand[0], conditional_operand, true);
       break;
     }
   }
 
   void push(std::string text) { stack_.push_back({std::move(text)}); }
-  void push(NodeId node, int binding) { stack_.push_back({.text = {}, .node = node, .binding = binding}); }
+  void push(NodeId node, int binding, bool as_truth = false) {
+    stack_.push_back({.text = {}, .node = node, .binding = binding, .as_truth = as_truth});
+  }
 
   Program const &program_;
   FunctionContext const &context_;
