@@ -52,7 +52,11 @@ public:
 
   bool is_entering_function() const { return phase_ == Phase::entering; }
   Sink &sink() { return *sink_; }
-  Graph const &interface() const { return sink_->interface(); }
+  // The objects that are annotated so far.
+  Graph const &interface() const {
+    static Graph const none;
+    return sink_ ? sink_->interface() : none;
+  }
 
 private:
   enum class Phase { none, region, entering, inside, leaving };

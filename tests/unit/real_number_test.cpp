@@ -1,0 +1,165 @@
+#include <symreal/annotate.h>
+#include <symreal/symbolic.h>
+
+#include "trace/pool.h"
+
+#include <bit>
+#include <cmath>
+#include <complex>
+#include <cstring>
+#include <gtest/gtest.h>
+#include <sstream>
+
+namespace symreal {
+namespace {
+
+using trace::Pool;
+
+class Recording : public testing::Test {
+protected:
+  void SetUp() override {
+    Pool::current().begin();
+    x = Pool::current().leaf(Node::input(0), 0.5);
+    y = Pool::current().leaf(Node::input(1), 2.0);
+    p = Pool::current().leaf(Node::parameter(0), 3.0);
+  }
+  void TearDown() override { Pool::current().end(); }
+
+  RealNumber x, y, p;
+};
+
+TEST(RealNumberLayout, IsADouble) {
+  EXPECT_EQ(sizeof(RealNumber[5]), sizeof(double[5]));
+  RealNumber numbers[3];
+  std::memset(numbers, 0, sizeof numbers);
+  EXPECT_EQ(numbers[1].plain(), 0.0);
+  EXPECT_FALSE(numbers[1].is_node());
+  constexpr RealNumber folded = RealNumber(2) * RealNumber(3.0f) - RealNumber(1u);
+  static_assert(folded.plain() == 5.0);
+  EXPECT_EQ(static_cast<int>(folded), 5);
+}
+
+TEST_F(Recording, NodesSurviveBytewiseCopies) {
+  RealNumber sum = x + y, copy;
+  std::memcpy(&copy, &sum, sizeof copy);
+  EXPECT_TRUE(copy.is_node());
+  EXPECT_EQ(copy.to_bits(), sum.to_bits());
+  EXPECT_EQ(value(copy), 2.5);
+}
+
+TEST_F(Recording, EqualComputationsAreOneNode) {
+  std::size_t const before = SymbolicExprPool::size();
+  RealNumber a = sin(x) * y, b = sin(x) * y;
+  EXPECT_EQ(a.to_bits(), b.to_bits());
+  EXPECT_EQ(SymbolicExprPool::size(), before + 2);
+}
+
+TEST_F(Recording, ConstantsAreOrdinaryNumbers) {
+  RealNumber a = 2.0;
+  EXPECT_FALSE((a * 3 + 1).is_node());
+  EXPECT_EQ((a * 3 + 1).plain(), 7.0);
+  EXPECT_FALSE(sin(a).is_node());
+}
+
+TEST_F(Recording, AttributesSpread) {
+  EXPECT_TRUE(SymbolicExpr(RealNumber(1.0)).is_constant());
+  EXPECT_TRUE(SymbolicExpr(p * 2.0).is_parametric());
+  EXPECT_TRUE(SymbolicExpr(p * x).is_variable());
+  EXPECT_TRUE(SymbolicExpr(-x).is_negative());
+  EXPECT_EQ(SymbolicExpr(sin(x)).name(), "sin");
+}
+
+// Every overload that the table gives: the carried value is the reference's.
+TEST_F(Recording, FunctionsCarryTheirValues) {
+#define SYMREAL_FORM_infix(...)
+#define SYMREAL_FORM_prefix(...)
+#define SYMREAL_FORM_cast(...)
+#define SYMREAL_FORM_select(...)
+#define SYMREAL_FORM_call(id, arity) SYMREAL_CHECK_##arity(id)
+#define SYMREAL_SAME(id, real, reference)                                                                              \
+  EXPECT_TRUE((real).is_node());                                                                                       \
+  if (!std::isnan(reference)) EXPECT_EQ(value(real), reference) << #id
+#define SYMREAL_CHECK_1(id) SYMREAL_SAME(id, std::id(x), evaluate(Op::id, 0.5, 0, 0));
+#define SYMREAL_CHECK_2(id)                                                                                            \
+  SYMREAL_SAME(id, std::id(x, y), evaluate(Op::id, 0.5, 2.0, 0));                                                      \
+  SYMREAL_SAME(id, id(x, 2), evaluate(Op::id, 0.5, 2.0, 0));                                                           \
+  SYMREAL_SAME(id, id(0.25, x), evaluate(Op::id, 0.25, 0.5, 0));
+#define SYMREAL_CHECK_3(id) SYMREAL_SAME(id, std::id(x, y, p), evaluate(Op::id, 0.5, 2.0, 3.0));
+#define OPERATION(id, arity, form, ...) SYMREAL_FORM_##form(id, arity)
+#include <symreal/operations.def>
+#undef OPERATION
+}
+
+TEST_F(Recording, MixedArithmeticAndAssignment) {
+  RealNumber sum = 1 + x;
+  sum += 2;
+  sum -= y;
+  sum *= 4.0f;
+  sum /= 2L;
+  ++sum;
+  EXPECT_EQ(value(sum), (1 + 0.5 + 2 - 2.0) * 4 / 2 + 1);
+  EXPECT_EQ(value(-sum), -value(sum));
+  EXPECT_EQ(value(max(x, y)), 2.0);
+  EXPECT_EQ(value(std::min(x, RealNumber(0.1))), 0.1);
+  RealNumber integer;
+  EXPECT_EQ(value(modf(sum, &integer)), 0.0);
+}
+
+TEST_F(Recording, ComplexNumbersAreTraced) {
+  std::complex<RealNumber> z(x, y), w = z * z + std::complex<RealNumber>(1.0, 0.0);
+  EXPECT_EQ(value(w.real()), 0.25 - 4.0 + 1.0);
+  EXPECT_EQ(value(w.imag()), 2.0);
+  EXPECT_TRUE(w.real().is_node());
+}
+
+TEST_F(Recording, PrintsTheCarriedValue) {
+  std::ostringstream out;
+  out << x + y << ' ' << std::to_string(x);
+  EXPECT_EQ(out.str(), "2.5 0.500000");
+  std::istringstream in("4.5");
+  in >> x;
+  EXPECT_EQ(x.plain(), 4.5);
+}
+
+TEST(RealNumberLimits, AreDoubles) {
+  EXPECT_EQ(std::numeric_limits<RealNumber>::epsilon().plain(), std::numeric_limits<double>::epsilon());
+  EXPECT_EQ(std::numeric_limits<RealNumber>::max().plain(), std::numeric_limits<double>::max());
+  EXPECT_TRUE(std::numeric_limits<RealNumber>::is_specialized);
+}
+
+using RecordingDeathTest = Recording;
+
+// Arithmetic that is not instrumented quiets the NaN, an uninstrumented fabs clears its sign: both are leaks.
+TEST_F(RecordingDeathTest, LeaksAreCaught) {
+  EXPECT_EXIT(
+      {
+        double bits = x.plain();
+        double volatile leaked = bits + 1.0;
+        (void)(y * RealNumber(leaked));
+      },
+      testing::ExitedWithCode(1), "came back from code that was not rewritten");
+  EXPECT_EXIT(
+      {
+        std::uint64_t const cleared = x.to_bits() & ~(std::uint64_t{1} << 63);
+        (void)(y * RealNumber::from_bits(cleared));
+      },
+      testing::ExitedWithCode(1), "came back from code that was not rewritten");
+}
+
+TEST_F(RecordingDeathTest, StaleNodesAreCaught) {
+  RealNumber const old = x;
+  Pool::current().end();
+  Pool::current().begin();
+  RealNumber const fresh = Pool::current().leaf(Node::input(0), 1.0);
+  EXPECT_EXIT((void)(fresh + old), testing::ExitedWithCode(1), "another kernel or thread");
+}
+
+TEST_F(RecordingDeathTest, AMissingValueIsNeeded) {
+  RealNumber const unknown = Pool::current().leaf(Node::input(2), missing_value());
+  EXPECT_TRUE((unknown * y + x).is_node());
+  EXPECT_EXIT((void)value(unknown * y), testing::ExitedWithCode(1), "has no value");
+  EXPECT_EXIT((void)static_cast<bool>(unknown < x), testing::ExitedWithCode(1), "has no value");
+}
+
+} // namespace
+} // namespace symreal
