@@ -32,7 +32,6 @@ Words compile_command(BuildRequest const &request, Variant variant, Overlay cons
   append(words, reference_flags);
   words.emplace_back(define(variant));
   append(words, {"-I", SYMREAL_RUNTIME_INCLUDE, "-include", "symreal/real.h"});
-  if (request.uses_eigen) append(words, {"-include", "symreal/eigen.h"});
   append(words, {"-iquote", std::filesystem::absolute(source).parent_path().string()});
   append(words, {"-x", "c++", "-c", overlay.compiled_path(source), "-o", object});
   return words;

@@ -21,7 +21,6 @@ struct BuildRequest {
   std::vector<std::string> flags;   // the user's compiler flags
   std::vector<std::string> link;    // further words for the linker
   std::string compiler = "c++";
-  bool uses_eigen = false;
 };
 
 // What becomes of the user's flags: options that change the numbers, choose outputs or turn warnings into errors go,

@@ -24,24 +24,32 @@ template <class T> T number(std::string_view text, int base = 10) {
   return value;
 }
 
+std::vector<std::uint64_t> addresses(std::string_view text) {
+  std::vector<std::uint64_t> list;
+  for (std::string const &address : split(text, ',')) list.push_back(number<std::uint64_t>(address, 16));
+  return list;
+}
+
+DiagnosticInfo const &row(std::string const &code) {
+  DiagnosticInfo const *found = find_diagnostic(code);
+  internal_check(found);
+  return *found;
+}
+
 void add(Events &events, std::vector<std::string> const &field) {
   std::string const &kind = field[0];
   auto has = [&field](std::size_t count) { return field.size() >= count; };
   if (kind == "started" && has(2)) events.started.push_back(field[1]);
-  if (kind == "kernel" && has(4)) events.kernels.push_back({field[1], field[2], field[3]});
-  if (kind == "frozen" && has(5)) events.frozen.push_back({field[1], field[2], field[3], field[4]});
+  if (kind == "kernel" && has(4))
+    events.kernels.push_back({field[1], field[2], field[3], events.started.empty() ? "" : events.started.back()});
   if (kind == "diagnostic" && has(6)) {
-    DiagnosticInfo const *row = find_diagnostic(field[1]);
-    internal_check(row);
     Place place{field[2], number<unsigned>(field[3]), number<unsigned>(field[4])};
-    events.diagnostics.push_back({row->id, Severity::error, place, field[5]});
+    events.diagnostics.push_back({row(field[1]).id, Severity::error, place, field[5]});
   }
   if (kind == "decision" && has(4)) {
-    Decision decision{number<std::size_t>(field[1]), field[2], {}};
-    for (std::string const &address : split(field[3], ','))
-      decision.addresses.push_back(number<std::uint64_t>(address, 16));
-    events.decisions.push_back(decision);
+    events.decisions.push_back({number<std::size_t>(field[1]), field[2], addresses(field[3])});
   }
+  if (kind == "located" && has(4)) events.located.push_back({row(field[1]).id, field[2], addresses(field[3])});
 }
 
 } // namespace

@@ -3,8 +3,10 @@
 //   started     kernel
 //   kernel      name  N.graph  output file
 //   diagnostic  SYM0nn  file  line  column  message
+//   located     SYM0nn  message  address,address,...
 //   decision    count  condition  address,address,...   hexadecimal, relative to the load base, innermost first
-//   frozen      kernel  name  place  value
+//
+// Other kinds of event are for other readers.
 #pragma once
 
 #include <cstdint>
@@ -17,6 +19,14 @@ namespace symreal::program {
 
 struct RecordedKernel {
   std::string name, graph_file, output_file;
+  std::string begun_as; // a kernel in a block learns its name at its end
+};
+
+// A diagnostic whose place is where the program stood.
+struct Located {
+  DiagnosticId id;
+  std::string message;
+  std::vector<std::uint64_t> addresses;
 };
 
 struct Decision {
@@ -25,16 +35,12 @@ struct Decision {
   std::vector<std::uint64_t> addresses;
 };
 
-struct FrozenState {
-  std::string kernel, name, place, value;
-};
-
 struct Events {
   std::vector<std::string> started; // kernels that were begun
   std::vector<RecordedKernel> kernels;
   std::vector<Diagnostic> diagnostics;
   std::vector<Decision> decisions;
-  std::vector<FrozenState> frozen;
+  std::vector<Located> located;
 };
 
 // A file that does not exist holds no events.

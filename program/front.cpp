@@ -61,7 +61,6 @@ std::optional<Front> run_front(FrontRequest const &request, Talk const &talk) {
   front.workspace = std::make_unique<Workspace>(request.keep);
   front.overlay = std::make_unique<Overlay>(rewritten, front.workspace->directory("overlay"));
   BuildRequest build = request.build;
-  build.uses_eigen = rewritten.uses_eigen;
   std::vector<Variant> variants = {Variant::symbolic};
   if (request.replay) variants.push_back(Variant::replay);
   std::vector<std::string> executables = build_programs(build, variants, *front.overlay, *front.workspace);

@@ -18,26 +18,36 @@ bool is_recording_of(RecordedKernel const &recorded, rewrite::Kernel const &kern
   return recorded.name == kernel.name || (!kernel.output_file.empty() && recorded.output_file == kernel.output_file);
 }
 
-Diagnostic explain(Decision const &decision, Symbolizer &symbolizer) {
-  Diagnostic diagnostic{DiagnosticId::symbolic_decision, Severity::error, {}, ""};
-  diagnostic.message = fmt::format("the program decides on a symbolic value: {} (met {} time{})", decision.condition,
-                                   decision.count, decision.count == 1 ? "" : "s");
-  std::vector<Frame> frames = symbolizer.frames(decision.addresses);
+bool is_begun(rewrite::Kernel const &kernel, std::vector<std::string> const &started) {
+  return std::any_of(started.begin(), started.end(), [&](std::string const &name) {
+    return name == kernel.name || (!kernel.annotations.empty() && name == to_string(kernel.annotations.front().place));
+  });
+}
+
+Diagnostic locate(Located const &located, Symbolizer &symbolizer) {
+  Diagnostic diagnostic{located.id, Severity::error, {}, located.message};
+  std::vector<Frame> frames = symbolizer.frames(located.addresses);
   // The innermost place in a rewritten file is where the user can act; what is further in (Eigen, std) led there.
   auto own = std::find_if(frames.begin(), frames.end(), [](Frame const &frame) { return frame.rewritten; });
   if (own == frames.end()) own = frames.begin();
   if (own != frames.end()) diagnostic.place = own->place;
   for (auto frame = frames.begin(); frame != frames.end() && diagnostic.notes.size() < most_frames; ++frame) {
     if (frame == own) continue;
-    diagnostic.notes.push_back({frame->place, (frame < own ? "decided in " : "called from ") + frame->function});
+    diagnostic.notes.push_back({frame->place, (frame < own ? "here, in " : "called from ") + frame->function});
   }
   return diagnostic;
+}
+
+Diagnostic explain(Decision const &decision, Symbolizer &symbolizer) {
+  std::string message = fmt::format("the program decides on a symbolic value: {} (met {} time{})", decision.condition,
+                                    decision.count, decision.count == 1 ? "" : "s");
+  return locate({DiagnosticId::symbolic_decision, message, decision.addresses}, symbolizer);
 }
 
 // Why a kernel that was asked for is missing, from how the program ended.
 Diagnostic explain_missing(rewrite::Kernel const &kernel, bool begun, Outcome const &outcome) {
   Diagnostic diagnostic{DiagnosticId::kernel_not_reached, Severity::error, kernel.place, ""};
-  if (!begun && !kernel.annotations.empty()) diagnostic.place = kernel.annotations.front().place;
+  if (!kernel.annotations.empty()) diagnostic.place = kernel.annotations.front().place;
   std::string waited_for = begun                ? fmt::format("the end of kernel '{}'", kernel.name)
                            : kernel.is_function ? fmt::format("a call of function '{}'", kernel.name)
                                                 : fmt::format("the annotations of kernel '{}'", kernel.name);
@@ -91,8 +101,9 @@ Recording record(std::string const &executable, RunOptions const &options, std::
   recording.seconds = outcome.seconds;
   Events events = read_events(directory + "/events");
   recording.diagnostics = events.diagnostics;
-  if (!events.decisions.empty()) {
+  if (!events.decisions.empty() || !events.located.empty()) {
     Symbolizer symbolizer(executable, overlay);
+    for (Located const &located : events.located) recording.diagnostics.push_back(locate(located, symbolizer));
     for (Decision const &decision : events.decisions) recording.diagnostics.push_back(explain(decision, symbolizer));
   }
   bool explained = has_error(recording.diagnostics);
@@ -101,9 +112,9 @@ Recording record(std::string const &executable, RunOptions const &options, std::
                               [&](RecordedKernel const &recorded) { return is_recording_of(recorded, kernel); });
     if (found != events.kernels.end()) {
       std::string file = directory + "/" + found->graph_file;
-      recording.kernels.push_back({read_graph(read_file(file), file), kernel, found->output_file});
+      recording.kernels.push_back({read_graph(read_file(file), file), kernel, found->output_file, found->begun_as});
     } else if (!explained) {
-      bool begun = std::find(events.started.begin(), events.started.end(), kernel.name) != events.started.end();
+      bool begun = is_begun(kernel, events.started);
       recording.diagnostics.push_back(explain_missing(kernel, begun, outcome));
     }
   }

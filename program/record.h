@@ -26,6 +26,7 @@ struct Recorded {
   Graph graph;             // as recorded, no pass has run
   rewrite::Kernel kernel;  // what the source says of it
   std::string output_file; // the name in generate, else empty
+  std::string begun_as;    // for replay: the name under which it begins
 };
 
 struct Recording {

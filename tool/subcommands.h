@@ -14,6 +14,7 @@ struct Session {
 };
 
 void add_generate(CLI::App &app, Session &session);
+void add_verify(CLI::App &app, Session &session);
 void add_rewrite(CLI::App &app, Session &session);
 void add_opt(CLI::App &app, Session &session);
 void add_explain(CLI::App &app, Session &session);

@@ -1,0 +1,110 @@
+#include "program/replay.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <csignal>
+#include <cstring>
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <poll.h>
+#include <sys/mman.h>
+#include <sys/wait.h>
+#include <thread>
+#include <unistd.h>
+
+namespace symreal::program {
+
+// The running process, its pipes and the shared file.
+struct Replay::Server {
+  replay::Head *head = nullptr;
+  std::size_t size = 0;
+  int commands = -1, answers = -1; // our ends
+  std::jthread process;
+  Outcome outcome{Ending::exited}; // once the process has ended
+
+  ~Server() {
+    if (commands >= 0) close(commands); // which ends the server
+    if (process.joinable()) process.join();
+    if (answers >= 0) close(answers);
+    if (head) munmap(head, size);
+  }
+
+  void share(std::string const &file, Graph const &graph, double seconds) {
+    replay::Head shape{};
+    shape.input_count = static_cast<std::uint32_t>(graph.input_count());
+    shape.parameter_count = static_cast<std::uint32_t>(graph.parameter_count());
+    shape.output_count = static_cast<std::uint32_t>(graph.output_count());
+    shape.seconds = static_cast<std::uint32_t>(std::ceil(seconds));
+    size = replay::shared_size(shape);
+    int descriptor = open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
+    bool made = descriptor >= 0 && ftruncate(descriptor, static_cast<off_t>(size)) == 0;
+    void *memory = made ? mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_SHARED, descriptor, 0) : MAP_FAILED;
+    if (descriptor >= 0) close(descriptor);
+    if (memory == MAP_FAILED)
+      fail(DiagnosticId::no_workspace, {file}, "the file cannot be made: " + std::string(std::strerror(errno)));
+    head = new (memory) replay::Head(shape);
+  }
+
+  void start(Command command, std::string const &file, std::string const &begun_as) {
+    std::array<int, 2> to, from;
+    if (pipe2(to.data(), O_CLOEXEC) != 0 || pipe2(from.data(), O_CLOEXEC) != 0)
+      fail(DiagnosticId::no_workspace, {}, "no pipe can be made: " + std::string(std::strerror(errno)));
+    commands = to[1];
+    answers = from[0];
+    command.environment = {fmt::format("SYMREAL_REPLAY={},{},{}", file, to[0], from[1]),
+                           "SYMREAL_REPLAY_KERNEL=" + begun_as};
+    command.inherited = {to[0], from[1]};
+    process = std::jthread([this, command, to, from] {
+      outcome = program::run(command, [](std::string_view) {});
+      close(to[0]);
+      close(from[1]);
+    });
+  }
+};
+
+Replay::Replay(std::string const &executable, RunOptions const &options, std::string const &begun_as,
+               Graph const &graph, Workspace const &workspace)
+    : server_(std::make_unique<Server>()) {
+  std::signal(SIGPIPE, SIG_IGN); // the program may end at any moment
+  if (!graph.inputs.empty()) place_ = graph.inputs.front().place;
+  std::string file = workspace.file("replay-samples");
+  server_->share(file, graph, options.time_limit);
+  Command command{.arguments = {executable},
+                  .directory = options.directory,
+                  .environment = {},
+                  .standard_input = options.standard_input,
+                  .inherited = {}};
+  command.arguments.insert(command.arguments.end(), options.arguments.begin(), options.arguments.end());
+  server_->start(command, file, begun_as);
+}
+
+Replay::~Replay() = default;
+
+std::vector<double> Replay::run(Sample const &sample) {
+  Server &server = *server_;
+  replay::Head *head = server.head;
+  std::copy(sample.inputs.begin(), sample.inputs.end(), replay::shared_inputs(head));
+  std::copy(sample.parameters.begin(), sample.parameters.end(), replay::shared_parameters(head));
+
+  // The server limits the time of a sample; the time to the kernel's first annotation is limited here.
+  pollfd answer = {server.answers, POLLIN, 0};
+  int status = 0;
+  char command = 's';
+  bool asked = write(server.commands, &command, 1) == 1;
+  int patience = static_cast<int>(head->seconds + 5) * 1000;
+  if (!asked || poll(&answer, 1, patience) != 1 || read(server.answers, &status, sizeof status) != sizeof status)
+    fail(DiagnosticId::replay_failed, place_, "the original program did not reach its kernel again");
+  if (WIFSIGNALED(status) && WTERMSIG(status) == SIGALRM)
+    fail(DiagnosticId::replay_failed, place_, "the original's kernel does not end on a sample within the time limit");
+  if (WIFSIGNALED(status))
+    fail(DiagnosticId::replay_failed, place_,
+         fmt::format("the original's kernel was ended by signal {} ({}) on a sample", WTERMSIG(status),
+                     strsignal(WTERMSIG(status))));
+  if (head->state != replay::State::complete)
+    fail(DiagnosticId::replay_failed, place_,
+         "on a sample the original met other annotations than it was recorded with");
+  return {replay::shared_outputs(head), replay::shared_outputs(head) + head->output_count};
+}
+
+} // namespace symreal::program

@@ -1,0 +1,66 @@
+#include "program/verification.h"
+
+#include "graph/evaluate.h"
+#include "program/replay.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace symreal::program {
+
+std::size_t Verification::different() const {
+  return static_cast<std::size_t>(std::count_if(outputs.begin(), outputs.end(),
+                                                [](OutputComparison const &output) { return output.different != 0; }));
+}
+
+Recorded const &require_match(std::vector<Recorded> const &kernels, Banner const &banner, std::string const &path) {
+  auto found = std::find_if(kernels.begin(), kernels.end(),
+                            [&](Recorded const &kernel) { return kernel.graph.kernel == banner.kernel; });
+  if (found == kernels.end())
+    fail(DiagnosticId::foreign_file, {path, 1, 1}, "the sources have no kernel '" + banner.kernel + "'");
+  Graph const &graph = found->graph;
+  if (graph.input_count() != banner.inputs || graph.parameter_count() != banner.parameters ||
+      graph.output_count() != banner.outputs)
+    fail(DiagnosticId::foreign_file, {path, 1, 1},
+         fmt::format("kernel '{}' has {} inputs, {} parameters and {} outputs, the file {}, {} and {}", banner.kernel,
+                     graph.input_count(), graph.parameter_count(), graph.output_count(), banner.inputs,
+                     banner.parameters, banner.outputs));
+  return *found;
+}
+
+Verification verify(Front const &front, RunOptions const &run, Recorded const &recorded, std::string const &path,
+                    Banner const &banner, VerificationOptions const &options) {
+  Graph const &graph = recorded.graph;
+  GeneratedCode code(path, banner, *front.workspace);
+  Replay replay(front.replay_program, run, recorded.begun_as, graph, *front.workspace);
+  SampleSource source(graph, options.seed);
+  Verification result;
+  result.mode = banner.mode;
+  result.outputs.resize(graph.output_count());
+
+  for (std::size_t k = 0; k < options.samples; ++k) {
+    Sample sample = source.next();
+    std::vector<double> original = replay.run(sample);
+    std::vector<double> generated = code.run(sample.inputs, sample.parameters);
+    std::vector<double> values = evaluate(graph, sample.inputs, sample.parameters);
+    Premises premises = check_premises(graph, values);
+    bool inside = banner.mode == FloatingPoint::strict || premises.hold();
+    bool graph_same = true, outside_same = true;
+    for (std::size_t slot = 0; slot < original.size(); ++slot) {
+      if (inside) {
+        result.outputs[slot].add(k, original[slot], generated[slot], banner.mode, options.tolerance);
+        graph_same &= same(original[slot], values[graph.results[slot]], FloatingPoint::strict, 0);
+      } else {
+        outside_same &= same(original[slot], generated[slot], FloatingPoint::strict, 0);
+      }
+    }
+    result.inside += inside;
+    if (!inside) ++(premises.finite ? result.zero_sign : result.not_finite);
+    result.outside_different += !outside_same;
+    result.graph_different += !graph_same;
+    result.samples.push_back(std::move(sample));
+  }
+  return result;
+}
+
+} // namespace symreal::program

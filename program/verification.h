@@ -1,0 +1,36 @@
+// The proof by samples: the replayed original against the generated code.
+#pragma once
+
+#include "program/front.h"
+#include "program/generated_code.h"
+#include "verify/compare.h"
+#include "verify/samples.h"
+
+namespace symreal::program {
+
+struct VerificationOptions {
+  std::size_t samples = 1000, min_samples = 100;
+  std::uint64_t seed = 1;
+  double tolerance = 1e-9; // mode fast
+};
+
+struct Verification {
+  FloatingPoint mode = FloatingPoint::finite;
+  std::size_t inside = 0;                    // samples that satisfy the premises of the mode
+  std::size_t not_finite = 0, zero_sign = 0; // and those that do not, by premise
+  std::vector<OutputComparison> outputs;     // per slot, over the samples inside
+  std::size_t outside_different = 0;         // samples outside that differ in some output, not an error
+  std::size_t graph_different = 0; // samples inside on which the recorded graph itself differs from the original
+  std::vector<Sample> samples;     // all that were drawn
+
+  std::size_t different() const; // outputs that differ
+};
+
+// `code` must belong to `recorded`; see require_match.
+Verification verify(Front const &front, RunOptions const &run, Recorded const &recorded, std::string const &path,
+                    Banner const &banner, VerificationOptions const &options);
+
+// The kernel that the file says it was generated from. Throws foreign_file when there is none or its shape differs.
+Recorded const &require_match(std::vector<Recorded> const &kernels, Banner const &banner, std::string const &path);
+
+} // namespace symreal::program

@@ -1,0 +1,50 @@
+#include "verify/compare.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+
+namespace symreal {
+
+// Doubles in order, as integers: both zeros are 0.
+static std::int64_t rank(double value) {
+  auto bits = std::bit_cast<std::int64_t>(value);
+  return bits < 0 ? std::numeric_limits<std::int64_t>::min() - bits : bits;
+}
+
+std::uint64_t ulp_distance(double a, double b) {
+  if (std::isnan(a) || std::isnan(b))
+    return std::isnan(a) && std::isnan(b) ? 0 : std::numeric_limits<std::uint64_t>::max();
+  auto low = static_cast<std::uint64_t>(std::min(rank(a), rank(b)));
+  auto high = static_cast<std::uint64_t>(std::max(rank(a), rank(b)));
+  return high - low;
+}
+
+bool same(double original, double generated, FloatingPoint mode, double tolerance) {
+  if (std::isnan(original) || std::isnan(generated))
+    return mode != FloatingPoint::finite && std::isnan(original) && std::isnan(generated);
+  switch (mode) {
+  case FloatingPoint::strict: return std::bit_cast<std::uint64_t>(original) == std::bit_cast<std::uint64_t>(generated);
+  case FloatingPoint::finite: return original == generated;
+  case FloatingPoint::fast:
+    return original == generated || std::abs(original - generated) <= tolerance * std::max(1.0, std::abs(original));
+  }
+  return false;
+}
+
+void OutputComparison::add(std::size_t sample, double original_value, double generated_value, FloatingPoint mode,
+                           double tolerance) {
+  bool is_same = same(original_value, generated_value, mode, tolerance);
+  std::uint64_t distance = ulp_distance(original_value, generated_value);
+  bool first_difference = !is_same && different == 0;
+  if (!is_same) ++different;
+  // A difference that counts is shown before a larger one that does not.
+  if (!first_difference && (distance <= worst_ulp || (is_same && different != 0))) return;
+  worst_ulp = distance;
+  worst_sample = sample;
+  original = original_value;
+  generated = generated_value;
+}
+
+} // namespace symreal

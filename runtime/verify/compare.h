@@ -1,0 +1,29 @@
+// When an output of the generated code is the same as the original's, by mode, and how far apart two doubles are.
+#pragma once
+
+#include "passes/floating_point.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace symreal {
+
+// How many doubles lie between: 0 for equal numbers (0 and -0 are equal) and for two NaNs, the largest count for a NaN
+// and a number.
+std::uint64_t ulp_distance(double a, double b);
+
+// finite: ==. strict: the same bits, any NaN equal to any NaN. fast: within `tolerance`, relative to the larger of the
+// original's magnitude and 1.
+bool same(double original, double generated, FloatingPoint mode, double tolerance);
+
+// What is known of one output after the samples so far.
+struct OutputComparison {
+  std::size_t different = 0; // samples
+  std::uint64_t worst_ulp = 0;
+  std::size_t worst_sample = 0;
+  double original = 0, generated = 0; // at the worst sample
+
+  void add(std::size_t sample, double original_value, double generated_value, FloatingPoint mode, double tolerance);
+};
+
+} // namespace symreal

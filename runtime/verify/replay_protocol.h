@@ -1,0 +1,34 @@
+// What the replay program and its client share.
+//
+//   client ──one byte──▶ server: fork; the fork runs the kernel on the inputs in shared memory and ends ──status──▶
+//   client
+//
+// The environment of the program names the shared file, two descriptors and the kernel:
+//   SYMREAL_REPLAY=<file>,<commands>,<answers>   SYMREAL_REPLAY_KERNEL=<name under which the kernel begins>
+// An answer is the status of the fork as waitpid gives it, four bytes. When the commands end, so does the server.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace symreal::replay {
+
+enum class State : std::uint32_t { begun, complete, wrong_shape };
+
+// The head of the shared file; inputs, parameters and outputs follow as doubles.
+struct Head {
+  std::uint32_t input_count, parameter_count, output_count;
+  std::uint32_t seconds; // after which a sample is given up
+  State state;
+  std::uint32_t unused;
+};
+static_assert(sizeof(Head) % sizeof(double) == 0);
+
+inline std::size_t shared_size(Head const &head) {
+  return sizeof(Head) + sizeof(double) * (std::size_t{head.input_count} + head.parameter_count + head.output_count);
+}
+inline double *shared_inputs(Head *head) { return reinterpret_cast<double *>(head + 1); }
+inline double *shared_parameters(Head *head) { return shared_inputs(head) + head->input_count; }
+inline double *shared_outputs(Head *head) { return shared_parameters(head) + head->parameter_count; }
+
+} // namespace symreal::replay

@@ -1,0 +1,108 @@
+#include "verify/replay_server.h"
+
+#include "verify/replay_protocol.h"
+
+#include <cstdio>
+#include <cstdlib>
+#include <fcntl.h>
+#include <string>
+#include <sys/mman.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace symreal::replay {
+namespace {
+
+Head *shared = nullptr; // set while the wanted kernel runs in a fork
+std::uint32_t inputs_met, parameters_met, outputs_met;
+
+struct Connection {
+  std::string file;
+  int commands = -1, answers = -1;
+};
+
+bool parse(char const *text, Connection &connection) {
+  std::string_view rest = text;
+  std::size_t comma = rest.rfind(',');
+  std::size_t before = comma == rest.npos ? comma : rest.rfind(',', comma - 1);
+  if (before == rest.npos) return false;
+  connection.file = rest.substr(0, before);
+  connection.commands = std::atoi(text + before + 1);
+  connection.answers = std::atoi(text + comma + 1);
+  return true;
+}
+
+Head *map(std::string const &file) {
+  int descriptor = open(file.c_str(), O_RDWR | O_CLOEXEC);
+  struct stat status;
+  if (descriptor < 0 || fstat(descriptor, &status) != 0) return nullptr;
+  void *memory =
+      mmap(nullptr, static_cast<std::size_t>(status.st_size), PROT_READ | PROT_WRITE, MAP_SHARED, descriptor, 0);
+  close(descriptor);
+  return memory == MAP_FAILED ? nullptr : static_cast<Head *>(memory);
+}
+
+// Returns in the forks only.
+void serve(Connection const &connection, Head *head) {
+  std::fflush(nullptr); // once, not in every fork
+  for (char command; read(connection.commands, &command, 1) == 1;) {
+    head->state = State::begun;
+    pid_t child = fork();
+    if (child == 0) {
+      close(connection.commands);
+      close(connection.answers);
+      alarm(head->seconds);
+      return;
+    }
+    int status = -1;
+    if (child > 0) waitpid(child, &status, 0);
+    if (write(connection.answers, &status, sizeof status) != sizeof status) break;
+  }
+  _exit(0);
+}
+
+[[noreturn]] void finish(State state) {
+  shared->state = state;
+  _exit(0);
+}
+
+void give(double *number, double const *values, std::uint32_t &met, std::uint32_t count) {
+  if (met == count || !number) finish(State::wrong_shape);
+  *number = values[met++];
+}
+
+} // namespace
+
+void replay_begin(std::string_view kernel) {
+  char const *address = std::getenv("SYMREAL_REPLAY"), *wanted = std::getenv("SYMREAL_REPLAY_KERNEL");
+  Connection connection;
+  if (shared || !address || !wanted || kernel != wanted || !parse(address, connection)) return;
+  Head *head = map(connection.file);
+  if (!head) std::abort();
+  serve(connection, head);
+  shared = head;
+}
+
+void replay_input(double *number) {
+  if (shared) give(number, shared_inputs(shared), inputs_met, shared->input_count);
+}
+
+void replay_parameter(double *number) {
+  if (shared) give(number, shared_parameters(shared), parameters_met, shared->parameter_count);
+}
+
+void replay_output(double value) {
+  if (!shared) return;
+  if (outputs_met == shared->output_count) finish(State::wrong_shape);
+  shared_outputs(shared)[outputs_met++] = value;
+}
+
+void replay_end() {
+  if (!shared) return;
+  bool complete = inputs_met == shared->input_count && parameters_met == shared->parameter_count &&
+                  outputs_met == shared->output_count;
+  finish(complete ? State::complete : State::wrong_shape);
+}
+
+} // namespace symreal::replay

@@ -1,0 +1,22 @@
+// The side of the replay program: at the first annotation of the wanted kernel the process becomes a fork server, and
+// each fork runs the kernel once on inputs of the client's choice. Without the environment of replay_protocol.h, and
+// for every other kernel, all of this does nothing, and the program runs on as the original would.
+#pragma once
+
+#include <string_view>
+
+namespace symreal::replay {
+
+// At the first annotation. Returns in the forks only.
+void replay_begin(std::string_view kernel);
+
+// Per annotated number, in order: inputs and parameters receive their value, an output is kept for the client. A null
+// pointer stands for a temporary, which cannot be given a value.
+void replay_input(double *number);
+void replay_parameter(double *number);
+void replay_output(double value);
+
+// At the kernel's end, which is the end of the fork.
+void replay_end();
+
+} // namespace symreal::replay

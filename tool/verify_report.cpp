@@ -1,0 +1,123 @@
+#include "tool/verify_report.h"
+
+#include "emit/names.h"
+#include "support/number.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <fmt/ostream.h>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+namespace symreal::tool {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string ulp_text(std::uint64_t distance) {
+  return distance == std::numeric_limits<std::uint64_t>::max() ? "NaN" : std::to_string(distance);
+}
+
+// The element of an object that is worst: one that differs before one that does not, then by distance.
+std::uint32_t worst_element(Object const &object, program::Verification const &verification) {
+  auto key = [&](std::uint32_t element) {
+    OutputComparison const &output = verification.outputs[object.first + element];
+    return std::pair(output.different != 0, output.worst_ulp);
+  };
+  std::uint32_t worst = 0;
+  for (std::uint32_t element = 1; element < object.count; ++element)
+    if (key(element) > key(worst)) worst = element;
+  return worst;
+}
+
+std::size_t different_elements(Object const &object, program::Verification const &verification) {
+  auto first = verification.outputs.begin() + object.first;
+  return static_cast<std::size_t>(
+      std::count_if(first, first + object.count, [](OutputComparison const &output) { return output.different != 0; }));
+}
+
+std::string list(std::vector<double> const &values) {
+  constexpr std::size_t most = 16;
+  std::string text;
+  for (std::size_t i = 0; i < values.size() && i < most; ++i) text += (i ? ", " : "") + shortest(values[i]);
+  return values.size() > most ? text + ", ..." : text;
+}
+
+std::string first_difference(Graph const &graph, program::Verification const &verification) {
+  std::vector<std::string> names = identifiers(graph.outputs);
+  for (std::size_t i = 0; i < graph.outputs.size(); ++i) {
+    Object const &object = graph.outputs[i];
+    if (different_elements(object, verification) == 0) continue;
+    std::uint32_t element = worst_element(object, verification);
+    OutputComparison const &worst = verification.outputs[object.first + element];
+    return fmt::format("{}: original {}, generated {}, {} ULP apart, inputs {}",
+                       element_name(names[i], object, element), shortest(worst.original), shortest(worst.generated),
+                       ulp_text(worst.worst_ulp), list(verification.samples[worst.worst_sample].inputs));
+  }
+  return {};
+}
+
+} // namespace
+
+void print_verification(std::ostream &out, Graph const &graph, program::Verification const &verification) {
+  fmt::print(out, "kernel {}, mode {}: {} samples, {} within the premises\n", graph.kernel,
+             to_string(verification.mode), verification.samples.size(), verification.inside);
+  if (verification.not_finite + verification.zero_sign != 0)
+    fmt::print(out,
+               "  outside: {} with a value that is not finite, {} where the sign of a zero is seen; {} of them "
+               "differ\n",
+               verification.not_finite, verification.zero_sign, verification.outside_different);
+  fmt::print(out, "  {:<28}{:>10}{:>12}{:>12}\n", "output", "elements", "worst ULP", "different");
+  std::vector<std::string> names = identifiers(graph.outputs);
+  for (std::size_t i = 0; i < graph.outputs.size(); ++i) {
+    Object const &object = graph.outputs[i];
+    if (object.count == 0) continue;
+    std::uint32_t element = worst_element(object, verification);
+    fmt::print(out, "  {:<28}{:>10}{:>12}{:>12}\n", element_name(names[i], object, element), object.count,
+               ulp_text(verification.outputs[object.first + element].worst_ulp),
+               different_elements(object, verification));
+  }
+}
+
+Json to_json(Graph const &graph, program::Verification const &verification) {
+  Json json = {{"kernel", graph.kernel},
+               {"mode", to_string(verification.mode)},
+               {"samples", verification.samples.size()},
+               {"inside", verification.inside},
+               {"not_finite", verification.not_finite},
+               {"zero_sign", verification.zero_sign},
+               {"outputs", Json::array()}};
+  for (Object const &object : graph.outputs)
+    for (std::uint32_t element = 0; element < object.count; ++element) {
+      OutputComparison const &output = verification.outputs[object.first + element];
+      json["outputs"].push_back({{"label", object.label},
+                                 {"element", element},
+                                 {"worst_ulp", output.worst_ulp},
+                                 {"different", output.different}});
+    }
+  return json;
+}
+
+std::optional<Diagnostic> verification_failure(Graph const &graph, program::Verification const &verification,
+                                               program::VerificationOptions const &options, std::string const &file) {
+  if (std::size_t count = verification.different()) {
+    Diagnostic diagnostic{DiagnosticId::verification_mismatch, Severity::error, {file}, ""};
+    diagnostic.message = fmt::format("{} of {} outputs differ from the original", count, verification.outputs.size());
+    diagnostic.notes.push_back({{}, first_difference(graph, verification)});
+    if (verification.graph_different != 0)
+      diagnostic.notes.push_back({{},
+                                  fmt::format("on {} samples the graph as recorded, before any pass, differs from "
+                                              "the original too",
+                                              verification.graph_different)});
+    return diagnostic;
+  }
+  if (verification.inside < std::min(options.min_samples, options.samples))
+    return Diagnostic{DiagnosticId::too_few_samples,
+                      Severity::error,
+                      {file},
+                      fmt::format("only {} samples lie within the premises of mode {}, {} are wanted",
+                                  verification.inside, to_string(verification.mode), options.min_samples)};
+  return {};
+}
+
+} // namespace symreal::tool
