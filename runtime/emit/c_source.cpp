@@ -1,5 +1,6 @@
 #include "emit/c_parts.h"
 #include "emit/expression.h"
+#include "schedule/chunks.h"
 
 #include <fmt/format.h>
 
@@ -22,60 +23,89 @@ static void append_wrapped(std::string &out, std::string_view statement) {
   out.append(statement) += '\n';
 }
 
-static bool reads(Program const &program, FunctionBody const &body, bool in_compute, bool of_constants) {
-  auto is_wanted = [&](NodeId id) {
-    Node const &node = program.graph->nodes[id];
-    bool is_constant_slot = in_compute && program.constant_slot[id] != no_slot;
-    return of_constants ? is_constant_slot : !is_constant_slot && (node.op == Op::input || node.op == Op::parameter);
-  };
-  // Every node that is read stands below a variable or is a result; nested expressions are walked by an own stack.
-  std::vector<NodeId> stack(body.results);
-  std::vector<char> seen(program.graph->nodes.size(), 0);
-  while (!stack.empty()) {
-    NodeId id = stack.back();
-    stack.pop_back();
-    if (seen[id]++) continue;
-    if (is_wanted(id)) return true;
-    if (is_leaf(program.graph->nodes[id].op) || (in_compute && program.constant_slot[id] != no_slot)) continue;
-    for (NodeId operand : program.graph->nodes[id].operand)
-      if (operand != no_node) stack.push_back(operand);
-  }
-  return false;
-}
+namespace {
 
-static std::string body(Program const &program, FunctionBody const &body, bool in_compute, std::string const &target) {
-  std::string out;
-  std::vector<std::uint32_t> name(program.graph->nodes.size(), no_slot);
-  FunctionContext const context{in_compute, &name};
-  std::uint32_t next = 0;
-  for (NodeId id : body.variables) {
-    Node const &node = program.graph->nodes[id];
-    bool truth = !is_leaf(node.op) && info(node.op).has(flag::BOOLEAN);
-    std::string value = c_expression(program, context, id);
-    append_wrapped(out, fmt::format("{} const t{} = {};", truth ? "int" : "double", next, value));
-    name[id] = next++;
+// One of the two functions, printed chunk by chunk: a long one becomes static functions that the last one calls.
+class FunctionPrinter {
+public:
+  FunctionPrinter(Program const &program, EmitOptions const &options, bool is_compute)
+      : program_(program), body_(is_compute ? program.compute : program.preprocess), is_compute_(is_compute),
+        name_(prefixed(options, is_compute ? "compute" : "preprocess")), chunks_(cut(program, body_, is_compute)),
+        variable_(program.graph->nodes.size(), no_slot), kept_(program.graph->nodes.size(), no_slot) {}
+
+  std::string print() {
+    if (chunks_.size() == 1) {
+      std::string text = statements(0);
+      return function("void " + name_, target(), text + results());
+    }
+    std::string out, calls;
+    for (std::size_t chunk = 0; chunk < chunks_.size(); ++chunk) {
+      std::string const name = fmt::format("{}_{}", name_, chunk + 1);
+      out += function("static void " + name, "v", statements(chunk)) + "\n";
+      calls += fmt::format("  {}({}, v);\n", name, is_compute_ ? "input, constants" : "parameters");
+    }
+    return out + function("void " + name_, target(),
+                          fmt::format("  double v[{}];\n", chunks_.spill_count) + calls + results());
   }
-  for (std::size_t slot = 0; slot < body.results.size(); ++slot)
-    append_wrapped(out, fmt::format("{}[{}] = {};", target, slot, c_use(program, context, body.results[slot])));
-  return out;
-}
+
+private:
+  std::string target() const { return is_compute_ ? "output" : "constants"; }
+
+  std::string statements(std::size_t chunk) {
+    std::string out;
+    FunctionContext const context{is_compute_, &variable_, &kept_};
+    std::size_t const first = chunks_.begin[chunk], end = chunks_.begin[chunk + 1];
+    for (std::size_t k = first; k < end; ++k) {
+      NodeId const id = body_.variables[k];
+      Node const &node = program_.graph->nodes[id];
+      bool truth = !is_leaf(node.op) && info(node.op).has(flag::BOOLEAN);
+      append_wrapped(out, fmt::format("{} const t{} = {};", truth ? "int" : "double", k,
+                                      c_expression(program_, context, id)));
+      variable_[id] = static_cast<std::uint32_t>(k);
+      if (chunks_.spill_slot[id] != no_slot) out += fmt::format("  v[{}] = t{};\n", chunks_.spill_slot[id], k);
+    }
+    if (chunks_.size() == 1) return out;
+    for (std::size_t k = first; k < end; ++k) { // what this chunk called tk, later ones find in v
+      variable_[body_.variables[k]] = no_slot;
+      kept_[body_.variables[k]] = chunks_.spill_slot[body_.variables[k]];
+    }
+    return out;
+  }
+
+  std::string results() {
+    std::string out;
+    FunctionContext const context{is_compute_, &variable_, &kept_};
+    for (std::size_t slot = 0; slot < body_.results.size(); ++slot)
+      append_wrapped(out, fmt::format("{}[{}] = {};", target(), slot, c_use(program_, context, body_.results[slot])));
+    return out;
+  }
+
+  // A parameter that the text does not use is marked, or compilers warn.
+  std::string function(std::string const &head, std::string const &last, std::string const &text) const {
+    std::string unused;
+    std::string parameters;
+    for (std::string const &name :
+         is_compute_ ? std::vector<std::string>{"input", "constants"} : std::vector<std::string>{"parameters"}) {
+      parameters += "double const *" + name + ", ";
+      if (text.find(name) == std::string::npos) unused += "  (void)" + name + ";\n";
+    }
+    if (text.find(last + "[") == std::string::npos) unused += "  (void)" + last + ";\n";
+    return head + "(" + parameters + "double *" + last + ") {\n" + unused + text + "}\n";
+  }
+
+  Program const &program_;
+  FunctionBody const &body_;
+  bool is_compute_;
+  std::string name_;
+  Chunks chunks_;
+  std::vector<std::uint32_t> variable_, kept_;
+};
+
+} // namespace
 
 std::string c_source(Program const &program, EmitOptions const &options) {
-  std::string out = c_banner(program, options);
-  out += fmt::format("#include \"{}.h\"\n\n#include <math.h>\n\n", options.base_name);
-
-  out += fmt::format("void {}(double const *parameters, double *constants) {{\n", prefixed(options, "preprocess"));
-  if (!reads(program, program.preprocess, false, false)) out += "  (void)parameters;\n";
-  if (program.preprocess.results.empty()) out += "  (void)constants;\n";
-  out += body(program, program.preprocess, false, "constants") + "}\n\n";
-
-  out += fmt::format("void {}(double const *input, double const *constants, double *output) {{\n",
-                     prefixed(options, "compute"));
-  if (!reads(program, program.compute, true, false)) out += "  (void)input;\n";
-  if (!reads(program, program.compute, true, true)) out += "  (void)constants;\n";
-  if (program.compute.results.empty()) out += "  (void)output;\n";
-  out += body(program, program.compute, true, "output") + "}\n";
-  return out;
+  return c_banner(program, options) + fmt::format("#include \"{}.h\"\n\n#include <math.h>\n\n", options.base_name) +
+         FunctionPrinter(program, options, false).print() + "\n" + FunctionPrinter(program, options, true).print();
 }
 
 } // namespace symreal

@@ -45,7 +45,8 @@ public:
 private:
   void print_node(Piece const &piece) {
     Node const &node = program_.graph->nodes[piece.node];
-    if (piece.as_truth && (is_leaf(node.op) || !info(node.op).has(flag::BOOLEAN))) {
+    bool is_kept = is_kept_value(piece);
+    if (piece.as_truth && (is_leaf(node.op) || !info(node.op).has(flag::BOOLEAN) || is_kept)) {
       text_ += '(';
       push(" != 0.0)");
       return push(piece.node, additive);
@@ -53,6 +54,10 @@ private:
     if (node.is_constant()) return print_constant(node.value(), piece.binding);
     if (!piece.spelled_out && (*context_.name)[piece.node] != no_slot) {
       text_ += "t" + std::to_string((*context_.name)[piece.node]);
+      return;
+    }
+    if (is_kept) {
+      text_ += "v[" + std::to_string((*context_.kept)[piece.node]) + "]";
       return;
     }
     if (context_.in_compute && program_.constant_slot[piece.node] != no_slot) {
@@ -64,6 +69,11 @@ private:
       return;
     }
     print_operation(node, piece.binding);
+  }
+
+  bool is_kept_value(Piece const &piece) const {
+    return context_.kept && !piece.spelled_out && (*context_.name)[piece.node] == no_slot &&
+           (*context_.kept)[piece.node] != no_slot;
   }
 
   void print_constant(double value, int binding) {

@@ -1,0 +1,22 @@
+// A long function body cut into pieces that compilers can digest.
+//
+// C compilers take more than linear time on one huge function: at 20 000 statements one function cost gcc four times
+// what pieces of 300 did. Values that live inside one piece stay local; those that cross go through an array.
+#pragma once
+
+#include "schedule/program.h"
+
+namespace symreal {
+
+struct Chunks {
+  std::vector<std::size_t> begin;         // first statement of each chunk, and the end of the last
+  std::vector<std::uint32_t> spill_slot;  // per node: where it is kept for later chunks, or no_slot
+  std::size_t spill_count = 0;            // size of the array; slots are used again when their value is dead
+
+  std::size_t size() const { return begin.size() - 1; }
+};
+
+// The results are read after the last chunk.
+Chunks cut(Program const &program, FunctionBody const &body, bool in_compute);
+
+} // namespace symreal
