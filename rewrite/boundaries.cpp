@@ -1,0 +1,146 @@
+#include "rewrite/boundaries.h"
+
+namespace symreal::rewrite {
+namespace {
+
+using namespace clang;
+
+// The functions that a body refers to, with the place of the first reference to each.
+class References : public RecursiveASTVisitor<References> {
+public:
+  std::vector<std::pair<FunctionDecl const *, SourceLocation>> found;
+
+  bool shouldVisitImplicitCode() const { return true; }
+  bool TraverseUnaryExprOrTypeTraitExpr(UnaryExprOrTypeTraitExpr *) { return true; }
+  bool TraverseCXXNoexceptExpr(CXXNoexceptExpr *) { return true; }
+  bool TraverseTypeLoc(TypeLoc) { return true; }
+
+  bool VisitDeclRefExpr(DeclRefExpr *reference) { return add(reference->getDecl(), reference->getLocation()); }
+  bool VisitMemberExpr(MemberExpr *member) { return add(member->getMemberDecl(), member->getMemberLoc()); }
+  bool VisitCXXConstructExpr(CXXConstructExpr *construction) {
+    add_virtual(construction->getConstructor()->getParent(), construction->getLocation());
+    return add(construction->getConstructor(), construction->getLocation());
+  }
+  bool VisitCXXBindTemporaryExpr(CXXBindTemporaryExpr *temporary) {
+    return add(temporary->getTemporary()->getDestructor(), temporary->getBeginLoc());
+  }
+  bool VisitVarDecl(VarDecl *variable) {
+    if (auto const *record = variable->getType()->getAsCXXRecordDecl(); record && record->hasDefinition())
+      add(record->getDestructor(), variable->getLocation());
+    return true;
+  }
+  bool VisitCXXDefaultArgExpr(CXXDefaultArgExpr *argument) { return TraverseStmt(argument->getExpr()); }
+  bool VisitCXXDefaultInitExpr(CXXDefaultInitExpr *initializer) { return TraverseStmt(initializer->getExpr()); }
+
+private:
+  bool add(Decl const *declaration, SourceLocation place) {
+    if (auto const *function = dyn_cast_or_null<FunctionDecl>(declaration)) found.emplace_back(function, place);
+    return true;
+  }
+
+  // A vtable that is emitted here refers to every virtual function of its class.
+  void add_virtual(CXXRecordDecl const *record, SourceLocation place) {
+    if (!record->isDynamicClass()) return;
+    if (CXXMethodDecl const *key = record->getASTContext().getCurrentKeyFunction(record); key && !key->isDefined()) return;
+    for (CXXMethodDecl const *method : record->methods())
+      if (method->isVirtual() && !method->isPureVirtual()) add(method, place);
+  }
+};
+
+class Reachable {
+public:
+  Reachable(ASTContext &context, SourceMap const &map, Reals const &reals, Facts &facts)
+      : names_(context), map_(map), reals_(reals), facts_(facts) {}
+
+  void start(FunctionDecl const *function) { enter(function, function->getLocation()); }
+  void start(VarDecl const *variable) {
+    References references;
+    references.TraverseDecl(const_cast<VarDecl *>(variable));
+    for (auto const &[function, place] : references.found) refer(function, place, variable->getLocation());
+  }
+
+  void run() {
+    while (!pending_.empty()) {
+      auto const [function, called_from] = pending_.back();
+      pending_.pop_back();
+      References references;
+      references.TraverseStmt(function->getBody());
+      if (auto const *constructor = dyn_cast<CXXConstructorDecl>(function))
+        for (CXXCtorInitializer const *initializer : constructor->inits())
+          if (initializer->getInit()) references.TraverseStmt(initializer->getInit());
+      for (auto const &[callee, place] : references.found) refer(callee, place, called_from);
+    }
+  }
+
+private:
+  void enter(FunctionDecl const *function, SourceLocation called_from) {
+    if (!seen_.insert(function).second || function->isDependentContext()) return;
+    pending_.emplace_back(function, called_from);
+  }
+
+  // `from`: the last place in the roots on the way here, for calls that stand in a library's template.
+  void refer(FunctionDecl const *callee, SourceLocation place, SourceLocation from) {
+    if (map_.in_roots(place)) from = place;
+    if (callee->isDependentContext() || callee->isDeleted() || callee->getBuiltinID() != 0) return;
+    FunctionDecl const *definition = nullptr;
+    if (callee->isDefined(definition) && definition->getBody()) {
+      enter(definition, from);
+      return;
+    }
+    if (callee->isDefaulted() || callee->isImplicit() || !reals_.in_roots(callee) || !carries(callee)) return;
+    std::string mangled = names_.getName(callee);
+    UseFact use{mangled, callee->getQualifiedNameAsString(), callee->getNumParams(), map_.place(callee->getLocation()),
+                map_.place(from)};
+    facts_.uses.try_emplace(std::move(mangled), std::move(use));
+  }
+
+  bool carries(FunctionDecl const *function) const {
+    if (reals_.mentions_real(function->getType())) return true;
+    auto const *method = dyn_cast<CXXMethodDecl>(function);
+    QualType const object = method ? method->getASTContext().getRecordType(method->getParent()) : QualType();
+    return method && reals_.mentions_real(object);
+  }
+
+  ASTNameGenerator names_;
+  SourceMap const &map_;
+  Reals const &reals_;
+  Facts &facts_;
+  std::vector<std::pair<FunctionDecl const *, SourceLocation>> pending_;
+  llvm::SmallPtrSet<FunctionDecl const *, 32> seen_;
+};
+
+// The variables of the source itself, whose initialisers run.
+class Variables : public RecursiveASTVisitor<Variables> {
+public:
+  std::vector<VarDecl const *> found;
+  bool TraverseFunctionDecl(FunctionDecl *) { return true; }
+  bool VisitVarDecl(VarDecl *variable) {
+    if (variable->hasGlobalStorage() && variable->hasInit() && !variable->getDeclContext()->isDependentContext())
+      found.push_back(variable);
+    return true;
+  }
+};
+
+} // namespace
+
+void record_boundaries(ASTContext &context, std::vector<FunctionDecl const *> const &definitions, SourceMap const &map,
+                       Reals const &reals, Facts &facts) {
+  ASTNameGenerator names(context);
+  Reachable reachable(context, map, reals, facts);
+  SourceManager const &sources = map.sources();
+  for (FunctionDecl const *function : definitions) {
+    if (function->isDependentContext()) continue;
+    facts.definitions.insert(names.getName(function));
+    if (!function->isInlined() || sources.isInMainFile(sources.getExpansionLoc(function->getLocation())))
+      reachable.start(function);
+  }
+  for (Decl *declaration : context.getTranslationUnitDecl()->decls()) {
+    if (!map.in_roots(declaration->getLocation())) continue;
+    Variables variables;
+    variables.TraverseDecl(declaration);
+    for (VarDecl const *variable : variables.found) reachable.start(variable);
+  }
+  reachable.run();
+}
+
+} // namespace symreal::rewrite

@@ -1,0 +1,121 @@
+#include "rewrite/decide.h"
+
+#include "rewrite/compose.h"
+#include "rewrite/pragma_text.h"
+
+#include <algorithm>
+
+namespace symreal::rewrite {
+namespace {
+
+using ByFile = std::map<std::string, std::vector<Rewording>>;
+
+// The macro of each use. In numeric mode each leaves exactly what stands between `before` and `after`; a cast to
+// another pointer type costs nothing.
+Rewording rewording(Wrap const &wrap) {
+  auto const make = [&](std::string before, std::string after) {
+    return Rewording{wrap.span.begin, wrap.span.end, std::move(before), std::move(after)};
+  };
+  switch (wrap.use) {
+  case Use::literal: return make("REAL_C(", ")");
+  case Use::value: return make("REAL_VALUE(", ")");
+  case Use::conversion: return make("REAL_TO(" + wrap.detail + ", ", ")");
+  case Use::state: return make("REAL_STATE(", ", " + quoted(wrap.detail) + ")");
+  case Use::cast: return make("(" + wrap.detail + ")(", ")");
+  case Use::returned: return make("SYMREAL_RETURN(" + wrap.detail + ", ", ")");
+  }
+  internal_failure("a use has a macro", __FILE__, __LINE__);
+}
+
+// Do any of the sorted, disjoint spans overlap this one?
+bool meets(std::set<Span> const &spans, Span const &span) {
+  auto at = spans.upper_bound({span.file, span.end, 0});
+  while (at != spans.begin()) {
+    --at;
+    if (at->file != span.file) return false;
+    if (at->begin < span.end && at->end > span.begin) return true;
+    if (at->end <= span.begin) return false;
+  }
+  return false;
+}
+
+Place place_in(FileFact const &file, std::size_t offset) {
+  auto const end = file.text.begin() + static_cast<std::ptrdiff_t>(offset);
+  std::size_t const line_start = offset == 0 ? std::string::npos : file.text.rfind('\n', offset - 1);
+  auto const line = static_cast<unsigned>(std::count(file.text.begin(), end, '\n')) + 1;
+  return {file.display_path, line, static_cast<unsigned>(offset - (line_start == std::string::npos ? 0 : line_start + 1)) + 1};
+}
+
+void add_types(Facts const &facts, std::set<Span> const &pragmas, ByFile &rewordings, Result &result) {
+  for (TypeToken const &token : facts.types) {
+    if (meets(pragmas, token.span)) continue;
+    if (!meets(facts.quoted, token.span)) {
+      if (!token.replacement.empty())
+        rewordings[token.span.file].push_back({token.span.begin, token.span.end, token.replacement, "", true});
+      continue;
+    }
+    FileFact const &file = facts.files.at(token.span.file);
+    std::string const text = file.text.substr(token.span.begin, token.span.end - token.span.begin);
+    result.diagnostics.push_back({DiagnosticId::quoted_double, Severity::warning, place_in(file, token.span.begin),
+                                  "'" + text + "' stays as it is: a macro turns this argument into text"});
+  }
+}
+
+void add_wraps(Facts const &facts, std::set<Span> const &pragmas, ByFile &rewordings) {
+  for (Wrap const &wrap : facts.wraps)
+    if (!meets(pragmas, wrap.span) && !meets(facts.quoted, wrap.span))
+      rewordings[wrap.span.file].push_back(rewording(wrap));
+}
+
+void add_pragmas(Facts const &facts, ByFile &rewordings) {
+  for (auto const &[span, pragma] : facts.pragmas) {
+    std::string const lines(pragma.continued_lines, '\n');
+    std::vector<Rewording> &here = rewordings[span.file];
+    here.push_back({span.begin, span.end, (pragma.is_function ? "" : region_text(pragma)) + lines, "", true});
+    if (pragma.is_function && !pragma.function.empty()) {
+      Span const &brace = pragma.function[0].brace;
+      here.push_back({brace.begin, brace.end, "", " " + function_text(pragma)});
+    }
+  }
+}
+
+void add_boundaries(Facts const &facts, Result &result) {
+  for (auto const &[mangled, use] : facts.uses) {
+    if (facts.definitions.count(mangled) != 0) continue;
+    result.boundaries.push_back({use.name, mangled, use.parameters, use.declaration, use.place});
+    result.diagnostics.push_back({DiagnosticId::boundary_function, Severity::error, use.declaration,
+                                  "'" + use.name + "' carries REAL, and none of the sources defines it",
+                                  {{use.place, "it is used here"}}});
+  }
+}
+
+bool has_error(Result const &result) {
+  return std::any_of(result.diagnostics.begin(), result.diagnostics.end(),
+                     [](Diagnostic const &one) { return one.severity == Severity::error; });
+}
+
+} // namespace
+
+Result decide(Facts facts) {
+  Result result;
+  result.include_dirs = std::move(facts.include_dirs);
+  result.uses_eigen = facts.uses_eigen;
+  result.diagnostics = std::move(facts.diagnostics);
+  if (facts.broken) return result;
+  std::set<Span> pragmas;
+  for (auto const &[span, pragma] : facts.pragmas) pragmas.insert(span);
+  ByFile rewordings;
+  add_types(facts, pragmas, rewordings, result);
+  add_wraps(facts, pragmas, rewordings);
+  collect_kernels(facts, result);
+  if (!has_error(result)) add_pragmas(facts, rewordings);
+  add_boundaries(facts, result);
+  for (auto const &[path, file] : facts.files) {
+    std::vector<Edit> edits = compose(file.text, std::move(rewordings[path]));
+    std::string text = apply_edits(file.text, edits);
+    result.files.push_back({path, file.display_path, file.text, std::move(text), std::move(edits)});
+  }
+  return result;
+}
+
+} // namespace symreal::rewrite

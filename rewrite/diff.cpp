@@ -1,0 +1,54 @@
+#include "rewrite/rewrite.h"
+#include "support/files.h"
+
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <memory>
+
+namespace symreal::rewrite {
+namespace {
+
+std::string shell_quoted(std::string const &text) {
+  std::string result = "'";
+  for (char c : text) result += c == '\'' ? "'\\''" : std::string(1, c);
+  return result + "'";
+}
+
+struct Directory {
+  Directory() {
+    char name[] = "/tmp/symreal-diff-XXXXXX";
+    if (!mkdtemp(name)) fail(DiagnosticId::unwritable_output, {"/tmp"}, "no temporary directory can be made");
+    path = name;
+  }
+  ~Directory() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path, ignored);
+  }
+  Directory(Directory const &) = delete;
+  Directory &operator=(Directory const &) = delete;
+  std::string path;
+};
+
+} // namespace
+
+std::string unified_diff(File const &file) {
+  if (file.original == file.text) return {};
+  Directory const directory;
+  write_if_changed(directory.path + "/before", file.original);
+  write_if_changed(directory.path + "/after", file.text);
+  std::string const command = "diff -u --label " + shell_quoted("a/" + file.display_path) + " --label " +
+                              shell_quoted("b/" + file.display_path) + " " + directory.path + "/before " +
+                              directory.path + "/after";
+  std::string text;
+  FILE *const stream = popen(command.c_str(), "r");
+  if (!stream) fail(DiagnosticId::unreadable_file, {file.display_path}, "the program diff cannot be started");
+  char buffer[4096];
+  while (std::size_t const count = std::fread(buffer, 1, sizeof buffer, stream)) text.append(buffer, count);
+  int const status = pclose(stream);
+  if (status == -1 || text.empty())
+    fail(DiagnosticId::unreadable_file, {file.display_path}, "the program diff failed");
+  return text;
+}
+
+} // namespace symreal::rewrite

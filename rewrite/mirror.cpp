@@ -1,0 +1,35 @@
+#include "rewrite/pragma_text.h"
+#include "rewrite/rewrite.h"
+#include "support/files.h"
+
+#include <filesystem>
+
+namespace symreal::rewrite {
+namespace {
+
+std::filesystem::path common_directory(std::vector<File> const &files) {
+  std::filesystem::path common = std::filesystem::path(files.front().path).parent_path();
+  for (File const &file : files)
+    while (file.path.compare(0, common.native().size() + 1, common.native() + "/") != 0 && common.has_relative_path())
+      common = common.parent_path();
+  return common;
+}
+
+} // namespace
+
+std::vector<std::string> write_mirror(std::vector<File> const &files, std::string const &directory) {
+  std::vector<std::string> written;
+  if (files.empty()) return written;
+  std::filesystem::path const common = common_directory(files);
+  for (File const &file : files) {
+    std::filesystem::path const path = directory / std::filesystem::path(file.path).lexically_relative(common);
+    std::error_code error;
+    std::filesystem::create_directories(path.parent_path(), error);
+    if (error) fail(DiagnosticId::unwritable_output, {path.parent_path()}, error.message());
+    write_if_changed(path.string(), "#line 1 " + quoted(file.display_path) + "\n" + file.text);
+    written.push_back(path.string());
+  }
+  return written;
+}
+
+} // namespace symreal::rewrite

@@ -1,0 +1,177 @@
+#include "rewrite/pragma_handler.h"
+
+namespace symreal::rewrite {
+namespace {
+
+using namespace clang;
+
+class Handler : public PragmaHandler {
+public:
+  Handler(SourceMap const &map, Facts &facts, PragmaIndex &index)
+      : PragmaHandler("symreal"), map_(map), facts_(facts), index_(index) {}
+
+  void HandlePragma(Preprocessor &preprocessor, PragmaIntroducer introducer, Token &) override {
+    std::vector<Token> lexed;
+    Token token;
+    for (preprocessor.LexUnexpandedToken(token); token.isNot(tok::eod); preprocessor.LexUnexpandedToken(token))
+      lexed.push_back(token);
+    if (introducer.Kind != PIK_HashPragma) {
+      report(DiagnosticId::pragma_syntax, introducer.Loc, "_Pragma(\"symreal ...\") cannot be rewritten; write #pragma");
+      return;
+    }
+    std::vector<PragmaToken> tokens;
+    for (Token const &one : lexed) {
+      bool const is_name = one.getIdentifierInfo() != nullptr;
+      tokens.push_back({preprocessor.getSpelling(one), is_name, one.hasLeadingSpace() || one.isAtStartOfLine()});
+    }
+    SourceLocation const end = lexed.empty() ? token.getLocation() : lexed.back().getEndLoc();
+    std::optional<Span> const span = map_.characters(introducer.Loc, end);
+    if (!span) {
+      report(DiagnosticId::pragma_outside_roots, introducer.Loc, "this pragma is in a file outside the roots");
+      return;
+    }
+    auto const parsed = parse_pragma(tokens);
+    if (auto const *error = std::get_if<PragmaError>(&parsed)) {
+      report(error->id, error->token < lexed.size() ? lexed[error->token].getLocation() : end, error->message);
+      facts_.pragmas[*span].span = *span;
+      return;
+    }
+    auto const &pragma = std::get<Pragma>(parsed);
+    record(pragma, tokens, lexed, *span, introducer.Loc);
+    if (pragma.is_function) index_.function_pragmas[*span] = introducer.Loc;
+    else inject(preprocessor, pragma, lexed, *span);
+  }
+
+private:
+  void report(DiagnosticId id, SourceLocation location, std::string message) {
+    facts_.diagnostics.push_back({id, Severity::error, map_.place(location), std::move(message)});
+  }
+
+  void record(Pragma const &pragma, std::vector<PragmaToken> const &tokens, std::vector<Token> const &lexed,
+              Span const &span, SourceLocation start) {
+    PragmaFact fact;
+    fact.span = span;
+    fact.place = map_.place(start);
+    fact.is_function = pragma.is_function;
+    fact.display_file = fact.place.file;
+    std::string const written = map_.text(span, start);
+    fact.continued_lines = static_cast<std::size_t>(std::count(written.begin(), written.end(), '\n'));
+    for (PragmaClause const &clause : pragma.clauses) {
+      ClauseFact &clause_fact = fact.clauses.emplace_back();
+      clause_fact.name = tokens[clause.name].text;
+      clause_fact.place = map_.place(lexed[clause.name].getLocation());
+      clause_fact.argument = text_of(tokens, clause.arguments);
+      for (PragmaItem const &item : clause.items) {
+        clause_fact.items.push_back(item_fact(tokens, item));
+        clause_fact.items.back().place = map_.place(lexed[item.tokens.begin].getLocation());
+        if (pragma.is_function && clause_fact.name != "call")
+          collect_names(tokens, lexed, item, {span, fact.clauses.size() - 1, clause_fact.items.size() - 1});
+      }
+    }
+    auto const [at, is_new] = facts_.pragmas.try_emplace(span, std::move(fact));
+    (void)at, (void)is_new; // a header's pragma was met through another source before
+  }
+
+  static ItemFact item_fact(std::vector<PragmaToken> const &tokens, PragmaItem const &item) {
+    ItemFact fact;
+    fact.label = text_of(tokens, item.tokens);
+    fact.expression = element_text(tokens, item);
+    fact.base = base_text(tokens, item);
+    for (PragmaSection const &section : item.sections)
+      fact.sections.push_back({section.low.empty() ? "0" : text_of(tokens, section.low), text_of(tokens, section.length)});
+    fact.is_return = fact.label == "return";
+    std::size_t const next = item.tokens.begin + 1;
+    bool const name_first = tokens[item.tokens.begin].is_name && !fact.is_return;
+    fact.section_on_base = name_first && !item.sections.empty() && item.sections[0].brackets.begin == next;
+    fact.base_is_name = name_first && (next == item.tokens.end || fact.section_on_base);
+    return fact;
+  }
+
+  // Every name that is looked up by itself: not after `.`, `->` or `::`, and not before `::`.
+  void collect_names(std::vector<PragmaToken> const &tokens, std::vector<Token> const &lexed, PragmaItem const &item,
+                     ItemKey const &key) {
+    for (std::size_t i = item.tokens.begin; i < item.tokens.end; ++i) {
+      Token const &token = lexed[i];
+      if (token.isNot(tok::identifier) || token.getIdentifierInfo()->hasMacroDefinition()) continue;
+      if (i > 0 && lexed[i - 1].isOneOf(tok::period, tok::arrow, tok::coloncolon)) continue;
+      if (i + 1 < lexed.size() && lexed[i + 1].is(tok::coloncolon)) continue;
+      index_.function_names.push_back({tokens[i].text, token.getLocation(), key, i == item.tokens.begin});
+    }
+  }
+
+  void inject(Preprocessor &preprocessor, Pragma const &pragma, std::vector<Token> const &lexed, Span const &span) {
+    std::vector<Token> stream;
+    for (std::size_t c = 0; c < pragma.clauses.size(); ++c)
+      for (std::size_t i = 0; i < pragma.clauses[c].items.size(); ++i) {
+        PragmaItem const &item = pragma.clauses[c].items[i];
+        SourceLocation const at = lexed[item.tokens.begin].getLocation();
+        index_.statements[at.getRawEncoding()] = {span, c, i};
+        open(preprocessor, stream, at);
+        std::size_t next = item.tokens.begin;
+        for (PragmaSection const &section : item.sections) {
+          append(stream, lexed, {next, section.brackets.begin + 1});
+          if (section.low.empty()) stream.push_back(zero(lexed[section.brackets.begin].getLocation()));
+          append(stream, lexed, section.low);
+          append(stream, lexed, {section.brackets.end - 1, section.brackets.end});
+          next = section.brackets.end;
+        }
+        append(stream, lexed, {next, item.tokens.end});
+        close(stream, at);
+        for (PragmaSection const &section : item.sections) {
+          SourceLocation const length = lexed[section.length.begin].getLocation();
+          open(preprocessor, stream, length);
+          append(stream, lexed, section.length);
+          close(stream, length);
+        }
+      }
+    auto tokens = std::make_unique<Token[]>(stream.size());
+    std::copy(stream.begin(), stream.end(), tokens.get());
+    preprocessor.EnterTokenStream(std::move(tokens), static_cast<unsigned>(stream.size()),
+                                  /*DisableMacroExpansion=*/false, /*IsReinject=*/false);
+  }
+
+  static void append(std::vector<Token> &stream, std::vector<Token> const &lexed, TokenRange range) {
+    for (std::size_t i = range.begin; i < range.end; ++i) stream.push_back(lexed[i]);
+  }
+
+  static Token punctuation(tok::TokenKind kind, SourceLocation at) {
+    Token token;
+    token.startToken();
+    token.setKind(kind);
+    token.setLocation(at);
+    token.setLength(1);
+    return token;
+  }
+
+  static Token zero(SourceLocation at) {
+    Token token = punctuation(tok::numeric_constant, at);
+    token.setLiteralData("0");
+    return token;
+  }
+
+  static void open(Preprocessor &preprocessor, std::vector<Token> &stream, SourceLocation at) {
+    stream.push_back(punctuation(tok::l_paren, at));
+    Token nothing = punctuation(tok::kw_void, at);
+    nothing.setIdentifierInfo(preprocessor.getIdentifierInfo("void"));
+    stream.push_back(nothing);
+    stream.push_back(punctuation(tok::r_paren, at));
+    stream.push_back(punctuation(tok::l_paren, at));
+  }
+
+  static void close(std::vector<Token> &stream, SourceLocation at) {
+    stream.push_back(punctuation(tok::r_paren, at));
+    stream.push_back(punctuation(tok::semi, at));
+  }
+
+  SourceMap const &map_;
+  Facts &facts_;
+  PragmaIndex &index_;
+};
+
+} // namespace
+
+std::unique_ptr<PragmaHandler> make_pragma_handler(SourceMap const &map, Facts &facts, PragmaIndex &index) {
+  return std::make_unique<Handler>(map, facts, index);
+}
+
+} // namespace symreal::rewrite

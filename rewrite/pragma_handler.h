@@ -1,0 +1,41 @@
+// Records `#pragma symreal` directives while the source is preprocessed.
+//
+// A pragma in a block also puts `(void)(item);` into the token stream for each of its items, at the item's own place.
+// So the compiler itself looks the names up where the pragma stands: an undeclared one is its error at that place, and
+// the statement shows in the syntax tree what the item is and whether the pragma stands where a statement can.
+#pragma once
+
+#include "rewrite/clang.h"
+#include "rewrite/facts.h"
+#include "rewrite/pragma_parser.h"
+#include "rewrite/source_map.h"
+
+#include <map>
+#include <memory>
+#include <vector>
+
+namespace symreal::rewrite {
+
+// The items of this source's pragmas by the raw location that their statement has in the syntax tree.
+struct ItemKey {
+  Span pragma;
+  std::size_t clause;
+  std::size_t item;
+};
+
+struct PragmaIndex {
+  std::map<unsigned, ItemKey> statements;
+  // Of a function pragma: the names that its items look up, each at its token's place.
+  struct Name {
+    std::string text;
+    clang::SourceLocation location;
+    ItemKey item;
+    bool is_base; // the first name of the item
+  };
+  std::vector<Name> function_names;
+  std::map<Span, clang::SourceLocation> function_pragmas;
+};
+
+std::unique_ptr<clang::PragmaHandler> make_pragma_handler(SourceMap const &map, Facts &facts, PragmaIndex &index);
+
+} // namespace symreal::rewrite

@@ -1,0 +1,222 @@
+#include "rewrite/pragma_items.h"
+
+#include "rewrite/pragma_text.h"
+
+#include <algorithm>
+
+namespace symreal::rewrite {
+namespace {
+
+using namespace clang;
+
+// The variable that the item's first name refers to, looking down the left edge of the expression.
+ValueDecl const *base_of(Expr const *expression) {
+  while (true) {
+    expression = expression->IgnoreParenImpCasts();
+    if (auto const *index = dyn_cast<ArraySubscriptExpr>(expression)) expression = index->getBase();
+    else if (auto const *member = dyn_cast<MemberExpr>(expression); member && !member->isImplicitAccess())
+      expression = member->getBase();
+    else if (auto const *call = dyn_cast<CXXOperatorCallExpr>(expression); call && call->getNumArgs() > 0)
+      expression = call->getArg(0);
+    else break;
+  }
+  if (auto const *reference = dyn_cast<DeclRefExpr>(expression)) return reference->getDecl();
+  if (auto const *member = dyn_cast<MemberExpr>(expression)) return member->getMemberDecl();
+  return nullptr;
+}
+
+Base kind_of(ValueDecl const *declaration, ASTContext const &context) {
+  QualType const type = declaration->getType();
+  if (type->isReferenceType()) return Base::object; // the object behind it need not be const
+  if (auto const *pointer = type->getAs<PointerType>()) {
+    if (!context.getBaseElementType(pointer->getPointeeType()).isConstQualified()) return Base::pointer;
+    return type.isConstQualified() ? Base::const_pointer_to_const : Base::pointer_to_const;
+  }
+  bool const is_const = context.getBaseElementType(type).isConstQualified();
+  return is_const && isa<VarDecl>(declaration) ? Base::const_object : Base::object;
+}
+
+// A parameter `double a[3][3]` is a pointer, but its declaration says how much it points to.
+void take_declared_extents(ItemFact &item, ValueDecl const *declaration) {
+  auto const *parameter = dyn_cast<ParmVarDecl>(declaration);
+  if (!parameter || !item.base_is_name || !item.sections.empty()) return;
+  auto const *decayed = parameter->getType()->getAs<DecayedType>();
+  auto const *array = decayed ? dyn_cast<ConstantArrayType>(decayed->getOriginalType()) : nullptr;
+  for (; array; array = dyn_cast<ConstantArrayType>(array->getElementType())) {
+    item.expression += "[(0)+symreal_i[" + std::to_string(item.sections.size()) + "]]";
+    item.sections.push_back({"0", std::to_string(array->getSize().getZExtValue())});
+    item.section_on_base = true;
+  }
+}
+
+void note_declaration(ItemFact &item, ValueDecl const *declaration, Reals const &reals) {
+  if (!item.base_is_name) return;
+  item.base_kind = kind_of(declaration, declaration->getASTContext());
+  take_declared_extents(item, declaration);
+  (void)reals;
+}
+
+// The definition's own names, innermost scope first: parameters, members, namespaces.
+ValueDecl const *look_up(std::string const &name, FunctionDecl const *function) {
+  for (ParmVarDecl const *parameter : function->parameters())
+    if (parameter->getName() == name) return parameter;
+  DeclarationName const wanted = &function->getASTContext().Idents.get(name);
+  for (DeclContext const *scope = function->getDeclContext(); scope; scope = scope->getLookupParent()) {
+    for (NamedDecl const *found : scope->lookup(wanted))
+      if (auto const *value = dyn_cast<ValueDecl>(found)) return value;
+    auto const *record = dyn_cast<CXXRecordDecl>(scope);
+    if (!record || !record->hasDefinition()) continue;
+    ValueDecl const *inherited = nullptr;
+    record->forallBases([&](CXXRecordDecl const *base) {
+      for (NamedDecl const *found : base->lookup(wanted))
+        if (auto const *value = dyn_cast<ValueDecl>(found)) inherited = value;
+      return true;
+    });
+    if (inherited) return inherited;
+  }
+  return nullptr;
+}
+
+class Returns : public RecursiveASTVisitor<Returns> {
+public:
+  bool TraverseLambdaExpr(LambdaExpr *) { return true; }
+  bool TraverseCXXRecordDecl(CXXRecordDecl *) { return true; }
+  bool VisitReturnStmt(ReturnStmt *statement) {
+    if (statement->getRetValue()) found.push_back(statement);
+    return true;
+  }
+  std::vector<ReturnStmt *> found;
+};
+
+class Attacher {
+public:
+  Attacher(SourceMap const &map, Reals const &reals, PragmaIndex const &index, Facts &facts)
+      : map_(map), reals_(reals), index_(index), facts_(facts) {}
+
+  void attach(Span const &span, SourceLocation start, std::vector<FunctionDecl const *> const &definitions) {
+    PragmaFact &pragma = facts_.pragmas[span];
+    FileID const file = map_.sources().getFileID(start);
+    FunctionDecl const *next = nullptr;
+    unsigned next_offset = 0;
+    for (FunctionDecl const *function : definitions) {
+      auto const [at, offset] = map_.sources().getDecomposedExpansionLoc(function->getBeginLoc());
+      if (at == file && offset >= span.end && (!next || offset < next_offset)) next = function, next_offset = offset;
+    }
+    std::string const text = map_.sources().getBufferData(file).str();
+    if (!next || !only_declaration_start(text.substr(span.end, next_offset - span.end))) {
+      report(DiagnosticId::pragma_unattached, start, "no function definition follows this pragma");
+      return;
+    }
+    note_function(pragma, next, text, next_offset);
+    look_up_names(span, next);
+    if (next->getReturnType()->isVoidType()) refuse_returned(pragma);
+    else wrap_returns(pragma, next);
+  }
+
+private:
+  void report(DiagnosticId id, SourceLocation location, std::string message) {
+    facts_.diagnostics.push_back({id, Severity::error, map_.place(location), std::move(message)});
+  }
+
+  void note_function(PragmaFact &pragma, FunctionDecl const *function, std::string const &text, unsigned begin) {
+    Stmt const *body = function->getBody();
+    if (auto const *attempt = dyn_cast<CXXTryStmt>(body)) body = attempt->getTryBlock();
+    std::optional<Span> const brace = map_.token(body->getBeginLoc());
+    if (!brace) {
+      report(DiagnosticId::pragma_unattached, function->getLocation(), "the function's body is made by a macro");
+      return;
+    }
+    FunctionFact fact{.name = function->getNameAsString(), .signature = {}, .brace = *brace};
+    unsigned end = map_.sources().getFileOffset(map_.sources().getExpansionLoc(function->getBody()->getBeginLoc()));
+    if (auto const *constructor = dyn_cast<CXXConstructorDecl>(function))
+      for (CXXCtorInitializer const *initializer : constructor->inits())
+        if (initializer->isWritten())
+          end = std::min(end, map_.sources().getFileOffset(map_.sources().getExpansionLoc(initializer->getSourceLocation())));
+    fact.signature = normalised(text.substr(begin, end - begin));
+    fact.returns_value = !function->getReturnType()->isVoidType();
+    pragma.function = {fact};
+  }
+
+  void look_up_names(Span const &span, FunctionDecl const *function) {
+    PragmaFact &pragma = facts_.pragmas[span];
+    for (PragmaIndex::Name const &name : index_.function_names) {
+      if (name.item.pragma != span) continue;
+      ItemFact &item = pragma.clauses[name.item.clause].items[name.item.item];
+      ValueDecl const *declaration = look_up(name.text, function);
+      if (!declaration) {
+        std::string const where = "'" + name.text + "' is neither a parameter of '" + function->getNameAsString() +
+                                  "' nor declared before it";
+        report(DiagnosticId::pragma_undeclared_name, name.location, where);
+        item.seen = true;
+        continue;
+      }
+      if (!name.is_base) continue;
+      item.seen = true;
+      item.type = declaration->getType().getAsString();
+      item.carries_real = declaration->getType()->isDependentType() || reals_.mentions_real(declaration->getType());
+      note_declaration(item, declaration, reals_);
+    }
+    for (ClauseFact &clause : pragma.clauses) // expressions that begin with no plain name: nothing is known
+      for (ItemFact &item : clause.items)
+        if (!item.seen) item.seen = item.carries_real = true;
+  }
+
+  void refuse_returned(PragmaFact const &pragma) {
+    for (ClauseFact const &clause : pragma.clauses)
+      for (ItemFact const &item : clause.items)
+        if (item.is_return)
+          facts_.diagnostics.push_back({DiagnosticId::pragma_item, Severity::error, item.place,
+                                        "'" + pragma.function[0].name + "' returns nothing"});
+  }
+
+  void wrap_returns(PragmaFact const &pragma, FunctionDecl const *function) {
+    ItemFact const *returned = nullptr;
+    for (ClauseFact const &clause : pragma.clauses)
+      for (ItemFact const &item : clause.items)
+        if (clause.name == "output" && item.is_return) returned = &item;
+    if (!returned) return;
+    Returns returns;
+    returns.TraverseStmt(function->getBody());
+    for (ReturnStmt const *statement : returns.found) {
+      std::optional<Span> const span = map_.range(statement->getRetValue()->getSourceRange());
+      if (!span || isa<InitListExpr>(statement->getRetValue()->IgnoreImplicit()))
+        report(DiagnosticId::pragma_item, statement->getReturnLoc(), "output(return) needs `return` with an expression");
+      else facts_.wraps.insert({*span, Use::returned, place_arguments("return", returned->place)});
+    }
+  }
+
+  SourceMap const &map_;
+  Reals const &reals_;
+  PragmaIndex const &index_;
+  Facts &facts_;
+};
+
+} // namespace
+
+void note_item(Stmt const *statement, SourceMap const &map, Reals const &reals, PragmaIndex const &index,
+               Facts &facts) {
+  auto const *expression = dyn_cast<Expr>(statement);
+  auto const *cast = expression ? dyn_cast<CStyleCastExpr>(expression->IgnoreImplicit()) : nullptr;
+  if (!cast) return;
+  auto const at = index.statements.find(cast->getLParenLoc().getRawEncoding());
+  if (at == index.statements.end()) return;
+  ItemFact &item = facts.pragmas[at->second.pragma].clauses[at->second.clause].items[at->second.item];
+  if (item.seen) return;
+  Expr const *what = cast->getSubExpr()->IgnoreParenImpCasts();
+  item.seen = true;
+  item.type = what->getType().getAsString();
+  if (ValueDecl const *base = base_of(what)) note_declaration(item, base, reals);
+  bool const has_extents = !item.sections.empty() && what->getType()->isPointerType();
+  item.carries_real = what->isTypeDependent() ||
+                      (has_extents ? reals.mentions_real(what->getType()) : reals.carries_real(what->getType()));
+  (void)map;
+}
+
+void attach_function_pragmas(std::vector<FunctionDecl const *> const &definitions, SourceMap const &map,
+                             Reals const &reals, PragmaIndex const &index, Facts &facts) {
+  Attacher attacher(map, reals, index, facts);
+  for (auto const &[span, start] : index.function_pragmas)
+    if (facts.pragmas[span].function.empty()) attacher.attach(span, start, definitions);
+}
+
+} // namespace symreal::rewrite

@@ -1,0 +1,23 @@
+// Finds out what the items of pragmas are: region items from the statements that the pragma handler put into the token
+// stream, those of function pragmas by looking their names up in the function that follows.
+#pragma once
+
+#include "rewrite/clang.h"
+#include "rewrite/facts.h"
+#include "rewrite/pragma_handler.h"
+#include "rewrite/reals.h"
+#include "rewrite/source_map.h"
+
+#include <vector>
+
+namespace symreal::rewrite {
+
+// If the statement of a block is one that a pragma stands for, notes that its item was seen there, and its type.
+void note_item(clang::Stmt const *statement, SourceMap const &map, Reals const &reals, PragmaIndex const &index,
+               Facts &facts);
+
+// Gives each function pragma of this source the definition that follows it, and records its return statements.
+void attach_function_pragmas(std::vector<clang::FunctionDecl const *> const &definitions, SourceMap const &map,
+                             Reals const &reals, PragmaIndex const &index, Facts &facts);
+
+} // namespace symreal::rewrite

@@ -1,0 +1,131 @@
+#include "rewrite/pragma_text.h"
+
+#include <cctype>
+
+namespace symreal::rewrite {
+namespace {
+
+bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
+
+std::string without_comments(std::string const &source) {
+  std::string text;
+  for (std::size_t i = 0; i < source.size(); ++i) {
+    if (source.compare(i, 2, "//") == 0) {
+      while (i < source.size() && source[i] != '\n') ++i;
+      text += '\n';
+    } else if (source.compare(i, 2, "/*") == 0) {
+      std::size_t const end = source.find("*/", i + 2);
+      i = end == std::string::npos ? source.size() : end + 1;
+      text += ' ';
+    } else text += source[i];
+  }
+  return text;
+}
+
+std::string annotation(std::string const &kind, ItemFact const &item) {
+  std::string const head = "(" + kind + ", " + place_arguments(item.label, item.place) + ", ";
+  if (item.sections.empty()) return "SYMREAL_OBJECT" + head + with_real(item.expression) + ")";
+  std::string extents;
+  for (Section const &section : item.sections) extents += (extents.empty() ? "" : ", ") + section.length;
+  return "SYMREAL_SECTION" + head + "::symreal::extents(" + with_real(extents) + "), " + with_real(item.expression) + ")";
+}
+
+// The program's own copy of what a pointer to const points to takes its place before the kernel writes nodes there.
+std::string rebinding(ClauseFact const &clause, ItemFact const &item) {
+  bool const writes = clause.name == "input" || clause.name == "parameter";
+  if (!writes || item.base_kind != Base::pointer_to_const || !item.section_on_base) return "";
+  return "SYMREAL_REBIND(" + item.base.substr(0, item.base.find('[')) + ", " + with_real(item.sections[0].low) + ", " +
+         with_real(item.sections[0].length) + ") ";
+}
+
+std::string clause_text(ClauseFact const &clause) {
+  if (clause.name == "generate")
+    return "SYMREAL_GENERATE(" + clause.argument + ", " + quoted(clause.place.file) + ", " +
+           std::to_string(clause.place.line) + ", " + std::to_string(clause.place.column) + ") ";
+  if (clause.name == "range") return "SYMREAL_RANGE(" + with_real(clause.argument) + ") ";
+  std::string text;
+  for (ItemFact const &item : clause.items)
+    if (!item.is_return) text += rebinding(clause, item) + annotation(clause.name, item) + " ";
+  return text;
+}
+
+std::string trimmed(std::string text) {
+  while (!text.empty() && text.back() == ' ') text.pop_back();
+  return text;
+}
+
+} // namespace
+
+std::string quoted(std::string const &text) {
+  std::string result = "\"";
+  for (char c : text) {
+    if (c == '"' || c == '\\') result += '\\';
+    result += c;
+  }
+  return result + "\"";
+}
+
+std::string place_arguments(std::string const &label, Place const &place) {
+  return quoted(label) + ", " + quoted(place.file) + ", " + std::to_string(place.line) + ", " +
+         std::to_string(place.column);
+}
+
+std::string normalised(std::string const &source) {
+  std::string text;
+  for (char c : without_comments(source)) {
+    if (!std::isspace(static_cast<unsigned char>(c))) text += c;
+    else if (!text.empty() && text.back() != ' ') text += ' ';
+  }
+  return trimmed(text);
+}
+
+bool only_declaration_start(std::string const &source) {
+  std::string const text = without_comments(source);
+  bool at_line_start = true;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '#' && at_line_start)
+      while (i < text.size() && text[i] != '\n') i += text[i] == '\\' ? 2 : 1;
+    if (i >= text.size()) break;
+    if (text[i] == ';' || text[i] == '{' || text[i] == '}') return false;
+    if (text[i] == '\n') at_line_start = true;
+    else if (!std::isspace(static_cast<unsigned char>(text[i]))) at_line_start = false;
+  }
+  return true;
+}
+
+std::string with_real(std::string const &source) {
+  std::string text;
+  std::string previous;
+  for (std::size_t i = 0; i < source.size();) {
+    if (!is_word(source[i])) {
+      text += source[i++];
+      continue;
+    }
+    std::size_t end = i;
+    while (end < source.size() && is_word(source[end])) ++end;
+    std::string const word = source.substr(i, end - i);
+    text += word == "double" && previous != "long" ? "REAL" : word;
+    previous = word;
+    i = end;
+  }
+  return text;
+}
+
+std::string region_text(PragmaFact const &pragma) {
+  std::string text;
+  for (ClauseFact const &clause : pragma.clauses) text += clause_text(clause);
+  return trimmed(text);
+}
+
+std::string function_text(PragmaFact const &pragma) {
+  std::string entry, exit, call;
+  for (ClauseFact const &clause : pragma.clauses) {
+    if (clause.name == "call") call = ", " + clause.argument;
+    else (clause.name == "output" ? exit : entry) += clause_text(clause);
+  }
+  std::string text = "SYMREAL_FUNCTION(" + place_arguments(pragma.function[0].name, pragma.place) + call + ") " + entry;
+  if (!exit.empty()) text += "SYMREAL_OUTPUTS_BEGIN " + exit + "SYMREAL_OUTPUTS_END";
+  return trimmed(text);
+}
+
+} // namespace symreal::rewrite

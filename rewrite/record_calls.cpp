@@ -1,0 +1,200 @@
+#include "rewrite/recorder.h"
+
+namespace symreal::rewrite {
+using namespace clang;
+
+namespace {
+
+Expr const *written(Expr const *expression) {
+  while (true) {
+    Expr const *inner = expression->IgnoreImplicit();
+    if (auto const *bound = dyn_cast<CXXBindTemporaryExpr>(inner)) inner = bound->getSubExpr();
+    if (inner == expression) return inner;
+    expression = inner;
+  }
+}
+
+std::vector<Expr const *> written_arguments(llvm::ArrayRef<Expr const *> all) {
+  std::vector<Expr const *> result;
+  for (Expr const *argument : all)
+    if (!isa<CXXDefaultArgExpr>(argument)) result.push_back(argument);
+  return result;
+}
+
+// Is there an overload that takes something else than double in this place? Then a literal that is still a double while
+// the declarations say REAL could choose it.
+bool overload_competes(FunctionDecl const *function, unsigned index, unsigned count) {
+  DeclContext const *scope = function->getDeclContext();
+  auto const *constructor = dyn_cast<CXXConstructorDecl>(function);
+  for (NamedDecl const *found : scope->lookup(function->getDeclName())) {
+    if (isa<FunctionTemplateDecl>(found)) return true;
+    if (auto const *shadow = dyn_cast<UsingShadowDecl>(found)) found = shadow->getTargetDecl();
+    auto const *other = dyn_cast<FunctionDecl>(found);
+    if (!other || other->getCanonicalDecl() == function->getCanonicalDecl()) continue;
+    if (auto const *built = dyn_cast<CXXConstructorDecl>(other); built && constructor && built->isCopyOrMoveConstructor())
+      continue;
+    if (other->getMinRequiredArguments() > count || other->getNumParams() <= index) continue;
+    if (!Reals::is_double(other->getParamDecl(index)->getType())) return true;
+  }
+  return false;
+}
+
+// Functions to which the address of REAL objects may go: they move bytes, which carry nodes as well as numbers.
+bool moves_bytes(FunctionDecl const *function) {
+  static llvm::StringSet<> const names = {"memcpy", "memmove", "memset", "bzero",  "free",  "realloc",
+                                          "qsort",  "bsearch", "calloc", "swab", "operator delete"};
+  llvm::StringRef name = function->getDeclName().isIdentifier() ? function->getName() : "operator delete";
+  if (name.consume_front("__builtin_")) name.consume_back("_chk");
+  return names.contains(name);
+}
+
+bool reads_numbers(FunctionDecl const *function) {
+  return function->getDeclName().isIdentifier() && function->getName().ends_with("scanf");
+}
+
+// The stream operators and to_string have overloads for RealNumber.
+bool runtime_overloads(FunctionDecl const *function) {
+  if (function->isOverloadedOperator()) {
+    auto const *method = dyn_cast<CXXMethodDecl>(function);
+    return method && method->isInStdNamespace();
+  }
+  return function->isInStdNamespace() && function->getDeclName().isIdentifier() && function->getName() == "to_string";
+}
+
+} // namespace
+
+bool Recorder::is_plain_double(Expr const *expression) const {
+  return Reals::is_double(expression->getType()) && !expression->isTypeDependent() && reals_.stays_double(expression);
+}
+
+void Recorder::call(CallExpr const *call) {
+  FunctionDecl const *function = call->getDirectCallee();
+  if (!function) return;
+  Expr const *callee = call->getCallee()->IgnoreParenImpCasts();
+  bool overloaded = false;
+  if (auto const *reference = dyn_cast<DeclRefExpr>(callee)) overloaded = reference->hadMultipleCandidates();
+  else if (auto const *member = dyn_cast<MemberExpr>(callee)) overloaded = member->hadMultipleCandidates();
+  std::vector<Expr const *> all(call->arg_begin(), call->arg_end());
+  if (isa<CXXOperatorCallExpr>(call) && isa<CXXMethodDecl>(function) && !all.empty()) all.erase(all.begin());
+  arguments(function, written_arguments(all), overloaded);
+}
+
+void Recorder::construction(CXXConstructExpr const *construction) {
+  if (construction->getLocation().isInvalid()) return;
+  CXXConstructorDecl const *constructor = construction->getConstructor();
+  if (constructor->isCopyOrMoveConstructor()) return;
+  std::vector<Expr const *> const all(construction->arg_begin(), construction->arg_end());
+  arguments(constructor, written_arguments(all), construction->hadMultipleCandidates());
+}
+
+// An implicit conversion through a constructor that takes double: from a literal it would need two steps, double to
+// REAL and REAL to the class, and the language takes only one.
+void Recorder::converting_construction(CXXConstructExpr const *construction) {
+  if (construction->getNumArgs() == 0) return;
+  CXXConstructorDecl const *constructor = construction->getConstructor();
+  if (constructor->getNumParams() == 0 || !Reals::is_double(constructor->getParamDecl(0)->getType())) return;
+  if (Reals::is_passive_class(construction->getType())) return;
+  Expr const *argument = construction->getArg(0)->IgnoreParenImpCasts();
+  if (argument->getType()->isArithmeticType() && reals_.stays_double(argument)) wrap(argument, Use::literal);
+}
+
+void Recorder::arguments(FunctionDecl const *function, Arguments arguments, bool overloaded) {
+  auto const count = static_cast<unsigned>(arguments.size());
+  bool const math = reals_.is_math(function);
+  bool const outside = !reals_.in_roots(function) && !runtime_overloads(function);
+  for (unsigned i = 0; i < count; ++i) {
+    if (math || arguments[i]->isTypeDependent()) continue;
+    if (is_plain_double(arguments[i])) literal_argument(function, i, arguments[i], overloaded, count);
+    if (auto const *list = dyn_cast<CXXStdInitializerListExpr>(written(arguments[i]))) {
+      auto const *elements = dyn_cast<InitListExpr>(list->getSubExpr()->IgnoreImplicit());
+      bool const deduced = function->getPrimaryTemplate() != nullptr;
+      if (elements && (deduced || elements->getNumInits() <= 2)) deduced_elements(elements);
+    }
+    if (outside) outside_argument(function, i, arguments[i]);
+  }
+}
+
+void Recorder::literal_argument(FunctionDecl const *function, unsigned index, Expr const *argument, bool overloaded,
+                                unsigned count) {
+  if (index >= function->getNumParams()) {
+    auto const *primary = function->getPrimaryTemplate();
+    if (primary && !function->isVariadic()) wrap(argument, Use::literal); // an element of a parameter pack
+    return;
+  }
+  if (auto const *method = dyn_cast<CXXMethodDecl>(function); method && Reals::is_passive_template(method->getParent()))
+    return;
+  if (FunctionTemplateDecl const *primary = function->getPrimaryTemplate()) {
+    FunctionDecl const *pattern = primary->getTemplatedDecl();
+    unsigned const at = std::min(index, pattern->getNumParams() - 1);
+    if (pattern->getParamDecl(at)->getType()->isDependentType()) wrap(argument, Use::literal);
+    return;
+  }
+  bool const rewritten = reals_.in_roots(function);
+  bool const is_double_parameter = Reals::is_double(function->getParamDecl(index)->getType());
+  if (rewritten && overloaded && is_double_parameter && overload_competes(function, index, count))
+    wrap(argument, Use::literal);
+}
+
+// A function that neither returns nor keeps doubles: what it takes leaves the program.
+bool Recorder::takes_only(FunctionDecl const *function) const {
+  if (reals_.mentions_real(function->getReturnType())) return false;
+  for (ParmVarDecl const *parameter : function->parameters()) {
+    QualType const type = parameter->getType();
+    if (Reals::is_double(type) && !type->isReferenceType()) continue;
+    QualType pointee = type->getPointeeType();
+    if (pointee.isNull() || pointee.isConstQualified()) continue;
+    auto const *record = pointee->getAsRecordDecl();
+    if (!record) {
+      if (reals_.mentions_real(pointee)) return false;
+      continue;
+    }
+    if (!record->getDefinition()) return false;
+    for (FieldDecl const *field : record->getDefinition()->fields())
+      if (reals_.mentions_real(field->getType())) return false;
+  }
+  auto const *method = dyn_cast<CXXMethodDecl>(function);
+  return !method || method->isStatic() || method->isInStdNamespace();
+}
+
+void Recorder::outside_argument(FunctionDecl const *function, unsigned index, Expr const *argument) {
+  bool const real = reals_.is_real(argument);
+  std::string const name = "'" + function->getQualifiedNameAsString() + "', which is outside the roots";
+  if (index >= function->getNumParams()) {
+    if (!function->isVariadic()) return;
+    if (real) wrap(argument, Use::value);
+    else if (argument->getType()->isPointerType() && !reads_numbers(function) &&
+             Reals::is_double(argument->getType()->getPointeeType()))
+      report(DiagnosticId::boundary_call, argument->getBeginLoc(), "the address of a REAL goes to " + name);
+    return;
+  }
+  QualType const parameter = function->getParamDecl(index)->getType();
+  QualType const declared = [&] {
+    FunctionDecl const *pattern = Reals::pattern(function);
+    return index < pattern->getNumParams() ? pattern->getParamDecl(index)->getType() : parameter;
+  }();
+  auto const *method = dyn_cast<CXXMethodDecl>(function);
+  bool const passive_class = method && Reals::is_passive_template(method->getParent());
+  if (passive_class && real) {
+    wrap(argument, Use::value);
+    return;
+  }
+  if (declared->isDependentType()) return; // a template: instantiated on REAL it is traced
+  if (Reals::is_double(parameter) && (!parameter->isReferenceType() || parameter.getNonReferenceType().isConstQualified())) {
+    if (!real) return;
+    if (takes_only(function)) wrap(argument, Use::value);
+    else report(DiagnosticId::boundary_call, argument->getBeginLoc(), "a REAL goes to " + name);
+    return;
+  }
+  QualType const given = argument->IgnoreParenImpCasts()->getType();
+  if (parameter->isVoidPointerType()) {
+    QualType const pointee = given->isArrayType() ? QualType(given->getAsArrayTypeUnsafe()->getElementType()) : given->getPointeeType();
+    if (!pointee.isNull() && !moves_bytes(function) && reals_.carries_real(pointee))
+      report(DiagnosticId::reinterpretation, argument->getBeginLoc(), "the bytes of a REAL go to " + name);
+    return;
+  }
+  bool const by_address = parameter->isPointerType() || parameter->isReferenceType();
+  if (by_address && !declared->isDependentType() && reals_.mentions_real(parameter) && !reads_numbers(function))
+    report(DiagnosticId::boundary_call, argument->getBeginLoc(), "a REAL goes to " + name);
+}
+
+} // namespace symreal::rewrite

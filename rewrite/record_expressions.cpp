@@ -1,0 +1,189 @@
+#include "rewrite/pragma_text.h"
+#include "rewrite/recorder.h"
+
+namespace symreal::rewrite {
+using namespace clang;
+
+void Recorder::wrap(Expr const *expression, Use use, std::string detail) {
+  SourceLocation const begin = expression->getBeginLoc();
+  if (!map_.in_roots(begin)) return;
+  if (std::optional<Span> const span = map_.range(expression->getSourceRange()))
+    facts_.wraps.insert({*span, use, std::move(detail)});
+  else
+    report(DiagnosticId::split_expression, begin, "this expression is partly made by a macro and needs a conversion");
+}
+
+namespace {
+
+// The type as a cast or a macro argument spells it.
+std::string spelled(QualType type, LangOptions const &language) {
+  PrintingPolicy policy(language);
+  policy.Bool = true; // C's _Bool is compiled as C++ where it matters
+  return with_real(type.getUnqualifiedType().getAsString(policy));
+}
+
+BuiltinType const *innermost(QualType type) {
+  while (true) {
+    if (auto const *array = type->getAsArrayTypeUnsafe()) type = array->getElementType();
+    else if (QualType const pointee = type->getPointeeType(); !pointee.isNull()) type = pointee;
+    else return type->getAs<BuiltinType>();
+  }
+}
+
+} // namespace
+
+void Recorder::implicit_cast(ImplicitCastExpr const *cast, bool decides) {
+  Expr const *from = cast->getSubExpr();
+  if (cast->isTypeDependent() || from->isTypeDependent()) return;
+  QualType const to = cast->getType();
+  switch (cast->getCastKind()) {
+  case CK_FloatingToIntegral:
+  case CK_FloatingToBoolean:
+  case CK_FloatingCast:
+    if (cast->isPartOfExplicitCast() || decides || !Reals::is_double(from->getType()) || !reals_.is_real(from)) return;
+    if (to->isSpecificBuiltinType(BuiltinType::LongDouble))
+      report(DiagnosticId::long_double, from->getBeginLoc(), "a REAL is converted to long double");
+    else wrap(from, Use::conversion, spelled(to, map_.language()));
+    return;
+  case CK_ConstructorConversion:
+    if (auto const *construction = dyn_cast<CXXConstructExpr>(from->IgnoreImplicit()))
+      converting_construction(construction);
+    return;
+  case CK_BitCast:
+    if (map_.language().CPlusPlus || cast->isPartOfExplicitCast()) return;
+    if (from->getType()->isVoidPointerType() && !to->isVoidPointerType())
+      wrap(from, Use::cast, spelled(to, map_.language()));
+    return;
+  case CK_IntegralCast:
+    if (!map_.language().CPlusPlus && to->isEnumeralType() && !cast->isPartOfExplicitCast() &&
+        !from->IgnoreParens()->getType()->isEnumeralType() && !isa<DeclRefExpr>(from->IgnoreParenImpCasts()))
+      wrap(from, Use::cast, spelled(to, map_.language()));
+    return;
+  default: return;
+  }
+}
+
+void Recorder::explicit_cast(ExplicitCastExpr const *cast) {
+  Expr const *from = cast->getSubExpr();
+  if (cast->isTypeDependent() || from->isTypeDependent()) return;
+  if (Reals::is_double(from->getType()) && cast->getType()->isSpecificBuiltinType(BuiltinType::LongDouble) &&
+      reals_.is_real(from))
+    report(DiagnosticId::long_double, cast->getBeginLoc(), "a REAL is converted to long double");
+  if (cast->getCastKind() != CK_BitCast && cast->getCastKind() != CK_LValueBitCast) return;
+  QualType const source = cast->getSubExprAsWritten()->getType();
+  BuiltinType const *before = innermost(source), *after = innermost(cast->getType());
+  if (!before || !after || before->getKind() == after->getKind()) return;
+  bool const was_double = before->getKind() == BuiltinType::Double, is_double = after->getKind() == BuiltinType::Double;
+  auto const is_bytes = [](BuiltinType const *type) {
+    return type->isVoidType() || type->getKind() == BuiltinType::Char_S || type->getKind() == BuiltinType::Char_U ||
+           type->getKind() == BuiltinType::UChar;
+  };
+  if (was_double && !after->isVoidType())
+    report(DiagnosticId::reinterpretation, cast->getBeginLoc(),
+           "the bytes of a REAL are looked at as " + cast->getType().getAsString());
+  if (is_double && !is_bytes(before))
+    report(DiagnosticId::reinterpretation, cast->getBeginLoc(), source.getAsString() + " is looked at as a REAL");
+}
+
+void Recorder::compound_assignment(CompoundAssignOperator const *assignment) {
+  Expr const *left = assignment->getLHS();
+  if (assignment->isTypeDependent() || Reals::is_double(left->getType())) return;
+  if (!left->getType()->isArithmeticType() || !Reals::is_double(assignment->getComputationResultType())) return;
+  if (!reals_.is_real(assignment->getRHS()) && reals_.stays_double(assignment->getRHS())) return;
+  report(DiagnosticId::implicit_narrowing, assignment->getOperatorLoc(),
+         "the result is a REAL and is converted to " + left->getType().getAsString());
+}
+
+void Recorder::choice(ConditionalOperator const *choice) {
+  if (choice->isTypeDependent() || !Reals::is_double(choice->getType())) return;
+  Expr const *yes = choice->getTrueExpr(), *no = choice->getFalseExpr();
+  bool const yes_stays = reals_.stays_double(yes), no_stays = reals_.stays_double(no);
+  if (yes_stays == no_stays) return;
+  Expr const *literal = (yes_stays ? yes : no)->IgnoreImpCasts();
+  if (Reals::is_double(literal->getType())) wrap(literal, Use::literal);
+}
+
+// `auto s = 0.0`: the literal says what the type is.
+void Recorder::deduced_variable(VarDecl const *variable) {
+  TypeSourceInfo const *written = variable->getTypeSourceInfo();
+  Expr const *initializer = variable->getInit();
+  if (!written || !initializer || variable->isConstexpr() || variable->isCXXForRangeDecl()) return;
+  if (initializer->isTypeDependent()) return;
+  TypeLoc type = written->getTypeLoc();
+  for (TypeLoc inner = type; !inner.isNull(); inner = inner.getNextTypeLoc()) type = inner;
+  if (auto const list = dyn_cast<CXXStdInitializerListExpr>(initializer->IgnoreImplicit()))
+    if (type.getAs<AutoTypeLoc>()) deduced_elements(list->getSubExpr());
+  if (type.getAs<DeducedTemplateSpecializationTypeLoc>()) deduced_elements(initializer);
+  if (!type.getAs<AutoTypeLoc>() || !Reals::is_double(variable->getType())) return;
+  Expr const *value = initializer->IgnoreImplicit();
+  if (auto const *list = dyn_cast<InitListExpr>(value); list && list->getNumInits() == 1) value = list->getInit(0);
+  if (is_plain_double(value)) wrap(value->IgnoreImpCasts(), Use::literal);
+}
+
+namespace {
+
+class Returns : public RecursiveASTVisitor<Returns> {
+public:
+  bool TraverseLambdaExpr(LambdaExpr *) { return true; }
+  bool TraverseCXXRecordDecl(CXXRecordDecl *) { return true; }
+  bool VisitReturnStmt(ReturnStmt *statement) {
+    if (Expr const *value = statement->getRetValue()) found.push_back(value);
+    return true;
+  }
+  std::vector<Expr const *> found;
+};
+
+} // namespace
+
+void Recorder::deduced_return(Stmt const *body) {
+  Returns returns;
+  returns.TraverseStmt(const_cast<Stmt *>(body));
+  for (Expr const *value : returns.found)
+    if (is_plain_double(value)) wrap(value->IgnoreImpCasts(), Use::literal);
+}
+
+void Recorder::deduced_elements(Expr const *initializer) {
+  if (!initializer) return;
+  initializer = initializer->IgnoreImplicit();
+  if (auto const *list = dyn_cast<InitListExpr>(initializer))
+    for (Expr const *element : list->inits()) deduced_elements(element);
+  else if (auto const *std_list = dyn_cast<CXXStdInitializerListExpr>(initializer))
+    deduced_elements(std_list->getSubExpr());
+  else if (auto const *construction = dyn_cast<CXXConstructExpr>(initializer)) {
+    for (Expr const *argument : construction->arguments())
+      if (!isa<CXXDefaultArgExpr>(argument)) deduced_elements(argument);
+  } else if (auto const *parens = dyn_cast<ParenListExpr>(initializer))
+    for (Stmt const *child : parens->children()) deduced_elements(cast<Expr>(child));
+  else if (is_plain_double(initializer)) wrap(initializer, Use::literal);
+}
+
+void Recorder::state(VarDecl const *variable, Expr const *reference) {
+  if (!variable->hasGlobalStorage() || reals_.is_passive(variable) || variable->getType()->isReferenceType()) return;
+  if (variable->getType()->isDependentType() || !reals_.carries_real(variable->getType())) return;
+  if (context_.getBaseElementType(variable->getType()).isConstQualified()) return;
+  wrap(reference, Use::state, to_string(map_.place(variable->getCanonicalDecl()->getLocation())));
+}
+
+void Recorder::c_declaration(NamedDecl const *declaration) {
+  if (map_.language().CPlusPlus || !declaration->getIdentifier()) return;
+  static llvm::StringSet<> const keywords = {
+      "alignas",   "alignof",  "and",      "bool",     "catch",    "class",   "compl",    "concept",   "constexpr",
+      "decltype",  "delete",   "explicit", "export",   "false",    "friend",  "mutable",  "namespace", "new",
+      "noexcept",  "not",      "nullptr",  "operator", "or",       "private", "protected", "public",   "requires",
+      "template",  "this",     "throw",    "true",     "try",      "typeid",  "typename", "using",     "virtual",
+      "wchar_t",   "xor",      "char16_t", "char32_t", "co_await", "co_return", "co_yield", "static_assert"};
+  if (keywords.contains(declaration->getName()))
+    report(DiagnosticId::c_source, declaration->getLocation(),
+           "'" + declaration->getNameAsString() + "' is a keyword of C++");
+  if (auto const *variable = dyn_cast<VarDecl>(declaration))
+    if (variable->isFileVarDecl() && variable->getPreviousDecl() && !variable->hasExternalStorage() &&
+        variable->getPreviousDecl()->isThisDeclarationADefinition(context_) != VarDecl::DeclarationOnly)
+      report(DiagnosticId::c_source, variable->getLocation(),
+             "'" + variable->getNameAsString() + "' is defined a second time");
+  if (auto const *function = dyn_cast<FunctionDecl>(declaration))
+    if (function->isThisDeclarationADefinition() && !function->hasWrittenPrototype() && function->getNumParams() > 0)
+      report(DiagnosticId::c_source, function->getLocation(),
+             "'" + function->getNameAsString() + "' is defined in the style before C89");
+}
+
+} // namespace symreal::rewrite

@@ -1,0 +1,80 @@
+#include "rewrite/source_map.h"
+
+namespace symreal::rewrite {
+
+std::string real_path(std::string const &name) {
+  llvm::SmallString<256> result;
+  return llvm::sys::fs::real_path(name, result) ? name : result.str().str();
+}
+
+bool below_roots(std::string const &real_path, std::vector<std::string> const &roots) {
+  if (real_path.find("/include/symreal/") != std::string::npos) return false;
+  for (std::string const &root : roots) {
+    bool const slash = !root.empty() && root.back() == '/';
+    if (real_path.compare(0, root.size(), root) == 0 && (slash || real_path.size() == root.size() || real_path[root.size()] == '/'))
+      return true;
+  }
+  return false;
+}
+
+std::string const &SourceMap::path(clang::FileID file) const {
+  auto const [at, is_new] = paths_.try_emplace(file.getHashValue());
+  if (!is_new) return at->second;
+  if (clang::OptionalFileEntryRef const entry = sources_.getFileEntryRefForID(file))
+    if (std::string real = real_path(entry->getName().str()); below_roots(real, roots_)) at->second = std::move(real);
+  return at->second;
+}
+
+bool SourceMap::in_roots(clang::SourceLocation location) const {
+  return location.isValid() && !path(sources_.getFileID(sources_.getExpansionLoc(location))).empty();
+}
+
+std::optional<Span> SourceMap::characters(clang::SourceLocation begin, clang::SourceLocation end) const {
+  auto const [file, first] = sources_.getDecomposedLoc(begin);
+  auto const [last_file, last] = sources_.getDecomposedLoc(end);
+  if (file != last_file || last <= first || path(file).empty()) return std::nullopt;
+  return Span{path(file), first, last};
+}
+
+std::optional<Span> SourceMap::token(clang::SourceLocation location) const {
+  if (location.isInvalid()) return std::nullopt;
+  clang::SourceLocation const spelled = sources_.getSpellingLoc(location);
+  unsigned const length = clang::Lexer::MeasureTokenLength(spelled, sources_, language_);
+  return characters(spelled, spelled.getLocWithOffset(static_cast<int>(length)));
+}
+
+std::optional<Span> SourceMap::range(clang::SourceRange range) const {
+  if (range.isInvalid()) return std::nullopt;
+  clang::CharSourceRange const written =
+      clang::Lexer::makeFileCharRange(clang::CharSourceRange::getTokenRange(range), sources_, language_);
+  if (written.isValid()) return characters(written.getBegin(), written.getEnd());
+  if (!range.getBegin().isMacroID() || !range.getEnd().isMacroID()) return std::nullopt;
+  if (sources_.getFileID(range.getBegin()) != sources_.getFileID(range.getEnd())) return std::nullopt;
+  clang::SourceLocation const last = sources_.getSpellingLoc(range.getEnd());
+  unsigned const length = clang::Lexer::MeasureTokenLength(last, sources_, language_);
+  return characters(sources_.getSpellingLoc(range.getBegin()), last.getLocWithOffset(static_cast<int>(length)));
+}
+
+Place SourceMap::place(clang::SourceLocation location) const {
+  clang::PresumedLoc const presumed = sources_.getPresumedLoc(sources_.getExpansionLoc(location));
+  if (presumed.isInvalid()) return {};
+  return {presumed.getFilename(), presumed.getLine(), presumed.getColumn()};
+}
+
+std::string SourceMap::text(Span const &span, clang::SourceLocation inside) const {
+  clang::FileID const file = sources_.getFileID(sources_.getSpellingLoc(inside));
+  return sources_.getBufferData(file).substr(span.begin, span.end - span.begin).str();
+}
+
+void SourceMap::record_files(Facts &facts) const {
+  for (auto at = sources_.fileinfo_begin(); at != sources_.fileinfo_end(); ++at) {
+    std::string const name = at->first.getName().str();
+    if (name.find("/Eigen/") != std::string::npos) facts.uses_eigen = true;
+    std::string const real = real_path(name);
+    if (!below_roots(real, roots_) || facts.files.count(real) != 0) continue;
+    if (std::optional<llvm::StringRef> const text = at->second->getBufferDataIfLoaded())
+      facts.files[real] = {name, text->str()};
+  }
+}
+
+} // namespace symreal::rewrite

@@ -1,0 +1,59 @@
+// Where things of a syntax tree stand in the files of the roots: the bridge from Clang's locations to spans and places.
+#pragma once
+
+#include "rewrite/clang.h"
+#include "rewrite/facts.h"
+
+#include <optional>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+namespace symreal::rewrite {
+
+class SourceMap {
+public:
+  SourceMap(clang::SourceManager const &sources, clang::LangOptions const &language,
+            std::vector<std::string> const &roots)
+      : sources_(sources), language_(language), roots_(roots) {}
+
+  // Does the location, seen through macros to where it is expanded, lie within the roots?
+  bool in_roots(clang::SourceLocation location) const;
+
+  // The token as it is spelled; nothing when that is outside the roots or was pasted together.
+  std::optional<Span> token(clang::SourceLocation location) const;
+
+  // The characters of an expression: where it is written, or inside the one macro body that holds all of it. Nothing
+  // when it straddles a macro's edge or lies outside the roots.
+  std::optional<Span> range(clang::SourceRange range) const;
+
+  std::optional<Span> characters(clang::SourceLocation begin, clang::SourceLocation end) const;
+
+  // As a compiler would print it, seen through macros.
+  Place place(clang::SourceLocation location) const;
+
+  std::string text(Span const &span, clang::SourceLocation inside) const;
+
+  // Adds the files of the roots that were read.
+  void record_files(Facts &facts) const;
+
+  clang::SourceManager const &sources() const { return sources_; }
+  clang::LangOptions const &language() const { return language_; }
+
+private:
+  // The real path of a file within the roots, else empty.
+  std::string const &path(clang::FileID file) const;
+
+  clang::SourceManager const &sources_;
+  clang::LangOptions const &language_;
+  std::vector<std::string> const &roots_;
+  mutable std::unordered_map<unsigned, std::string> paths_;
+};
+
+// Is the real path below one of the roots, and not a header of Symreal itself?
+bool below_roots(std::string const &real_path, std::vector<std::string> const &roots);
+
+// The real path of an existing file or directory, else the name itself.
+std::string real_path(std::string const &name);
+
+} // namespace symreal::rewrite

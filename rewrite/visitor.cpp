@@ -1,0 +1,226 @@
+#include "rewrite/visitor.h"
+
+#include "rewrite/boundaries.h"
+#include "rewrite/pragma_items.h"
+#include "rewrite/recorder.h"
+
+namespace symreal::rewrite {
+namespace {
+
+using namespace clang;
+
+class Visitor : public RecursiveASTVisitor<Visitor> {
+  using Walk = RecursiveASTVisitor<Visitor>;
+
+public:
+  Visitor(ASTContext &context, SourceMap const &map, Reals const &reals, PragmaIndex const &index, Facts &facts)
+      : map_(map), reals_(reals), index_(index), facts_(facts), record_(context, map, reals, facts) {}
+
+  std::vector<FunctionDecl const *> definitions;
+
+  bool TraverseDecl(Decl *declaration) {
+    if (!declaration) return true;
+    if (!isa<TranslationUnitDecl>(declaration) && declaration->getLexicalDeclContext()->isFileContext() &&
+        !map_.in_roots(declaration->getLocation()) && !map_.in_roots(declaration->getBeginLoc()))
+      return true;
+    return Walk::TraverseDecl(declaration);
+  }
+
+  // Where double stays double.
+  bool TraverseVarDecl(VarDecl *variable) {
+    Within const passive(passive_, variable->isConstexpr() || reals_.is_passive(variable));
+    Within const constant(no_state_, variable->isFileVarDecl() || variable->isStaticDataMember());
+    return Walk::TraverseVarDecl(variable);
+  }
+  bool TraverseNonTypeTemplateParmDecl(NonTypeTemplateParmDecl *parameter) {
+    Within const passive(passive_, true);
+    return Walk::TraverseNonTypeTemplateParmDecl(parameter);
+  }
+  bool TraverseStaticAssertDecl(StaticAssertDecl *assertion) {
+    Within const passive(passive_, true);
+    return Walk::TraverseStaticAssertDecl(assertion);
+  }
+  bool TraverseEnumConstantDecl(EnumConstantDecl *constant) {
+    Within const passive(passive_, true);
+    return Walk::TraverseEnumConstantDecl(constant);
+  }
+  bool TraverseConstantExpr(ConstantExpr *constant) {
+    Within const passive(passive_, true);
+    return Walk::TraverseConstantExpr(constant);
+  }
+  bool TraverseConstantArrayTypeLoc(ConstantArrayTypeLoc type) {
+    if (!TraverseTypeLoc(type.getElementLoc())) return false;
+    Within const passive(passive_, true);
+    return TraverseStmt(type.getSizeExpr());
+  }
+  bool TraverseTemplateSpecializationTypeLoc(TemplateSpecializationTypeLoc type) {
+    Within const passive(passive_, Reals::is_passive_template(type.getTypePtr()->getTemplateName().getAsTemplateDecl()));
+    return Walk::TraverseTemplateSpecializationTypeLoc(type);
+  }
+
+  // Operands that are not evaluated: their types count, their values do not.
+  bool TraverseUnaryExprOrTypeTraitExpr(UnaryExprOrTypeTraitExpr *expression) {
+    Within const unevaluated(no_state_, true);
+    return Walk::TraverseUnaryExprOrTypeTraitExpr(expression);
+  }
+  bool TraverseDecltypeTypeLoc(DecltypeTypeLoc type) {
+    Within const unevaluated(no_state_, true);
+    if (!passive_) record_.deduced_elements(type.getUnderlyingExpr());
+    return Walk::TraverseDecltypeTypeLoc(type);
+  }
+  bool TraverseCXXNoexceptExpr(CXXNoexceptExpr *expression) {
+    Within const unevaluated(no_state_, true);
+    return Walk::TraverseCXXNoexceptExpr(expression);
+  }
+  bool TraverseCXXTypeidExpr(CXXTypeidExpr *expression) {
+    Within const unevaluated(no_state_, true);
+    return Walk::TraverseCXXTypeidExpr(expression);
+  }
+
+  bool VisitBuiltinTypeLoc(BuiltinTypeLoc type) {
+    record_.builtin_type(type, passive_);
+    return true;
+  }
+  bool VisitComplexTypeLoc(ComplexTypeLoc type) {
+    record_.complex_type(type);
+    return true;
+  }
+  bool VisitElaboratedTypeLoc(ElaboratedTypeLoc type) {
+    NestedNameSpecifierLoc const qualifier = type.getQualifierLoc();
+    bool const within_type = qualifier && qualifier.getNestedNameSpecifier()->getAsType();
+    named_type(type.getNamedTypeLoc(), static_cast<bool>(qualifier), within_type);
+    return true;
+  }
+  bool TraverseNestedNameSpecifierLoc(NestedNameSpecifierLoc name) {
+    if (name && name.getNestedNameSpecifier()->getAsType()) {
+      NestedNameSpecifierLoc const prefix = name.getPrefix();
+      bool const within_type = prefix && prefix.getNestedNameSpecifier()->getAsType();
+      named_type(name.getTypeLoc(), static_cast<bool>(prefix), within_type);
+    }
+    return Walk::TraverseNestedNameSpecifierLoc(name);
+  }
+
+  bool VisitCallExpr(CallExpr *call) {
+    if (!passive_ && map_.in_roots(call->getBeginLoc())) record_.call(call);
+    return true;
+  }
+  bool VisitCXXConstructExpr(CXXConstructExpr *construction) {
+    if (!passive_ && map_.in_roots(construction->getLocation())) record_.construction(construction);
+    return true;
+  }
+  bool VisitImplicitCastExpr(ImplicitCastExpr *cast) {
+    if (!passive_) record_.implicit_cast(cast, decisions_.count(cast) != 0);
+    return true;
+  }
+  bool VisitExplicitCastExpr(ExplicitCastExpr *cast) {
+    if (!passive_) record_.explicit_cast(cast);
+    return true;
+  }
+  bool VisitCompoundAssignOperator(CompoundAssignOperator *assignment) {
+    if (!passive_) record_.compound_assignment(assignment);
+    return true;
+  }
+  bool VisitConditionalOperator(ConditionalOperator *choice) {
+    decide(choice->getCond());
+    if (!passive_) record_.choice(choice);
+    return true;
+  }
+  bool VisitVarDecl(VarDecl *variable) {
+    if (!passive_) record_.deduced_variable(variable);
+    return true;
+  }
+  bool VisitNamedDecl(NamedDecl *declaration) {
+    record_.c_declaration(declaration);
+    return true;
+  }
+  bool VisitLambdaExpr(LambdaExpr *lambda) {
+    if (!passive_ && !lambda->hasExplicitResultType()) record_.deduced_return(lambda->getBody());
+    return true;
+  }
+  bool VisitFunctionDecl(FunctionDecl *function) {
+    if (!function->doesThisDeclarationHaveABody()) return true;
+    definitions.push_back(function);
+    if (!passive_ && function->getDeclaredReturnType()->getContainedAutoType()) record_.deduced_return(function->getBody());
+    return true;
+  }
+  bool VisitDeclRefExpr(DeclRefExpr *reference) {
+    if (auto const *variable = dyn_cast<VarDecl>(reference->getDecl())) state(variable, reference);
+    return true;
+  }
+  bool VisitMemberExpr(MemberExpr *member) {
+    if (auto const *variable = dyn_cast<VarDecl>(member->getMemberDecl())) state(variable, member);
+    return true;
+  }
+  bool VisitCompoundStmt(CompoundStmt *block) {
+    for (Stmt const *statement : block->body()) note_item(statement, map_, reals_, index_, facts_);
+    return true;
+  }
+
+  // Conditions convert to bool by themselves: no cast is needed in front of the decision.
+  bool VisitIfStmt(IfStmt *statement) { return decide(statement->getCond()); }
+  bool VisitWhileStmt(WhileStmt *statement) { return decide(statement->getCond()); }
+  bool VisitDoStmt(DoStmt *statement) { return decide(statement->getCond()); }
+  bool VisitForStmt(ForStmt *statement) { return decide(statement->getCond()); }
+  bool VisitUnaryOperator(UnaryOperator *unary) {
+    return unary->getOpcode() != UO_LNot || decide(unary->getSubExpr());
+  }
+  bool VisitBinaryOperator(BinaryOperator *binary) {
+    return !binary->isLogicalOp() || (decide(binary->getLHS()) && decide(binary->getRHS()));
+  }
+
+private:
+  // A flag that holds for the part of the tree below.
+  class Within {
+  public:
+    Within(bool &flag, bool value) : flag_(flag), before_(flag) { flag = flag || value; }
+    ~Within() { flag_ = before_; }
+    Within(Within const &) = delete;
+    Within &operator=(Within const &) = delete;
+
+  private:
+    bool &flag_;
+    bool const before_;
+  };
+
+  void named_type(TypeLoc type, bool qualified, bool within_type) {
+    if (passive_) return;
+    if (auto const named = type.getAs<TypedefTypeLoc>())
+      record_.typedef_name(named.getTypedefNameDecl(), named.getNameLoc(), qualified, within_type);
+    else if (auto const used = type.getAs<UsingTypeLoc>())
+      record_.typedef_name(dyn_cast<TypedefNameDecl>(used.getFoundDecl()->getTargetDecl()), used.getNameLoc(),
+                           qualified, within_type);
+  }
+
+  bool decide(Expr const *condition) {
+    if (!condition) return true;
+    if (auto const *full = dyn_cast<FullExpr>(condition)) condition = full->getSubExpr();
+    while (auto const *parens = dyn_cast<ParenExpr>(condition)) condition = parens->getSubExpr();
+    decisions_.insert(condition);
+    return true;
+  }
+
+  void state(VarDecl const *variable, Expr const *reference) {
+    if (!passive_ && !no_state_) record_.state(variable, reference);
+  }
+
+  SourceMap const &map_;
+  Reals const &reals_;
+  PragmaIndex const &index_;
+  Facts &facts_;
+  Recorder record_;
+  bool passive_ = false;
+  bool no_state_ = false;
+  llvm::SmallPtrSet<Expr const *, 32> decisions_;
+};
+
+} // namespace
+
+void record_tree(ASTContext &context, SourceMap const &map, PragmaIndex const &index, Facts &facts) {
+  Reals const reals(map);
+  Visitor visitor(context, map, reals, index, facts);
+  visitor.TraverseDecl(context.getTranslationUnitDecl());
+  attach_function_pragmas(visitor.definitions, map, reals, index, facts);
+  record_boundaries(context, visitor.definitions, map, reals, facts);
+}
+
+} // namespace symreal::rewrite

@@ -1,0 +1,54 @@
+// Prints what the rewriter makes of its arguments: rewrite_dump [--diff] [--root DIR]... SOURCE... [-- FLAG...].
+// A tool of the tests: the library's result without a driver around it. Exits 1 when there is an error.
+#include "rewrite/rewrite.h"
+
+#include <cstring>
+#include <iostream>
+
+using namespace symreal;
+
+static void print_kernel(rewrite::Kernel const &kernel) {
+  std::cout << "kernel " << kernel.name << (kernel.is_function ? " function" : " region") << " at "
+            << to_string(kernel.place) << " file '" << kernel.output_file << "' signature '" << kernel.signature << "'\n";
+  for (rewrite::Annotation const &one : kernel.annotations) {
+    std::cout << "  " << one.kind << " '" << one.label << "' at " << to_string(one.place) << " " << one.expression;
+    for (rewrite::Section const &section : one.sections) std::cout << " from " << section.low << " for " << section.length;
+    std::cout << "\n";
+  }
+}
+
+int main(int argc, char **argv) {
+  rewrite::Request request;
+  bool diff = false, after = false, bare = false;
+  std::string out;
+  for (int i = 1; i < argc; ++i) {
+    std::string const word = argv[i];
+    if (after) request.flags.push_back(word);
+    else if (word == "--") after = true;
+    else if (word == "--diff") diff = true;
+    else if (word == "--text") bare = true;
+    else if (word == "--root" && i + 1 < argc) request.roots.push_back(argv[++i]);
+    else if (word == "--out-root" && i + 1 < argc) out = argv[++i];
+    else request.sources.push_back(word);
+  }
+  try {
+    rewrite::Result const result = rewrite::run(request);
+    bool failed = false;
+    for (Diagnostic const &diagnostic : result.diagnostics) {
+      print(std::cerr, diagnostic);
+      failed = failed || diagnostic.severity == Severity::error;
+    }
+    if (failed) return 1;
+    if (!out.empty()) {
+      for (std::string const &path : write_mirror(result.files, out)) std::cout << path << "\n";
+      return 0;
+    }
+    for (rewrite::File const &file : result.files)
+      std::cout << (diff ? unified_diff(file) : (bare ? "" : "==== " + file.display_path + "\n") + file.text);
+    if (!bare && !diff)
+      for (rewrite::Kernel const &kernel : result.kernels) print_kernel(kernel);
+  } catch (DiagnosticError const &error) {
+    print(std::cerr, error.diagnostic());
+    return 1;
+  }
+}
