@@ -173,6 +173,10 @@ void Recorder::outside_argument(FunctionDecl const *function, unsigned index, Ex
     return index < pattern->getNumParams() ? pattern->getParamDecl(index)->getType() : parameter;
   }();
   auto const *method = dyn_cast<CXXMethodDecl>(function);
+  // complex<double>, written out by the library, is another class than complex<REAL>, and so are its members.
+  if (method && Reals::pattern(function) == function && isa<ClassTemplateSpecializationDecl>(method->getParent()) &&
+      reals_.carries_real(context_.getRecordType(method->getParent())))
+    return;
   bool const passive_class = method && Reals::is_passive_template(method->getParent());
   if (passive_class && real) {
     wrap(argument, Use::value);

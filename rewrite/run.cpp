@@ -96,7 +96,7 @@ private:
 
 // The compiler's command line without what only concerns its outputs.
 std::vector<std::string> command_line(Request const &request, std::string const &source) {
-  std::vector<std::string> words = {"clang", "-fsyntax-only", "-w", "-Wno-error", "-Qunused-arguments",
+  std::vector<std::string> words = {"clang", "-fsyntax-only", "-w", "-Wno-error", "-Qunused-arguments", "-fno-caret-diagnostics",
                                     "-resource-dir=" SYMREAL_CLANG_RESOURCES, "-ferror-limit=20"};
   for (std::size_t i = 0; i < request.flags.size(); ++i) {
     std::string const &flag = request.flags[i];

@@ -29,6 +29,12 @@ bool SourceMap::in_roots(clang::SourceLocation location) const {
   return location.isValid() && !path(sources_.getFileID(sources_.getExpansionLoc(location))).empty();
 }
 
+std::string SourceMap::display_path(llvm::StringRef name) const {
+  clang::OptionalFileEntryRef const main = sources_.getFileEntryRefForID(sources_.getMainFileID());
+  if (!main || !main->getName().starts_with("./")) name.consume_front("./");
+  return name.str();
+}
+
 std::optional<Span> SourceMap::characters(clang::SourceLocation begin, clang::SourceLocation end) const {
   auto const [file, first] = sources_.getDecomposedLoc(begin);
   auto const [last_file, last] = sources_.getDecomposedLoc(end);
@@ -58,7 +64,7 @@ std::optional<Span> SourceMap::range(clang::SourceRange range) const {
 Place SourceMap::place(clang::SourceLocation location) const {
   clang::PresumedLoc const presumed = sources_.getPresumedLoc(sources_.getExpansionLoc(location));
   if (presumed.isInvalid()) return {};
-  return {presumed.getFilename(), presumed.getLine(), presumed.getColumn()};
+  return {display_path(presumed.getFilename()), presumed.getLine(), presumed.getColumn()};
 }
 
 std::string SourceMap::text(Span const &span, clang::SourceLocation inside) const {
@@ -73,7 +79,7 @@ void SourceMap::record_files(Facts &facts) const {
     std::string const real = real_path(name);
     if (!below_roots(real, roots_) || facts.files.count(real) != 0) continue;
     if (std::optional<llvm::StringRef> const text = at->second->getBufferDataIfLoaded())
-      facts.files[real] = {name, text->str()};
+      facts.files[real] = {display_path(name), text->str()};
   }
 }
 

@@ -41,6 +41,8 @@ public:
   clang::LangOptions const &language() const { return language_; }
 
 private:
+  // Clang names what a source in the current directory includes "./header.h", gcc (and so __FILE__) "header.h".
+  std::string display_path(llvm::StringRef name) const;
   // The real path of a file within the roots, else empty.
   std::string const &path(clang::FileID file) const;
 
