@@ -39,6 +39,16 @@ std::optional<Message> instantiation(std::vector<std::string> const &lines, std:
   return {};
 }
 
+// The last line of the user's own after `begin` that says which macro the error stands in: ours stand in a header.
+std::optional<Message> expansion(std::vector<std::string> const &lines, std::size_t begin, Overlay const &overlay) {
+  static std::regex const expanded("([^:]+):([0-9]+):(?:([0-9]+):)? note: (in (?:definition|expansion) of macro .*)");
+  std::optional<Message> last;
+  for (std::size_t i = begin + 1; i < lines.size() && lines[i].find(" error: ") == std::string::npos; ++i)
+    if (auto message = match(lines[i], expanded, overlay); message && overlay.contains(message->place.file))
+      last = message;
+  return last;
+}
+
 std::optional<Diagnostic> did_not_start(std::vector<std::string> const &command, Captured const &result) {
   if (result.outcome.ending != Ending::not_started) return {};
   return Diagnostic{DiagnosticId::compiler_missing,
@@ -64,7 +74,11 @@ Diagnostic compiler_failure(std::vector<std::string> const &command, Captured co
   for (std::size_t i = 0; i < lines.size(); ++i) {
     auto message = match(lines[i], error, overlay);
     if (!message || diagnostic.notes.size() > most_notes) continue;
-    auto cause = overlay.contains(message->place.file) ? std::nullopt : instantiation(lines, i, overlay);
+    std::optional<Message> cause;
+    if (!overlay.contains(message->place.file)) {
+      cause = expansion(lines, i, overlay);
+      if (!cause) cause = instantiation(lines, i, overlay);
+    }
     if (diagnostic.message.empty()) {
       diagnostic.place = cause ? cause->place : message->place;
       diagnostic.message = message->text;
@@ -85,7 +99,8 @@ Diagnostic compiler_failure(std::vector<std::string> const &command, Captured co
 Diagnostic linker_failure(std::vector<std::string> const &command, Captured const &result, Overlay const &overlay) {
   if (auto missing = did_not_start(command, result)) return *missing;
   // With debug information the linker names the source: file:line: undefined reference to `...'
-  static std::regex const undefined("(?:[^ ]+: )?(?:([^: ]+):([0-9]+):)?(\\(.*\\):)? *(undefined reference to .*)");
+  static std::regex const undefined(
+      "(?:[^ ]*/?ld: )?(?:([^:]+):([0-9]+):|[^`]*:)?(?:\\(.*\\):)? *(undefined reference to .*)");
   Diagnostic diagnostic{DiagnosticId::link_failed, Severity::error, {}, "the symbolic program cannot be linked"};
   std::vector<std::string> lines = lines_of(result.output);
   for (std::string const &line : lines) {
@@ -95,9 +110,9 @@ Diagnostic linker_failure(std::vector<std::string> const &command, Captured cons
     if (found[1].matched) place = overlay.original({found[1], static_cast<unsigned>(std::stoul(found[2])), 0});
     if (diagnostic.place.file.empty() && diagnostic.notes.empty()) {
       diagnostic.place = place;
-      diagnostic.message = found[4];
+      diagnostic.message = found[3];
     } else if (diagnostic.notes.size() < most_notes) {
-      diagnostic.notes.push_back({place, found[4]});
+      diagnostic.notes.push_back({place, found[3]});
     }
   }
   if (diagnostic.place.file.empty() && diagnostic.notes.empty()) diagnostic.notes = first_lines(lines);

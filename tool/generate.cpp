@@ -55,7 +55,10 @@ void require_sense(Options const &options) {
 void require_outputs(Options const &options) {
   // With several kernels, which only the sources know, these may be directories still to be made.
   auto may_be_file = [](std::string const &path) { return !path.empty() && !names_directory(path); };
-  if (may_be_file(options.output)) require_writable(options.output);
+  if (may_be_file(options.output)) {
+    if (fs::path(options.output).has_extension()) require_c_name(options.output);
+    require_writable(options.output);
+  }
   if (may_be_file(options.graph_file)) require_writable(options.graph_file);
 }
 

@@ -34,11 +34,12 @@ void require_writable(std::string const &path) {
   if (directory.empty()) directory = ".";
   std::error_code ignored;
   if (access(directory.c_str(), W_OK | X_OK) != 0)
-    fail(DiagnosticId::unwritable_output, {path}, "the file cannot be written: " + std::string(std::strerror(errno)));
+    fail(DiagnosticId::unwritable_output, {path},
+         "'" + path + "' cannot be written: " + std::string(std::strerror(errno)));
   if (!fs::is_directory(directory, ignored))
-    fail(DiagnosticId::unwritable_output, {path}, "the file cannot be written: its directory is a file");
+    fail(DiagnosticId::unwritable_output, {path}, "'" + path + "' cannot be written: its directory is a file");
   if (fs::is_directory(path, ignored))
-    fail(DiagnosticId::unwritable_output, {path}, "the file cannot be written: a directory has this name");
+    fail(DiagnosticId::unwritable_output, {path}, "'" + path + "' cannot be written: a directory has this name");
 }
 
 void require_writable(std::vector<OutputFile> const &files) {

@@ -1,0 +1,3 @@
+#pragma once
+double spring(double stiffness, double length);
+inline double twice(double x) { return x + x; }
