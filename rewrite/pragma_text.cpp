@@ -17,7 +17,8 @@ std::string without_comments(std::string const &source) {
       std::size_t const end = source.find("*/", i + 2);
       i = end == std::string::npos ? source.size() : end + 1;
       text += ' ';
-    } else text += source[i];
+    } else
+      text += source[i];
   }
   return text;
 }
@@ -27,7 +28,8 @@ std::string annotation(std::string const &kind, ItemFact const &item) {
   if (item.sections.empty()) return "SYMREAL_OBJECT" + head + with_real(item.expression) + ")";
   std::string extents;
   for (Section const &section : item.sections) extents += (extents.empty() ? "" : ", ") + section.length;
-  return "SYMREAL_SECTION" + head + "::symreal::extents(" + with_real(extents) + "), " + with_real(item.expression) + ")";
+  return "SYMREAL_SECTION" + head + "::symreal::extents(" + with_real(extents) + "), " + with_real(item.expression) +
+         ")";
 }
 
 // The program's own copy of what a pointer to const points to takes its place before the kernel writes nodes there.
@@ -73,8 +75,10 @@ std::string place_arguments(std::string const &label, Place const &place) {
 std::string normalised(std::string const &source) {
   std::string text;
   for (char c : without_comments(source)) {
-    if (!std::isspace(static_cast<unsigned char>(c))) text += c;
-    else if (!text.empty() && text.back() != ' ') text += ' ';
+    if (!std::isspace(static_cast<unsigned char>(c)))
+      text += c;
+    else if (!text.empty() && text.back() != ' ')
+      text += ' ';
   }
   return trimmed(text);
 }
@@ -87,8 +91,10 @@ bool only_declaration_start(std::string const &source) {
       while (i < text.size() && text[i] != '\n') i += text[i] == '\\' ? 2 : 1;
     if (i >= text.size()) break;
     if (text[i] == ';' || text[i] == '{' || text[i] == '}') return false;
-    if (text[i] == '\n') at_line_start = true;
-    else if (!std::isspace(static_cast<unsigned char>(text[i]))) at_line_start = false;
+    if (text[i] == '\n')
+      at_line_start = true;
+    else if (!std::isspace(static_cast<unsigned char>(text[i])))
+      at_line_start = false;
   }
   return true;
 }
@@ -120,12 +126,14 @@ std::string region_text(PragmaFact const &pragma) {
 std::string function_text(PragmaFact const &pragma) {
   std::string entry, exit, call;
   for (ClauseFact const &clause : pragma.clauses) {
-    if (clause.name == "call") call = ", " + clause.argument;
-    else (clause.name == "output" ? exit : entry) += clause_text(clause);
+    if (clause.name == "call")
+      call = ", " + clause.argument;
+    else
+      (clause.name == "output" ? exit : entry) += clause_text(clause);
   }
   std::string text = "SYMREAL_FUNCTION(" + place_arguments(pragma.function[0].name, pragma.place) + call + ") " + entry;
-  if (!exit.empty()) text += "SYMREAL_OUTPUTS_BEGIN " + exit + "SYMREAL_OUTPUTS_END";
-  return trimmed(text);
+  // Also where `return` is the only output: it ends the annotations of the function's entry.
+  return text + "SYMREAL_OUTPUTS_BEGIN " + exit + "SYMREAL_OUTPUTS_END";
 }
 
 } // namespace symreal::rewrite

@@ -54,7 +54,7 @@ bool Kernel::begin_function(detail::Program program, char const *name, SourcePla
 void Kernel::end_function() {
   phase_ = Phase::none;
   recorded_.insert(begun_at_);
-  sink_->end(name_, "");
+  sink_->end(name_, "", {begun_at_.first, begun_at_.second.first, begun_at_.second.second});
 }
 
 void Kernel::end_region(detail::Program, char const *file_name, SourcePlace place) {
@@ -70,7 +70,7 @@ void Kernel::end_region(detail::Program, char const *file_name, SourcePlace plac
   }
   phase_ = Phase::none;
   recorded_.insert(begun_at_);
-  sink_->end(std::filesystem::path(file_name).stem().string(), file_name);
+  sink_->end(std::filesystem::path(file_name).stem().string(), file_name, {place.file, place.line, place.column});
 }
 
 } // namespace trace

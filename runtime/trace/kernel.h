@@ -27,7 +27,8 @@ public:
   virtual void element(void *number, bool is_temporary) = 0;
   virtual void end_object(std::vector<std::size_t> extents) = 0;
   virtual void set_range(double low, double high) = 0;
-  virtual void end(std::string const &name, std::string const &output_file) = 0;
+  // `place`: where the kernel ends, or a function kernel's pragma.
+  virtual void end(std::string const &name, std::string const &output_file, Place const &place) = 0;
   // The objects so far, for descriptions.
   virtual Graph const &interface() const = 0;
 };

@@ -82,12 +82,12 @@ public:
       if (input.place.line == last.line && input.place.file == last.file) input.range = {low, high};
   }
 
-  void end(std::string const &name, std::string const &output_file) override {
+  void end(std::string const &name, std::string const &output_file, Place const &place) override {
     Pool &pool = Pool::current();
     graph_.kernel = name;
     for (std::size_t op = 0; op < graph_.executed.by_op.size(); ++op)
       graph_.executed.by_op[op] = detail::executed[op] - executed_before_.by_op[op];
-    check_outputs();
+    check_outputs(place);
     graph_.frozen = State::current().end();
     for (RealNumber *number : written_)
       if (pool.owns(*number)) *number = pool.final_value(*number);
@@ -112,9 +112,9 @@ private:
     give_up();
   }
 
-  void check_outputs() {
+  void check_outputs(Place const &end) {
     if (graph_.outputs.empty())
-      report({DiagnosticId::no_output, Severity::error, graph_.inputs.empty() ? Place{} : graph_.inputs[0].place,
+      report({DiagnosticId::no_output, Severity::error, end,
               "kernel '" + graph_.kernel + "' ends without an output"});
     for (Object const &output : graph_.outputs) {
       auto first = graph_.results.begin() + output.first;

@@ -21,7 +21,7 @@ public:
   }
   void end_object(std::vector<std::size_t>) override {}
   void set_range(double, double) override {}
-  void end(std::string const &, std::string const &) override { replay::replay_end(); }
+  void end(std::string const &, std::string const &, Place const &) override { replay::replay_end(); }
   Graph const &interface() const override { return interface_; }
 
 private:

@@ -8,10 +8,10 @@
 int main() {
   double x = 0.5;
 #pragma symreal input(x)
-  double y = std::sin(x)
+  double y = std::sin(x;
 #pragma symreal output(y) generate("y.c")
   std::printf("%g\n", y);
 }
 
-// CHECK: syntax_error.cpp:11:{{[0-9]+}}: error: {{.*}}expected ';'{{.*}}[SYM{{[0-9]+}}]
+// CHECK: syntax_error.cpp:11:{{[0-9]+}}: error: {{.*}}expected ')'{{.*}}[SYM{{[0-9]+}}]
 // CHECK: way out:
