@@ -41,7 +41,8 @@ private:
   // A vtable that is emitted here refers to every virtual function of its class.
   void add_virtual(CXXRecordDecl const *record, SourceLocation place) {
     if (!record->isDynamicClass()) return;
-    if (CXXMethodDecl const *key = record->getASTContext().getCurrentKeyFunction(record); key && !key->isDefined()) return;
+    if (CXXMethodDecl const *key = record->getASTContext().getCurrentKeyFunction(record); key && !key->isDefined())
+      return;
     for (CXXMethodDecl const *method : record->methods())
       if (method->isVirtual() && !method->isPureVirtual()) add(method, place);
   }
@@ -50,13 +51,17 @@ private:
 class Reachable {
 public:
   Reachable(ASTContext &context, SourceMap const &map, Reals const &reals, Facts &facts)
-      : names_(context), map_(map), reals_(reals), facts_(facts) {}
+      : names_(context),
+        map_(map),
+        reals_(reals),
+        facts_(facts) {}
 
-  void start(FunctionDecl const *function) { enter(function, function->getLocation()); }
+  void start(FunctionDecl const *function) { enter(function, {function->getLocation(), function->getLocation()}); }
   void start(VarDecl const *variable) {
     References references;
     references.TraverseDecl(const_cast<VarDecl *>(variable));
-    for (auto const &[function, place] : references.found) refer(function, place, variable->getLocation());
+    for (auto const &[function, place] : references.found)
+      refer(function, place, {variable->getLocation(), variable->getLocation()});
   }
 
   void run() {
@@ -73,14 +78,21 @@ public:
   }
 
 private:
-  void enter(FunctionDecl const *function, SourceLocation called_from) {
+  // The last places on the way to a call: within the roots, since the call may stand in a library's template, and in
+  // the source itself, since it may stand in a header.
+  struct Way {
+    SourceLocation roots;
+    SourceLocation source;
+  };
+
+  void enter(FunctionDecl const *function, Way const &way) {
     if (!seen_.insert(function).second || function->isDependentContext()) return;
-    pending_.emplace_back(function, called_from);
+    pending_.emplace_back(function, way);
   }
 
-  // `from`: the last place in the roots on the way here, for calls that stand in a library's template.
-  void refer(FunctionDecl const *callee, SourceLocation place, SourceLocation from) {
-    if (map_.in_roots(place)) from = place;
+  void refer(FunctionDecl const *callee, SourceLocation place, Way from) {
+    if (map_.in_roots(place)) from.roots = place;
+    if (map_.sources().isInMainFile(map_.sources().getExpansionLoc(place))) from.source = place;
     if (callee->isDependentContext() || callee->isDeleted() || callee->getBuiltinID() != 0) return;
     FunctionDecl const *definition = nullptr;
     if (callee->isDefined(definition) && definition->getBody()) {
@@ -89,8 +101,12 @@ private:
     }
     if (callee->isDefaulted() || callee->isImplicit() || !reals_.in_roots(callee) || !carries(callee)) return;
     std::string mangled = names_.getName(callee);
-    UseFact use{mangled, callee->getQualifiedNameAsString(), callee->getNumParams(), map_.place(callee->getLocation()),
-                map_.place(from)};
+    UseFact use{mangled,
+                callee->getQualifiedNameAsString(),
+                callee->getNumParams(),
+                map_.place(callee->getLocation()),
+                map_.place(from.roots),
+                map_.place(from.source)};
     facts_.uses.try_emplace(std::move(mangled), std::move(use));
   }
 
@@ -105,7 +121,7 @@ private:
   SourceMap const &map_;
   Reals const &reals_;
   Facts &facts_;
-  std::vector<std::pair<FunctionDecl const *, SourceLocation>> pending_;
+  std::vector<std::pair<FunctionDecl const *, Way>> pending_;
   llvm::SmallPtrSet<FunctionDecl const *, 32> seen_;
 };
 
@@ -127,12 +143,10 @@ void record_boundaries(ASTContext &context, std::vector<FunctionDecl const *> co
                        Reals const &reals, Facts &facts) {
   ASTNameGenerator names(context);
   Reachable reachable(context, map, reals, facts);
-  SourceManager const &sources = map.sources();
   for (FunctionDecl const *function : definitions) {
     if (function->isDependentContext()) continue;
     facts.definitions.insert(names.getName(function));
-    if (!function->isInlined() || sources.isInMainFile(sources.getExpansionLoc(function->getLocation())))
-      reachable.start(function);
+    if (!function->isInlined()) reachable.start(function); // an inline one counts from where it is called
   }
   for (Decl *declaration : context.getTranslationUnitDecl()->decls()) {
     if (!map.in_roots(declaration->getLocation())) continue;

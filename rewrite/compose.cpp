@@ -8,10 +8,10 @@ namespace {
 
 // What happens at one character of the original.
 struct Here {
-  std::string before;      // goes in front of it
-  std::string after;       // goes behind it
+  std::string before; // goes in front of it
+  std::string after;  // goes behind it
   bool replaced = false;
-  std::size_t length = 1;  // of what is replaced
+  std::size_t length = 1; // of what is replaced
   std::string replacement;
 };
 
@@ -23,12 +23,14 @@ std::vector<Edit> compose(std::string const &original, std::vector<Rewording> re
     if (a.begin != b.begin) return a.begin < b.begin;
     if (a.end != b.end) return a.end > b.end;
     if (a.replaces != b.replaces) return b.replaces;
+    if (a.depth != b.depth) return a.depth < b.depth;
     return a < b;
   });
   std::map<std::size_t, Here> characters;
   for (Rewording const &one : rewordings) {
     internal_check(one.begin < one.end && one.end <= original.size());
-    if (!one.replaces) characters[one.begin].before += one.before;
+    if (!one.replaces)
+      characters[one.begin].before += one.before;
     else {
       Here &here = characters[one.begin];
       here.replaced = true;

@@ -16,6 +16,7 @@ struct Rewording {
   std::string before;
   std::string after;
   bool replaces = false; // `before` is all there will be
+  int depth = 0;         // of several on the same characters the one of least depth is outermost
   auto operator<=>(Rewording const &) const = default;
 };
 

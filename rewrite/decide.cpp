@@ -14,7 +14,8 @@ using ByFile = std::map<std::string, std::vector<Rewording>>;
 // another pointer type costs nothing.
 Rewording rewording(Wrap const &wrap) {
   auto const make = [&](std::string before, std::string after) {
-    return Rewording{wrap.span.begin, wrap.span.end, std::move(before), std::move(after)};
+    return Rewording{wrap.span.begin,  wrap.span.end, std::move(before),
+                     std::move(after), false,         static_cast<int>(wrap.use)};
   };
   switch (wrap.use) {
   case Use::literal: return make("REAL_C(", ")");
@@ -43,7 +44,8 @@ Place place_in(FileFact const &file, std::size_t offset) {
   auto const end = file.text.begin() + static_cast<std::ptrdiff_t>(offset);
   std::size_t const line_start = offset == 0 ? std::string::npos : file.text.rfind('\n', offset - 1);
   auto const line = static_cast<unsigned>(std::count(file.text.begin(), end, '\n')) + 1;
-  return {file.display_path, line, static_cast<unsigned>(offset - (line_start == std::string::npos ? 0 : line_start + 1)) + 1};
+  return {file.display_path, line,
+          static_cast<unsigned>(offset - (line_start == std::string::npos ? 0 : line_start + 1)) + 1};
 }
 
 void add_types(Facts const &facts, std::set<Span> const &pragmas, ByFile &rewordings, Result &result) {
@@ -62,9 +64,12 @@ void add_types(Facts const &facts, std::set<Span> const &pragmas, ByFile &reword
 }
 
 void add_wraps(Facts const &facts, std::set<Span> const &pragmas, ByFile &rewordings) {
-  for (Wrap const &wrap : facts.wraps)
+  for (Wrap const &wrap : facts.wraps) {
+    // The function reads the REALs itself, as REALs.
+    if (wrap.use == Use::value && facts.number_readers.count(wrap.detail) != 0) continue;
     if (!meets(pragmas, wrap.span) && !meets(facts.quoted, wrap.span))
       rewordings[wrap.span.file].push_back(rewording(wrap));
+  }
 }
 
 void add_pragmas(Facts const &facts, ByFile &rewordings) {
@@ -83,9 +88,13 @@ void add_boundaries(Facts const &facts, Result &result) {
   for (auto const &[mangled, use] : facts.uses) {
     if (facts.definitions.count(mangled) != 0) continue;
     result.boundaries.push_back({use.name, mangled, use.parameters, use.declaration, use.place});
-    result.diagnostics.push_back({DiagnosticId::boundary_function, Severity::error, use.declaration,
+    result.diagnostics.push_back({DiagnosticId::boundary_function,
+                                  Severity::error,
+                                  use.declaration,
                                   "'" + use.name + "' carries REAL, and none of the sources defines it",
                                   {{use.place, "it is used here"}}});
+    if (to_string(use.source) != to_string(use.place))
+      result.diagnostics.back().notes.push_back({use.source, "which is reached from here"});
   }
 }
 

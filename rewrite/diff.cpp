@@ -46,8 +46,7 @@ std::string unified_diff(File const &file) {
   char buffer[4096];
   while (std::size_t const count = std::fread(buffer, 1, sizeof buffer, stream)) text.append(buffer, count);
   int const status = pclose(stream);
-  if (status == -1 || text.empty())
-    fail(DiagnosticId::unreadable_file, {file.display_path}, "the program diff failed");
+  if (status == -1 || text.empty()) fail(DiagnosticId::unreadable_file, {file.display_path}, "the program diff failed");
   return text;
 }
 

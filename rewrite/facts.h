@@ -28,13 +28,15 @@ struct TypeToken {
   auto operator<=>(TypeToken const &) const = default;
 };
 
-// Why an expression is wrapped. The macro of each is in decide.cpp.
-enum class Use { literal, value, conversion, state, cast, returned };
+// Why an expression is wrapped, the outermost first where several wrap the same. The macro of each is in decide.cpp.
+enum class Use { returned, cast, conversion, value, literal, state };
 
 struct Wrap {
   Span span;
   Use use;
-  std::string detail; // conversion, cast: the type; state: the declaration's place; returned: the other arguments
+  // conversion, cast: the type; state: the declaration's place; returned: the other arguments; value: the function of
+  // the program, if it is one, whose variadic argument the expression is
+  std::string detail;
   auto operator<=>(Wrap const &) const = default;
 };
 
@@ -43,9 +45,9 @@ enum class Base { object, pointer, pointer_to_const, const_pointer_to_const, con
 
 struct ItemFact {
   std::string label;
-  std::string expression;         // with symreal_i[k] where a section stood
-  std::string base;               // the item without its sections
-  std::vector<Section> sections;  // none: the whole object
+  std::string expression;        // with symreal_i[k] where a section stood
+  std::string base;              // the item without its sections
+  std::vector<Section> sections; // none: the whole object
   Place place;
   bool is_return = false;
   bool base_is_name = false; // the base is one identifier
@@ -89,6 +91,7 @@ struct UseFact {
   std::size_t parameters = 0;
   Place declaration;
   Place place;
+  Place source; // on the way to it, the last place in a source rather than a header
 };
 
 struct FileFact {
@@ -100,10 +103,11 @@ struct Facts {
   std::map<std::string, FileFact> files; // by real path
   std::set<TypeToken> types;
   std::set<Wrap> wraps;
-  std::set<Span> quoted;               // arguments that a macro stringifies or pastes: their text is data
-  std::map<Span, PragmaFact> pragmas;  // by the span of the directive
-  std::set<std::string> definitions;   // mangled names of the functions that the sources define
-  std::map<std::string, UseFact> uses; // by mangled name, the first use
+  std::set<Span> quoted;                // arguments that a macro stringifies or pastes: their text is data
+  std::map<Span, PragmaFact> pragmas;   // by the span of the directive
+  std::set<std::string> number_readers; // variadic functions that read doubles themselves, by qualified name
+  std::set<std::string> definitions;    // mangled names of the functions that the sources define
+  std::map<std::string, UseFact> uses;  // by mangled name, the first use
   std::vector<std::string> include_dirs;
   std::vector<Diagnostic> diagnostics;
   bool broken = false; // a source does not compile

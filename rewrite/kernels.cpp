@@ -50,7 +50,8 @@ void check(PragmaFact const &pragma, Result &result) {
       report(result, DiagnosticId::pragma_syntax, clause.place,
              "range(low, high) stands after input(...) and has two numbers");
     if (clause.name == "generate" && (clause.items.size() != 1 || clause.argument.front() != '"'))
-      report(result, DiagnosticId::pragma_syntax, clause.place, "generate takes the name of a file, as in generate(\"step.c\")");
+      report(result, DiagnosticId::pragma_syntax, clause.place,
+             "generate takes the name of a file, as in generate(\"step.c\")");
     if (clause.name == "call" && clause.argument.find_first_not_of("0123456789") != std::string::npos)
       report(result, DiagnosticId::pragma_syntax, clause.place, "call(k) takes the number of a call, counted from 1");
     after_input = after_input || clause.name == "input";
@@ -90,6 +91,8 @@ void region(PragmaFact const &pragma, Open &open, Result &result) {
   for (Annotation &one : annotations(pragma)) open.annotations.push_back(std::move(one));
   for (ClauseFact const &clause : pragma.clauses) {
     if (clause.name != "generate" || clause.argument.size() < 2) continue;
+    if (!open.annotations.empty() && !has_output(open.annotations))
+      report(result, DiagnosticId::kernel_incomplete, clause.place, "no output(...) stands before this generate");
     std::string const file = clause.argument.substr(1, clause.argument.size() - 2);
     result.kernels.push_back({.name = stem(file),
                               .is_function = false,

@@ -8,7 +8,10 @@ using namespace clang;
 class Handler : public PragmaHandler {
 public:
   Handler(SourceMap const &map, Facts &facts, PragmaIndex &index)
-      : PragmaHandler("symreal"), map_(map), facts_(facts), index_(index) {}
+      : PragmaHandler("symreal"),
+        map_(map),
+        facts_(facts),
+        index_(index) {}
 
   void HandlePragma(Preprocessor &preprocessor, PragmaIntroducer introducer, Token &) override {
     std::vector<Token> lexed;
@@ -16,7 +19,8 @@ public:
     for (preprocessor.LexUnexpandedToken(token); token.isNot(tok::eod); preprocessor.LexUnexpandedToken(token))
       lexed.push_back(token);
     if (introducer.Kind != PIK_HashPragma) {
-      report(DiagnosticId::pragma_syntax, introducer.Loc, "_Pragma(\"symreal ...\") cannot be rewritten; write #pragma");
+      report(DiagnosticId::pragma_syntax, introducer.Loc,
+             "_Pragma(\"symreal ...\") cannot be rewritten; write #pragma");
       return;
     }
     std::vector<PragmaToken> tokens;
@@ -38,8 +42,10 @@ public:
     }
     auto const &pragma = std::get<Pragma>(parsed);
     record(pragma, tokens, lexed, *span, introducer.Loc);
-    if (pragma.is_function) index_.function_pragmas[*span] = introducer.Loc;
-    else inject(preprocessor, pragma, lexed, *span);
+    if (pragma.is_function)
+      index_.function_pragmas[*span] = introducer.Loc;
+    else if (index_.ask_compiler)
+      inject(preprocessor, pragma, lexed, *span);
   }
 
 private:
@@ -78,7 +84,8 @@ private:
     fact.expression = element_text(tokens, item);
     fact.base = base_text(tokens, item);
     for (PragmaSection const &section : item.sections)
-      fact.sections.push_back({section.low.empty() ? "0" : text_of(tokens, section.low), text_of(tokens, section.length)});
+      fact.sections.push_back(
+          {section.low.empty() ? "0" : text_of(tokens, section.low), text_of(tokens, section.length)});
     fact.is_return = fact.label == "return";
     std::size_t const next = item.tokens.begin + 1;
     bool const name_first = tokens[item.tokens.begin].is_name && !fact.is_return;

@@ -24,6 +24,7 @@ struct ItemKey {
 };
 
 struct PragmaIndex {
+  bool ask_compiler = true; // put the items into the token stream
   std::map<unsigned, ItemKey> statements;
   // Of a function pragma: the names that its items look up, each at its token's place.
   struct Name {

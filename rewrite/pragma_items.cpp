@@ -13,12 +13,14 @@ using namespace clang;
 ValueDecl const *base_of(Expr const *expression) {
   while (true) {
     expression = expression->IgnoreParenImpCasts();
-    if (auto const *index = dyn_cast<ArraySubscriptExpr>(expression)) expression = index->getBase();
+    if (auto const *index = dyn_cast<ArraySubscriptExpr>(expression))
+      expression = index->getBase();
     else if (auto const *member = dyn_cast<MemberExpr>(expression); member && !member->isImplicitAccess())
       expression = member->getBase();
     else if (auto const *call = dyn_cast<CXXOperatorCallExpr>(expression); call && call->getNumArgs() > 0)
       expression = call->getArg(0);
-    else break;
+    else
+      break;
   }
   if (auto const *reference = dyn_cast<DeclRefExpr>(expression)) return reference->getDecl();
   if (auto const *member = dyn_cast<MemberExpr>(expression)) return member->getMemberDecl();
@@ -91,7 +93,10 @@ public:
 class Attacher {
 public:
   Attacher(SourceMap const &map, Reals const &reals, PragmaIndex const &index, Facts &facts)
-      : map_(map), reals_(reals), index_(index), facts_(facts) {}
+      : map_(map),
+        reals_(reals),
+        index_(index),
+        facts_(facts) {}
 
   void attach(Span const &span, SourceLocation start, std::vector<FunctionDecl const *> const &definitions) {
     PragmaFact &pragma = facts_.pragmas[span];
@@ -109,8 +114,10 @@ public:
     }
     note_function(pragma, next, text, next_offset);
     look_up_names(span, next);
-    if (next->getReturnType()->isVoidType()) refuse_returned(pragma);
-    else wrap_returns(pragma, next);
+    if (next->getReturnType()->isVoidType())
+      refuse_returned(pragma);
+    else
+      wrap_returns(pragma, next);
   }
 
 private:
@@ -131,7 +138,8 @@ private:
     if (auto const *constructor = dyn_cast<CXXConstructorDecl>(function))
       for (CXXCtorInitializer const *initializer : constructor->inits())
         if (initializer->isWritten())
-          end = std::min(end, map_.sources().getFileOffset(map_.sources().getExpansionLoc(initializer->getSourceLocation())));
+          end = std::min(
+              end, map_.sources().getFileOffset(map_.sources().getExpansionLoc(initializer->getSourceLocation())));
     fact.signature = normalised(text.substr(begin, end - begin));
     fact.returns_value = !function->getReturnType()->isVoidType();
     pragma.function = {fact};
@@ -180,8 +188,10 @@ private:
     for (ReturnStmt const *statement : returns.found) {
       std::optional<Span> const span = map_.range(statement->getRetValue()->getSourceRange());
       if (!span || isa<InitListExpr>(statement->getRetValue()->IgnoreImplicit()))
-        report(DiagnosticId::pragma_item, statement->getReturnLoc(), "output(return) needs `return` with an expression");
-      else facts_.wraps.insert({*span, Use::returned, place_arguments("return", returned->place)});
+        report(DiagnosticId::pragma_item, statement->getReturnLoc(),
+               "output(return) needs `return` with an expression");
+      else
+        facts_.wraps.insert({*span, Use::returned, place_arguments("return", returned->place)});
     }
   }
 

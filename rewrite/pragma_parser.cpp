@@ -21,7 +21,9 @@ public:
       if (at_ == tokens_.size()) fail(at_, "a clause is missing, such as input(q)");
       while (at_ < tokens_.size()) pragma.clauses.push_back(clause(pragma.is_function));
       return pragma;
-    } catch (PragmaError const &error) { return error; }
+    } catch (PragmaError const &error) {
+      return error;
+    }
   }
 
 private:
@@ -75,8 +77,10 @@ private:
 
   std::size_t end_of_item(std::size_t begin, std::size_t close) const {
     for (std::size_t i = begin; i < close; ++i) {
-      if (opens(tokens_[i].text)) i = matching(i);
-      else if (tokens_[i].text == ",") return i;
+      if (opens(tokens_[i].text))
+        i = matching(i);
+      else if (tokens_[i].text == ",")
+        return i;
     }
     return close;
   }
@@ -103,11 +107,16 @@ private:
     int questions = 0;
     for (std::size_t i = begin; i < close; ++i) {
       std::string const &text = tokens_[i].text;
-      if (opens(text)) i = matching(i);
-      else if (text == "?") ++questions;
-      else if (text == ":" && questions > 0) --questions;
-      else if (text == ":" && found != close) fail(i, "a section has a low index and a length, and no stride");
-      else if (text == ":") found = i;
+      if (opens(text))
+        i = matching(i);
+      else if (text == "?")
+        ++questions;
+      else if (text == ":" && questions > 0)
+        --questions;
+      else if (text == ":" && found != close)
+        fail(i, "a section has a low index and a length, and no stride");
+      else if (text == ":")
+        found = i;
     }
     return found;
   }

@@ -9,7 +9,8 @@ class Recorder : public PPCallbacks {
 public:
   Recorder(SourceMap const &map, Facts &facts) : map_(map), facts_(facts) {}
 
-  void MacroExpands(Token const &, MacroDefinition const &definition, SourceRange, MacroArgs const *arguments) override {
+  void MacroExpands(Token const &, MacroDefinition const &definition, SourceRange,
+                    MacroArgs const *arguments) override {
     MacroInfo const *macro = definition.getMacroInfo();
     if (!arguments || !macro) return;
     llvm::ArrayRef<Token> const body = macro->tokens();

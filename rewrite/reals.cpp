@@ -75,14 +75,40 @@ bool Reals::is_passive_class(QualType type) {
 }
 
 bool Reals::is_math(FunctionDecl const *function) const {
-  static llvm::StringSet<> const names = {
-      "acos",  "acosh",    "asin",  "asinh",     "atan",   "atan2", "atanh",   "cbrt",   "ceil",      "copysign",
-      "cos",   "cosh",     "erf",   "erfc",      "exp",    "exp2",  "expm1",   "fabs",   "abs",       "fdim",
-      "floor", "fma",      "fmax",  "fmin",      "fmod",   "frexp", "hypot",   "ldexp",  "lgamma",    "llrint",
-      "log",   "log10",    "log1p", "log2",      "logb",   "lrint", "llround", "lround", "modf",      "nearbyint",
-      "pow",   "remainder", "rint", "round",     "scalbn", "sin",   "sincos",  "sinh",   "sqrt",      "tan",
-      "tanh",  "tgamma",   "trunc", "isfinite",  "isinf",  "isnan", "isnormal", "signbit", "fpclassify", "ilogb",
-      "isgreater", "isgreaterequal", "isless", "islessequal", "islessgreater", "isunordered", "nextafter", "remquo"};
+  static llvm::StringSet<> const names = {"acos",          "acosh",
+                                          "asin",          "asinh",
+                                          "atan",          "atan2",
+                                          "atanh",         "cbrt",
+                                          "ceil",          "copysign",
+                                          "cos",           "cosh",
+                                          "erf",           "erfc",
+                                          "exp",           "exp2",
+                                          "expm1",         "fabs",
+                                          "abs",           "fdim",
+                                          "floor",         "fma",
+                                          "fmax",          "fmin",
+                                          "fmod",          "frexp",
+                                          "hypot",         "ldexp",
+                                          "lgamma",        "llrint",
+                                          "log",           "log10",
+                                          "log1p",         "log2",
+                                          "logb",          "lrint",
+                                          "llround",       "lround",
+                                          "modf",          "nearbyint",
+                                          "pow",           "remainder",
+                                          "rint",          "round",
+                                          "scalbn",        "sin",
+                                          "sincos",        "sinh",
+                                          "sqrt",          "tan",
+                                          "tanh",          "tgamma",
+                                          "trunc",         "isfinite",
+                                          "isinf",         "isnan",
+                                          "isnormal",      "signbit",
+                                          "fpclassify",    "ilogb",
+                                          "isgreater",     "isgreaterequal",
+                                          "isless",        "islessequal",
+                                          "islessgreater", "isunordered",
+                                          "nextafter",     "remquo"};
   if (!function || !function->getDeclName().isIdentifier() || in_roots(function)) return false;
   DeclContext const *context = function->getDeclContext()->getRedeclContext();
   if (!context->isTranslationUnit() && !function->isInStdNamespace()) return false;
@@ -136,9 +162,12 @@ bool Reals::call_stays_double(CallExpr const *call) const {
 bool Reals::stays_double(Expr const *expression) const {
   while (true) { // through what has no spelling of its own
     Expr const *inner = expression->IgnoreParenImpCasts();
-    if (auto const *full = dyn_cast<FullExpr>(inner)) inner = full->getSubExpr();
-    else if (auto const *temporary = dyn_cast<MaterializeTemporaryExpr>(inner)) inner = temporary->getSubExpr();
-    else if (auto const *defaulted = dyn_cast<CXXDefaultArgExpr>(inner)) inner = defaulted->getExpr();
+    if (auto const *full = dyn_cast<FullExpr>(inner))
+      inner = full->getSubExpr();
+    else if (auto const *temporary = dyn_cast<MaterializeTemporaryExpr>(inner))
+      inner = temporary->getSubExpr();
+    else if (auto const *defaulted = dyn_cast<CXXDefaultArgExpr>(inner))
+      inner = defaulted->getExpr();
     if (inner == expression) break;
     expression = inner;
   }

@@ -31,7 +31,8 @@ bool overload_competes(FunctionDecl const *function, unsigned index, unsigned co
     if (auto const *shadow = dyn_cast<UsingShadowDecl>(found)) found = shadow->getTargetDecl();
     auto const *other = dyn_cast<FunctionDecl>(found);
     if (!other || other->getCanonicalDecl() == function->getCanonicalDecl()) continue;
-    if (auto const *built = dyn_cast<CXXConstructorDecl>(other); built && constructor && built->isCopyOrMoveConstructor())
+    if (auto const *built = dyn_cast<CXXConstructorDecl>(other);
+        built && constructor && built->isCopyOrMoveConstructor())
       continue;
     if (other->getMinRequiredArguments() > count || other->getNumParams() <= index) continue;
     if (!Reals::is_double(other->getParamDecl(index)->getType())) return true;
@@ -41,8 +42,8 @@ bool overload_competes(FunctionDecl const *function, unsigned index, unsigned co
 
 // Functions to which the address of REAL objects may go: they move bytes, which carry nodes as well as numbers.
 bool moves_bytes(FunctionDecl const *function) {
-  static llvm::StringSet<> const names = {"memcpy", "memmove", "memset", "bzero",  "free",  "realloc",
-                                          "qsort",  "bsearch", "calloc", "swab", "operator delete"};
+  static llvm::StringSet<> const names = {"memcpy", "memmove", "memset", "bzero", "free",           "realloc",
+                                          "qsort",  "bsearch", "calloc", "swab",  "operator delete"};
   llvm::StringRef name = function->getDeclName().isIdentifier() ? function->getName() : "operator delete";
   if (name.consume_front("__builtin_")) name.consume_back("_chk");
   return names.contains(name);
@@ -56,7 +57,7 @@ bool reads_numbers(FunctionDecl const *function) {
 bool runtime_overloads(FunctionDecl const *function) {
   if (function->isOverloadedOperator()) {
     auto const *method = dyn_cast<CXXMethodDecl>(function);
-    return method && method->isInStdNamespace();
+    return method && method->getParent()->isInStdNamespace();
   }
   return function->isInStdNamespace() && function->getDeclName().isIdentifier() && function->getName() == "to_string";
 }
@@ -72,11 +73,32 @@ void Recorder::call(CallExpr const *call) {
   if (!function) return;
   Expr const *callee = call->getCallee()->IgnoreParenImpCasts();
   bool overloaded = false;
-  if (auto const *reference = dyn_cast<DeclRefExpr>(callee)) overloaded = reference->hadMultipleCandidates();
-  else if (auto const *member = dyn_cast<MemberExpr>(callee)) overloaded = member->hadMultipleCandidates();
+  if (auto const *reference = dyn_cast<DeclRefExpr>(callee))
+    overloaded = reference->hadMultipleCandidates();
+  else if (auto const *member = dyn_cast<MemberExpr>(callee))
+    overloaded = member->hadMultipleCandidates();
   std::vector<Expr const *> all(call->arg_begin(), call->arg_end());
   if (isa<CXXOperatorCallExpr>(call) && isa<CXXMethodDecl>(function) && !all.empty()) all.erase(all.begin());
   arguments(function, written_arguments(all), overloaded);
+}
+
+namespace {
+
+class NumberReads : public RecursiveASTVisitor<NumberReads> {
+public:
+  bool VisitVAArgExpr(VAArgExpr *read) {
+    found = found || Reals::is_double(read->getType());
+    return true;
+  }
+  bool found = false;
+};
+
+} // namespace
+
+void Recorder::variadic_definition(FunctionDecl const *function) {
+  NumberReads reads;
+  reads.TraverseStmt(function->getBody());
+  if (reads.found) facts_.number_readers.insert(function->getQualifiedNameAsString());
 }
 
 void Recorder::construction(CXXConstructExpr const *construction) {
@@ -110,7 +132,10 @@ void Recorder::arguments(FunctionDecl const *function, Arguments arguments, bool
       bool const deduced = function->getPrimaryTemplate() != nullptr;
       if (elements && (deduced || elements->getNumInits() <= 2)) deduced_elements(elements);
     }
-    if (outside) outside_argument(function, i, arguments[i]);
+    if (outside)
+      outside_argument(function, i, arguments[i]);
+    else if (i >= function->getNumParams() && function->isVariadic() && reals_.is_real(arguments[i]))
+      wrap(arguments[i], Use::value, function->getQualifiedNameAsString());
   }
 }
 
@@ -153,7 +178,7 @@ bool Recorder::takes_only(FunctionDecl const *function) const {
       if (reals_.mentions_real(field->getType())) return false;
   }
   auto const *method = dyn_cast<CXXMethodDecl>(function);
-  return !method || method->isStatic() || method->isInStdNamespace();
+  return !method || method->isStatic() || method->getParent()->isInStdNamespace();
 }
 
 void Recorder::outside_argument(FunctionDecl const *function, unsigned index, Expr const *argument) {
@@ -161,7 +186,8 @@ void Recorder::outside_argument(FunctionDecl const *function, unsigned index, Ex
   std::string const name = "'" + function->getQualifiedNameAsString() + "', which is outside the roots";
   if (index >= function->getNumParams()) {
     if (!function->isVariadic()) return;
-    if (real) wrap(argument, Use::value);
+    if (real)
+      wrap(argument, Use::value);
     else if (argument->getType()->isPointerType() && !reads_numbers(function) &&
              Reals::is_double(argument->getType()->getPointeeType()))
       report(DiagnosticId::boundary_call, argument->getBeginLoc(), "the address of a REAL goes to " + name);
@@ -183,15 +209,19 @@ void Recorder::outside_argument(FunctionDecl const *function, unsigned index, Ex
     return;
   }
   if (declared->isDependentType()) return; // a template: instantiated on REAL it is traced
-  if (Reals::is_double(parameter) && (!parameter->isReferenceType() || parameter.getNonReferenceType().isConstQualified())) {
+  if (Reals::is_double(parameter) &&
+      (!parameter->isReferenceType() || parameter.getNonReferenceType().isConstQualified())) {
     if (!real) return;
-    if (takes_only(function)) wrap(argument, Use::value);
-    else report(DiagnosticId::boundary_call, argument->getBeginLoc(), "a REAL goes to " + name);
+    if (takes_only(function))
+      wrap(argument, Use::value);
+    else
+      report(DiagnosticId::boundary_call, argument->getBeginLoc(), "a REAL goes to " + name);
     return;
   }
   QualType const given = argument->IgnoreParenImpCasts()->getType();
   if (parameter->isVoidPointerType()) {
-    QualType const pointee = given->isArrayType() ? QualType(given->getAsArrayTypeUnsafe()->getElementType()) : given->getPointeeType();
+    QualType const pointee =
+        given->isArrayType() ? QualType(given->getAsArrayTypeUnsafe()->getElementType()) : given->getPointeeType();
     if (!pointee.isNull() && !moves_bytes(function) && reals_.carries_real(pointee))
       report(DiagnosticId::reinterpretation, argument->getBeginLoc(), "the bytes of a REAL go to " + name);
     return;

@@ -24,9 +24,12 @@ std::string spelled(QualType type, LangOptions const &language) {
 
 BuiltinType const *innermost(QualType type) {
   while (true) {
-    if (auto const *array = type->getAsArrayTypeUnsafe()) type = array->getElementType();
-    else if (QualType const pointee = type->getPointeeType(); !pointee.isNull()) type = pointee;
-    else return type->getAs<BuiltinType>();
+    if (auto const *array = type->getAsArrayTypeUnsafe())
+      type = array->getElementType();
+    else if (QualType const pointee = type->getPointeeType(); !pointee.isNull())
+      type = pointee;
+    else
+      return type->getAs<BuiltinType>();
   }
 }
 
@@ -43,7 +46,8 @@ void Recorder::implicit_cast(ImplicitCastExpr const *cast, bool decides) {
     if (cast->isPartOfExplicitCast() || decides || !Reals::is_double(from->getType()) || !reals_.is_real(from)) return;
     if (to->isSpecificBuiltinType(BuiltinType::LongDouble))
       report(DiagnosticId::long_double, from->getBeginLoc(), "a REAL is converted to long double");
-    else wrap(from, Use::conversion, spelled(to, map_.language()));
+    else
+      wrap(from, Use::conversion, spelled(to, map_.language()));
     return;
   case CK_ConstructorConversion:
     if (auto const *construction = dyn_cast<CXXConstructExpr>(from->IgnoreImplicit()))
@@ -53,6 +57,11 @@ void Recorder::implicit_cast(ImplicitCastExpr const *cast, bool decides) {
     if (map_.language().CPlusPlus || cast->isPartOfExplicitCast()) return;
     if (from->getType()->isVoidPointerType() && !to->isVoidPointerType())
       wrap(from, Use::cast, spelled(to, map_.language()));
+    return;
+  case CK_IntegralToFloating: // an enumerator among numbers: a class has no built-in promotion
+    if (Expr const *written = from->IgnoreParenImpCasts();
+        Reals::is_double(to) && !cast->isPartOfExplicitCast() && written->getType()->isUnscopedEnumerationType())
+      wrap(from->IgnoreImpCasts(), Use::conversion, "int");
     return;
   case CK_IntegralCast:
     if (!map_.language().CPlusPlus && to->isEnumeralType() && !cast->isPartOfExplicitCast() &&
@@ -154,7 +163,8 @@ void Recorder::deduced_elements(Expr const *initializer) {
       if (!isa<CXXDefaultArgExpr>(argument)) deduced_elements(argument);
   } else if (auto const *parens = dyn_cast<ParenListExpr>(initializer))
     for (Stmt const *child : parens->children()) deduced_elements(cast<Expr>(child));
-  else if (is_plain_double(initializer)) wrap(initializer, Use::literal);
+  else if (is_plain_double(initializer))
+    wrap(initializer, Use::literal);
 }
 
 void Recorder::state(VarDecl const *variable, Expr const *reference) {
@@ -167,11 +177,11 @@ void Recorder::state(VarDecl const *variable, Expr const *reference) {
 void Recorder::c_declaration(NamedDecl const *declaration) {
   if (map_.language().CPlusPlus || !declaration->getIdentifier()) return;
   static llvm::StringSet<> const keywords = {
-      "alignas",   "alignof",  "and",      "bool",     "catch",    "class",   "compl",    "concept",   "constexpr",
-      "decltype",  "delete",   "explicit", "export",   "false",    "friend",  "mutable",  "namespace", "new",
-      "noexcept",  "not",      "nullptr",  "operator", "or",       "private", "protected", "public",   "requires",
-      "template",  "this",     "throw",    "true",     "try",      "typeid",  "typename", "using",     "virtual",
-      "wchar_t",   "xor",      "char16_t", "char32_t", "co_await", "co_return", "co_yield", "static_assert"};
+      "alignas",  "alignof", "and",      "bool",     "catch",    "class",     "compl",     "concept",      "constexpr",
+      "decltype", "delete",  "explicit", "export",   "false",    "friend",    "mutable",   "namespace",    "new",
+      "noexcept", "not",     "nullptr",  "operator", "or",       "private",   "protected", "public",       "requires",
+      "template", "this",    "throw",    "true",     "try",      "typeid",    "typename",  "using",        "virtual",
+      "wchar_t",  "xor",     "char16_t", "char32_t", "co_await", "co_return", "co_yield",  "static_assert"};
   if (keywords.contains(declaration->getName()))
     report(DiagnosticId::c_source, declaration->getLocation(),
            "'" + declaration->getNameAsString() + "' is a keyword of C++");

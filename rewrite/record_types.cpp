@@ -22,8 +22,10 @@ void Recorder::builtin_type(BuiltinTypeLoc type, bool passive) {
     return;
   }
   std::string const text = map_.text(*span, location);
-  if (text == "double") facts_.types.insert({*span, passive ? "" : "REAL"});
-  else report(DiagnosticId::unaccounted_double, location, "a double spelled as '" + text + "'");
+  if (text == "double")
+    facts_.types.insert({*span, passive ? "" : "REAL"});
+  else
+    report(DiagnosticId::unaccounted_double, location, "a double spelled as '" + text + "'");
 }
 
 void Recorder::complex_type(ComplexTypeLoc type) {
@@ -61,8 +63,10 @@ void Recorder::typedef_name(TypedefNameDecl const *declaration, SourceLocation n
     return;
   }
   if (Reals::is_double(type)) {
-    if (!qualified) facts_.types.insert({*span, "REAL"});
-    else report(DiagnosticId::unconvertible_type, name, "'" + declaration->getQualifiedNameAsString() + "' is a double");
+    if (!qualified)
+      facts_.types.insert({*span, "REAL"});
+    else
+      report(DiagnosticId::unconvertible_type, name, "'" + declaration->getQualifiedNameAsString() + "' is a double");
     return;
   }
   PrintingPolicy policy(map_.language());
@@ -71,7 +75,8 @@ void Recorder::typedef_name(TypedefNameDecl const *declaration, SourceLocation n
   std::string replacement = one_argument_template(declaration);
   auto const *scope = dyn_cast<NamespaceDecl>(declaration->getDeclContext());
   std::string const home = scope ? scope->getQualifiedNameAsString() + "::" : "";
-  if (!replacement.empty()) replacement = qualified ? replacement : home + replacement;
+  if (!replacement.empty())
+    replacement = qualified ? replacement : home + replacement;
   else if (home == "Eigen::" && !name.isMacroID()) {
     replacement = with_real(type.getAsString(policy));
     if (qualified && llvm::StringRef(replacement).starts_with(home)) replacement = replacement.substr(home.size());

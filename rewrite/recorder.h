@@ -11,7 +11,10 @@ namespace symreal::rewrite {
 class Recorder {
 public:
   Recorder(clang::ASTContext &context, SourceMap const &map, Reals const &reals, Facts &facts)
-      : context_(context), map_(map), reals_(reals), facts_(facts) {}
+      : context_(context),
+        map_(map),
+        reals_(reals),
+        facts_(facts) {}
 
   // Types (record_types.cpp).
   void builtin_type(clang::BuiltinTypeLoc type, bool passive);
@@ -23,6 +26,7 @@ public:
   // Calls (record_calls.cpp).
   void call(clang::CallExpr const *call);
   void construction(clang::CXXConstructExpr const *construction);
+  void variadic_definition(clang::FunctionDecl const *function);
   void converting_construction(clang::CXXConstructExpr const *construction);
 
   // Everything else (record_expressions.cpp).

@@ -15,7 +15,6 @@ using namespace clang;
 
 // An error of the compiler, which becomes a diagnostic of ours when the whole source has been read.
 struct CompilerError {
-  unsigned id;
   std::string message;
   Place place;
   std::optional<Span> token;
@@ -24,7 +23,8 @@ struct CompilerError {
 class ErrorCollector : public DiagnosticConsumer {
 public:
   ErrorCollector(std::vector<std::string> const &roots, std::vector<CompilerError> &errors)
-      : roots_(roots), errors_(errors) {}
+      : roots_(roots),
+        errors_(errors) {}
 
   void BeginSourceFile(LangOptions const &language, Preprocessor const *) override { language_ = language; }
   void HandleDiagnostic(DiagnosticsEngine::Level level, clang::Diagnostic const &info) override {
@@ -34,7 +34,7 @@ public:
     info.FormatDiagnostic(message);
     // Options that only the user's own compiler knows say nothing about the source.
     if (!info.getLocation().isValid() && message.str().contains("unknown argument")) return;
-    CompilerError error{info.getID(), message.str().str(), {}, {}};
+    CompilerError error{message.str().str(), {}, {}};
     if (info.hasSourceManager() && info.getLocation().isValid()) {
       SourceMap const map(info.getSourceManager(), language_, roots_);
       error.place = map.place(info.getLocation());
@@ -51,8 +51,11 @@ private:
 
 class Consumer : public ASTConsumer {
 public:
-  Consumer(CompilerInstance &compiler, std::vector<std::string> const &roots, Facts &facts)
-      : compiler_(compiler), map_(compiler.getSourceManager(), compiler.getLangOpts(), roots), facts_(facts) {
+  Consumer(CompilerInstance &compiler, std::vector<std::string> const &roots, bool ask_compiler, Facts &facts)
+      : compiler_(compiler),
+        map_(compiler.getSourceManager(), compiler.getLangOpts(), roots),
+        facts_(facts) {
+    index_.ask_compiler = ask_compiler;
     Preprocessor &preprocessor = compiler.getPreprocessor();
     preprocessor.AddPragmaHandler(make_pragma_handler(map_, facts_, index_).release()); // owned there from now on
     preprocessor.addPPCallbacks(make_quoted_argument_recorder(map_, facts_));
@@ -84,74 +87,87 @@ private:
 
 class Action : public ASTFrontendAction {
 public:
-  Action(std::vector<std::string> const &roots, Facts &facts) : roots_(roots), facts_(facts) {}
+  Action(std::vector<std::string> const &roots, bool ask_compiler, Facts &facts)
+      : roots_(roots),
+        ask_compiler_(ask_compiler),
+        facts_(facts) {}
   std::unique_ptr<ASTConsumer> CreateASTConsumer(CompilerInstance &compiler, llvm::StringRef) override {
-    return std::make_unique<Consumer>(compiler, roots_, facts_);
+    return std::make_unique<Consumer>(compiler, roots_, ask_compiler_, facts_);
   }
 
 private:
   std::vector<std::string> const &roots_;
+  bool ask_compiler_;
   Facts &facts_;
 };
 
 // The compiler's command line without what only concerns its outputs.
 std::vector<std::string> command_line(Request const &request, std::string const &source) {
-  std::vector<std::string> words = {"clang", "-fsyntax-only", "-w", "-Wno-error", "-Qunused-arguments", "-fno-caret-diagnostics",
-                                    "-resource-dir=" SYMREAL_CLANG_RESOURCES, "-ferror-limit=20"};
+  std::vector<std::string> words = {"clang",
+                                    "-fsyntax-only",
+                                    "-w",
+                                    "-Wno-error",
+                                    "-Qunused-arguments",
+                                    "-fno-caret-diagnostics",
+                                    "-resource-dir=" SYMREAL_CLANG_RESOURCES,
+                                    "-ferror-limit=20"};
   for (std::size_t i = 0; i < request.flags.size(); ++i) {
     std::string const &flag = request.flags[i];
-    if (flag == "-o" || flag == "-MF" || flag == "-MT" || flag == "-MQ") ++i;
-    else if (flag != "-c" && flag != "-S" && flag != "-E" && flag != "-Werror" && flag.rfind("-M", 0) != 0) words.push_back(flag);
+    if (flag == "-o" || flag == "-MF" || flag == "-MT" || flag == "-MQ")
+      ++i;
+    else if (flag != "-c" && flag != "-S" && flag != "-E" && flag != "-Werror" && flag.rfind("-M", 0) != 0)
+      words.push_back(flag);
   }
   words.push_back(source);
   return words;
 }
 
-// An error at a token of a pragma is about the pragma; what follows from it in the rest of the source is not told.
-void report_errors(std::vector<CompilerError> const &errors, Facts &facts) {
-  auto const pragma_of = [&](CompilerError const &error) -> PragmaFact const * {
-    if (!error.token) return nullptr;
-    for (auto const &[span, pragma] : facts.pragmas)
-      if (span.file == error.token->file && span.begin <= error.token->begin && error.token->begin < span.end)
-        return &pragma;
-    return nullptr;
-  };
-  bool in_pragma = false;
+void add(Facts &facts, DiagnosticId id, Place const &place, std::string message) {
+  for (symreal::Diagnostic const &known : facts.diagnostics)
+    if (known.id == id && to_string(known.place) == to_string(place)) return;
+  facts.diagnostics.push_back({id, Severity::error, place, std::move(message)});
+}
+
+// The errors that stand at a token of a pragma.
+void report_pragma_errors(std::vector<CompilerError> const &errors, Facts &facts) {
   for (CompilerError const &error : errors) {
-    if (!pragma_of(error)) continue;
-    bool const undeclared = error.message.find("undeclared") != std::string::npos;
-    bool const expression = error.id != diag::err_undeclared_var_use && !undeclared &&
-                            error.message.rfind("expected", 0) != 0;
-    DiagnosticId const id = undeclared   ? DiagnosticId::pragma_undeclared_name
-                            : expression ? DiagnosticId::pragma_item
-                                         : DiagnosticId::pragma_position;
-    std::string const message = undeclared || expression ? error.message
-                                                         : "no statement can stand where this pragma stands";
-    Place const place = undeclared || expression ? error.place : pragma_of(error)->place;
-    bool const told = std::any_of(facts.diagnostics.begin(), facts.diagnostics.end(), [&](auto const &known) {
-      return known.id == id && to_string(known.place) == to_string(place);
-    });
-    if (!told) facts.diagnostics.push_back({id, Severity::error, place, message});
-    in_pragma = true;
+    if (!error.token) continue;
+    for (auto const &[span, pragma] : facts.pragmas) {
+      if (span.file != error.token->file || error.token->begin < span.begin || span.end <= error.token->begin) continue;
+      if (error.message.find("undeclared") != std::string::npos)
+        add(facts, DiagnosticId::pragma_undeclared_name, error.place, error.message);
+      else if (error.message.rfind("expected", 0) == 0)
+        add(facts, DiagnosticId::pragma_position, pragma.place, "no statement can stand where this pragma stands");
+      else
+        add(facts, DiagnosticId::pragma_item, error.place, error.message);
+    }
   }
-  if (!in_pragma)
-    for (CompilerError const &error : errors)
-      facts.diagnostics.push_back({DiagnosticId::source_error, Severity::error, error.place, error.message});
+}
+
+std::vector<CompilerError> parse(Request const &request, std::vector<std::string> const &roots,
+                                 std::string const &source, bool ask_compiler, Facts &facts) {
+  std::vector<CompilerError> errors;
+  ErrorCollector collector(roots, errors);
+  IntrusiveRefCntPtr<FileManager> const files(new FileManager(FileSystemOptions()));
+  tooling::ToolInvocation invocation(command_line(request, source),
+                                     std::make_unique<Action>(roots, ask_compiler, facts), files.get());
+  invocation.setDiagnosticConsumer(&collector);
+  if (!invocation.run() && errors.empty()) errors.push_back({"the source cannot be parsed", {source}, {}});
+  return errors;
 }
 
 void record_source(Request const &request, std::vector<std::string> const &roots, std::string const &source,
                    Facts &facts) {
-  if (!llvm::sys::fs::exists(source)) fail(DiagnosticId::unreadable_file, {source}, "the file cannot be read");
-  std::vector<CompilerError> errors;
-  ErrorCollector collector(roots, errors);
-  IntrusiveRefCntPtr<FileManager> const files(new FileManager(FileSystemOptions()));
-  tooling::ToolInvocation invocation(command_line(request, source), std::make_unique<Action>(roots, facts), files.get());
-  invocation.setDiagnosticConsumer(&collector);
-  bool const ran = invocation.run();
-  report_errors(errors, facts);
-  if (!errors.empty() || !ran) facts.broken = true;
-  if (!ran && errors.empty())
-    facts.diagnostics.push_back({DiagnosticId::source_error, Severity::error, {source}, "the source cannot be parsed"});
+  if (!llvm::sys::fs::exists(source)) fail(DiagnosticId::unreadable_file, {}, "'" + source + "' cannot be read");
+  std::vector<CompilerError> const errors = parse(request, roots, source, true, facts);
+  if (errors.empty()) return;
+  facts.broken = true;
+  // Are the errors the source's own, or do they come from what its pragmas put in?
+  Facts without_pragmas;
+  std::vector<CompilerError> const own =
+      facts.pragmas.empty() ? errors : parse(request, roots, source, false, without_pragmas);
+  for (CompilerError const &error : own) add(facts, DiagnosticId::source_error, error.place, error.message);
+  if (own.empty()) report_pragma_errors(errors, facts);
 }
 
 std::vector<std::string> real_roots(Request const &request) {

@@ -11,7 +11,8 @@ bool below_roots(std::string const &real_path, std::vector<std::string> const &r
   if (real_path.find("/include/symreal/") != std::string::npos) return false;
   for (std::string const &root : roots) {
     bool const slash = !root.empty() && root.back() == '/';
-    if (real_path.compare(0, root.size(), root) == 0 && (slash || real_path.size() == root.size() || real_path[root.size()] == '/'))
+    if (real_path.compare(0, root.size(), root) == 0 &&
+        (slash || real_path.size() == root.size() || real_path[root.size()] == '/'))
       return true;
   }
   return false;

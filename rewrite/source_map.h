@@ -15,7 +15,9 @@ class SourceMap {
 public:
   SourceMap(clang::SourceManager const &sources, clang::LangOptions const &language,
             std::vector<std::string> const &roots)
-      : sources_(sources), language_(language), roots_(roots) {}
+      : sources_(sources),
+        language_(language),
+        roots_(roots) {}
 
   // Does the location, seen through macros to where it is expanded, lie within the roots?
   bool in_roots(clang::SourceLocation location) const;

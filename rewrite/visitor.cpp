@@ -14,7 +14,11 @@ class Visitor : public RecursiveASTVisitor<Visitor> {
 
 public:
   Visitor(ASTContext &context, SourceMap const &map, Reals const &reals, PragmaIndex const &index, Facts &facts)
-      : map_(map), reals_(reals), index_(index), facts_(facts), record_(context, map, reals, facts) {}
+      : map_(map),
+        reals_(reals),
+        index_(index),
+        facts_(facts),
+        record_(context, map, reals, facts) {}
 
   std::vector<FunctionDecl const *> definitions;
 
@@ -54,7 +58,8 @@ public:
     return TraverseStmt(type.getSizeExpr());
   }
   bool TraverseTemplateSpecializationTypeLoc(TemplateSpecializationTypeLoc type) {
-    Within const passive(passive_, Reals::is_passive_template(type.getTypePtr()->getTemplateName().getAsTemplateDecl()));
+    Within const passive(passive_,
+                         Reals::is_passive_template(type.getTypePtr()->getTemplateName().getAsTemplateDecl()));
     return Walk::TraverseTemplateSpecializationTypeLoc(type);
   }
 
@@ -140,7 +145,9 @@ public:
   bool VisitFunctionDecl(FunctionDecl *function) {
     if (!function->doesThisDeclarationHaveABody()) return true;
     definitions.push_back(function);
-    if (!passive_ && function->getDeclaredReturnType()->getContainedAutoType()) record_.deduced_return(function->getBody());
+    if (function->isVariadic()) record_.variadic_definition(function);
+    if (!passive_ && function->getDeclaredReturnType()->getContainedAutoType())
+      record_.deduced_return(function->getBody());
     return true;
   }
   bool VisitDeclRefExpr(DeclRefExpr *reference) {
@@ -161,9 +168,7 @@ public:
   bool VisitWhileStmt(WhileStmt *statement) { return decide(statement->getCond()); }
   bool VisitDoStmt(DoStmt *statement) { return decide(statement->getCond()); }
   bool VisitForStmt(ForStmt *statement) { return decide(statement->getCond()); }
-  bool VisitUnaryOperator(UnaryOperator *unary) {
-    return unary->getOpcode() != UO_LNot || decide(unary->getSubExpr());
-  }
+  bool VisitUnaryOperator(UnaryOperator *unary) { return unary->getOpcode() != UO_LNot || decide(unary->getSubExpr()); }
   bool VisitBinaryOperator(BinaryOperator *binary) {
     return !binary->isLogicalOp() || (decide(binary->getLHS()) && decide(binary->getRHS()));
   }

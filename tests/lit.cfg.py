@@ -1,5 +1,6 @@
-# What stands in RUN lines: %symreal the tool, %inputs the example programs, %runtime_include the public headers,
-# %runtime the directory of the runtime, %tools helper scripts, %version the tool's version, %cxx %cc %clang compilers.
+# What stands in RUN lines: %symreal the tool, %rewrite prints rewritten text, %same compares object code,
+# %inputs the example programs, %runtime_include the public headers, %runtime the directory of the runtime,
+# %tools helper scripts, %version the tool's version, %cxx %cc %clang compilers.
 import os
 
 import lit.formats
@@ -14,6 +15,10 @@ config.test_exec_root = os.path.join(config.binary_dir, "tests")
 
 config.substitutions += [
     (r"%symreal\b", os.path.join(config.binary_dir, "tool", "symreal")),
+    (r"%rewrite\b", os.path.join(config.binary_dir, "rewrite", "symreal-rewrite-dump") + " --text"),
+    (r"%same\b", "python3 " + os.path.join(config.source_dir, "tests", "tools", "same_object.py") + " "
+     + os.path.join(config.binary_dir, "rewrite", "symreal-rewrite-dump") + " "
+     + os.path.join(config.source_dir, "runtime", "include")),
     (r"%inputs\b", os.path.join(config.source_dir, "inputs")),
     (r"%runtime_include\b", os.path.join(config.source_dir, "runtime", "include")),
     (r"%runtime\b", os.path.join(config.source_dir, "runtime")),

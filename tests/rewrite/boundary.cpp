@@ -1,0 +1,27 @@
+// Functions that are declared here and defined nowhere, and REALs that leave the program.
+// RUN: not %rewrite %s 2>&1 | FileCheck %s --implicit-check-not=unused --implicit-check-not=ostream
+#include <cstdio>
+#include <cstring>
+#include <iostream>
+#include <string>
+#include <unistd.h>
+
+struct Rotation { double data[9]; };
+// CHECK-DAG: boundary.cpp:[[@LINE+1]]:10: error: 'multiply' carries REAL, and none of the sources defines it [SYM030]
+Rotation multiply(Rotation const &a, Rotation const &b);
+Rotation unused(Rotation const &a);
+inline Rotation also_unused(Rotation const &a) { return unused(a); }
+int count(std::string const &name);
+
+// CHECK-DAG: boundary.cpp:[[@LINE+1]]:56: note: it is used here
+Rotation square(Rotation const &a) { count(""); return multiply(a, a); }
+
+// CHECK-DAG: boundary.cpp:[[@LINE+1]]:49: error: the bytes of a REAL go to 'fwrite', which is outside the roots [SYM035]
+void save(double *x, FILE *file) { (void)fwrite(x, sizeof *x, 1, file); }
+void copy(double *x, double const *y) { memcpy(x, y, sizeof *x); memset(x, 0, sizeof *x); std::cout << *x; }
+// CHECK-DAG: boundary.cpp:[[@LINE+1]]:{{[0-9]+}}: error: the bytes of a REAL are looked at as unsigned long *
+unsigned long bits(double &x) { return *reinterpret_cast<unsigned long *>(&x); }
+// CHECK-DAG: boundary.cpp:[[@LINE+1]]:{{[0-9]+}}: error: the result is a REAL and is converted to int [SYM034]
+void add(int &n, double x) { n += x; }
+// CHECK-DAG: boundary.cpp:[[@LINE+1]]:{{[0-9]+}}: error: a REAL is converted to long double [SYM036]
+long double widen(double x) { return x; }

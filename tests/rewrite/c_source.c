@@ -1,0 +1,36 @@
+/* C is compiled as C++ in symbolic mode: conversions that C makes by itself are written out. */
+// RUN: %rewrite %s | FileCheck %s
+// RUN: %same %s
+#include <stdlib.h>
+#include <math.h>
+#include <stdio.h>
+
+struct node { double value; struct node *next; };
+enum side { left, right };
+static int order(const void *a, const void *b)
+{
+    // CHECK: const REAL *x = (const REAL *)(a), *y = (const REAL *)(b);
+    const double *x = a, *y = b;
+    return (*x > *y) - (*x < *y);
+}
+double smallest(int n, double *given)
+{
+    // CHECK: REAL *x = (REAL *)(malloc(n * sizeof *x));
+    double *x = malloc(n * sizeof *x);
+    // CHECK: struct node *head = (struct node *)(calloc(1, sizeof(struct node)));
+    struct node *head = calloc(1, sizeof(struct node));
+    // CHECK: enum side s = (enum side)(1);
+    enum side s = 1;
+    double result;
+    int i;
+    for (i = 0; i < n; i++) x[i] = given[i];
+    qsort(x, n, sizeof *x, order);
+    // CHECK: result = x[0] + head->value + REAL_TO(int, s) + fabs(x[0]) + (isnan(x[0]) ? 0.0 : 1.0);
+    result = x[0] + head->value + s + fabs(x[0]) + (isnan(x[0]) ? 0.0 : 1.0);
+    // CHECK: i = REAL_TO(int, floor(result));
+    i = floor(result);
+    printf("%d %g\n", i, result);
+    free(x);
+    free(head);
+    return result;
+}

@@ -1,0 +1,20 @@
+// Implicit conversions of a REAL are made visible; explicit ones are visible already.
+// RUN: %rewrite %s | FileCheck %s
+// RUN: %same %s
+#include <cstdio>
+
+// CHECK: int whole(REAL x) { return REAL_TO(int, x); }
+int whole(double x) { return x; }
+// CHECK: bool known(REAL x) { bool b = REAL_TO(bool, x); return b; }
+bool known(double x) { bool b = x; return b; }
+// CHECK: float narrow(REAL x) { float f = REAL_TO(float, x * 2.0); return f; }
+float narrow(double x) { float f = x * 2.0; return f; }
+// CHECK: int cut(REAL x) { return (int)x + static_cast<int>(x); }
+int cut(double x) { return (int)x + static_cast<int>(x); }
+// CHECK: int branch(REAL x) { if (x) return 1; while (!x) return 2; return x && 1 ? 3 : 4; }
+int branch(double x) { if (x) return 1; while (!x) return 2; return x && 1 ? 3 : 4; }
+int const half = 2.5;
+// CHECK: void show(REAL x, float y) { std::printf("%g %g %g %d\n", REAL_VALUE(x), y, 1.5, half); }
+void show(double x, float y) { std::printf("%g %g %g %d\n", x, y, 1.5, half); }
+// CHECK: void read(REAL *x) { if (std::scanf("%lf", x) != 1) *x = 0; }
+void read(double *x) { if (std::scanf("%lf", x) != 1) *x = 0; }

@@ -1,0 +1,22 @@
+// Eigen's typedefs become their templates on REAL, spelled without a comma where Eigen has such a name.
+// RUN: %rewrite %s -- -I/usr/include/eigen3 | FileCheck %s
+#include <Eigen/Dense>
+
+// CHECK: using Twist = Eigen::Matrix<REAL, 6, 1>;
+using Twist = Eigen::Matrix<double, 6, 1>;
+// CHECK: REAL f(Eigen::Matrix3<REAL> const &m, Eigen::VectorX<REAL> v) {
+double f(Eigen::Matrix3d const &m, Eigen::VectorXd v) {
+  using namespace Eigen;
+  // CHECK: Eigen::Vector3<REAL> a(1.0, 2.0, 3.0); Eigen::Quaternion<REAL> q = Eigen::Quaternion<REAL>::Identity();
+  Vector3d a(1.0, 2.0, 3.0); Quaterniond q = Quaterniond::Identity();
+  // CHECK: Eigen::Vector2<REAL> b(REAL_C(1.0), REAL_C(2.0));
+  Vector2d b(1.0, 2.0);
+  // CHECK: Map<Eigen::MatrixX<REAL>> map(v.data(), 1, v.size());
+  Map<MatrixXd> map(v.data(), 1, v.size());
+  // CHECK: a = REAL_C(0.5) * (m * a) / REAL_C(2.0) + Eigen::Vector3<REAL>::Zero();
+  a = 0.5 * (m * a) / 2.0 + Vector3d::Zero();
+  // CHECK: Eigen::Transform<REAL, 3, {{.*}}> t = {{.*}}::Identity();
+  Isometry3d t = Isometry3d::Identity();
+  a *= 0.25;
+  return a.dot(q * a) + map(0, 0) + (t * a).norm() + b(1);
+}
