@@ -14,7 +14,14 @@ namespace {
 constexpr unsigned compilations_at_a_time = 2;
 
 std::string_view define(Variant variant) { return variant == Variant::symbolic ? "-DMBD_SYMBOLIC" : "-DMBD_REPLAY"; }
-std::string_view name(Variant variant) { return variant == Variant::symbolic ? "symbolic" : "replay"; }
+std::string_view name(Variant variant) {
+  switch (variant) {
+  case Variant::symbolic: return "symbolic";
+  case Variant::replay: return "replay";
+  case Variant::own_flags: return "own-flags";
+  }
+  return "";
+}
 
 using Words = std::vector<std::string>;
 
@@ -22,14 +29,15 @@ void append(Words &words, Words const &more) { words.insert(words.end(), more.be
 
 // The reference build of docs/floating-point.md, with debug information for places.
 Words const reference_flags = {
-    "-O1", "-g", "-w", "-ffp-contract=off", "-fno-builtin", "-fno-fast-math", "-DEIGEN_DONT_VECTORIZE"};
+    "-O1", "-g", "-ffp-contract=off", "-fno-builtin", "-fno-fast-math", "-DEIGEN_DONT_VECTORIZE"};
 
 Words compile_command(BuildRequest const &request, Variant variant, Overlay const &overlay, std::string const &source,
                       std::string const &object) {
   Words words = {request.compiler};
   append(words, overlay.include_flags());
-  append(words, adapted_flags(request.flags));
-  append(words, reference_flags);
+  append(words, adapted_flags(request.flags, variant));
+  if (variant != Variant::own_flags) append(words, reference_flags);
+  words.push_back("-w");
   words.emplace_back(define(variant));
   append(words, {"-I", SYMREAL_RUNTIME_INCLUDE, "-include", "symreal/real.h"});
   append(words, {"-iquote", std::filesystem::absolute(source).parent_path().string()});

@@ -14,6 +14,7 @@ namespace symreal::program {
 enum class Variant {
   symbolic, // REAL is a RealNumber: running the program records its kernels
   replay,   // REAL is double and the annotations are live: the original's numbers, on inputs of our choice
+  own_flags // replay with the user's own flags instead of those of the reference build
 };
 
 struct BuildRequest {
@@ -24,8 +25,11 @@ struct BuildRequest {
 };
 
 // What becomes of the user's flags: options that change the numbers, choose outputs or turn warnings into errors go,
-// a C standard becomes a C++ one, and c++20 is the default.
-std::vector<std::string> adapted_flags(std::vector<std::string> const &flags);
+// a C standard becomes a C++ one, and c++20 is the default. What changes the numbers stays in Variant::own_flags.
+std::vector<std::string> adapted_flags(std::vector<std::string> const &flags, Variant variant = Variant::replay);
+
+// Whether a build with these flags may give other numbers than the reference build.
+bool change_numbers(std::vector<std::string> const &flags);
 
 // Builds the program in each of the variants, two compilations at a time, and returns the paths of the executables in
 // the same order. Throws compiler_missing, build_failed or link_failed with places in the user's sources.

@@ -7,39 +7,48 @@
 namespace symreal::program {
 namespace {
 
-// Prefixes of flags that are left out, with the number of words each takes.
+enum class Why {
+  numbers,  // it changes the numbers: not in the reference build
+  serial,   // a kernel is recorded by one thread, and its objects are compiled one by one
+  warnings, // rewritten text is not what warnings are for
+  outputs,  // the outputs are ours
+};
+
+// Flags that are left out, with the number of words that follow each. One that ends in '*' stands for all that begin
+// so.
 struct Dropped {
   std::string_view flag;
-  bool whole; // the flag must equal the text, else it need only begin with it
-  int operands;
+  Why why;
+  int operands = 0;
 };
 constexpr Dropped dropped[] = {
-    // They change the numbers, or what a trace sees of them.
-    {"-O", false, 0},
-    {"-ffast-math", true, 0},
-    {"-funsafe-math-optimizations", true, 0},
-    {"-fassociative-math", true, 0},
-    {"-freciprocal-math", true, 0},
-    {"-ffinite-math-only", true, 0},
-    {"-fno-signed-zeros", true, 0},
-    {"-fno-trapping-math", true, 0},
-    {"-ffp-contract", false, 0},
-    {"-fbuiltin", true, 0},
-    {"-fopenmp", false, 0},
-    {"-flto", false, 0},
-    // Rewritten text is not what warnings are for.
-    {"-W", false, 0}, // -Wl, and its like are kept below
-    {"-pedantic", false, 0},
-    // Outputs are ours.
-    {"-c", true, 0},
-    {"-S", true, 0},
-    {"-E", true, 0},
-    {"-o", true, 1},
-    {"-MF", true, 1},
-    {"-MT", true, 1},
-    {"-MQ", true, 1},
-    {"-M", false, 0},
+    {"-O*", Why::numbers},
+    {"-ffast-math", Why::numbers},
+    {"-funsafe-math-optimizations", Why::numbers},
+    {"-fassociative-math", Why::numbers},
+    {"-freciprocal-math", Why::numbers},
+    {"-ffinite-math-only", Why::numbers},
+    {"-fno-signed-zeros", Why::numbers},
+    {"-fno-trapping-math", Why::numbers},
+    {"-ffp-contract*", Why::numbers},
+    {"-fbuiltin", Why::numbers},
+    {"-fopenmp*", Why::serial},
+    {"-flto*", Why::serial},
+    {"-W*", Why::warnings}, // -Wl, and its like are kept below
+    {"-pedantic*", Why::warnings},
+    {"-c", Why::outputs},
+    {"-S", Why::outputs},
+    {"-E", Why::outputs},
+    {"-o", Why::outputs, 1},
+    {"-MF", Why::outputs, 1},
+    {"-MT", Why::outputs, 1},
+    {"-MQ", Why::outputs, 1},
+    {"-M*", Why::outputs},
 };
+
+bool matches(Dropped const &row, std::string_view flag) {
+  return row.flag.ends_with('*') ? flag.starts_with(row.flag.substr(0, row.flag.size() - 1)) : flag == row.flag;
+}
 
 bool is_passed_through(std::string_view flag) {
   return flag.starts_with("-Wl,") || flag.starts_with("-Wp,") || flag.starts_with("-Wa,");
@@ -47,8 +56,8 @@ bool is_passed_through(std::string_view flag) {
 
 Dropped const *find_dropped(std::string_view flag) {
   if (is_passed_through(flag)) return nullptr;
-  auto matches = [flag](Dropped const &row) { return row.whole ? flag == row.flag : flag.starts_with(row.flag); };
-  auto at = std::find_if(std::begin(dropped), std::end(dropped), matches);
+  auto at =
+      std::find_if(std::begin(dropped), std::end(dropped), [flag](Dropped const &row) { return matches(row, flag); });
   return at == std::end(dropped) ? nullptr : at;
 }
 
@@ -63,12 +72,21 @@ std::string standard(std::string_view flag) {
 
 } // namespace
 
-std::vector<std::string> adapted_flags(std::vector<std::string> const &flags) {
+bool change_numbers(std::vector<std::string> const &flags) {
+  return std::any_of(flags.begin(), flags.end(), [](std::string const &flag) {
+    Dropped const *row = find_dropped(flag);
+    return (row && row->why == Why::numbers) || flag.starts_with("-m");
+  });
+}
+
+std::vector<std::string> adapted_flags(std::vector<std::string> const &flags, Variant variant) {
   std::vector<std::string> adapted;
   bool has_standard = false;
   for (std::size_t i = 0; i < flags.size(); ++i) {
     std::string const &flag = flags[i];
-    if (Dropped const *row = find_dropped(flag)) {
+    Dropped const *row = find_dropped(flag);
+    bool kept = row && row->why == Why::numbers && variant == Variant::own_flags;
+    if (row && !kept) {
       i += static_cast<std::size_t>(row->operands);
       continue;
     }

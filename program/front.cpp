@@ -63,9 +63,12 @@ std::optional<Front> run_front(FrontRequest const &request, Talk const &talk) {
   BuildRequest build = request.build;
   std::vector<Variant> variants = {Variant::symbolic};
   if (request.replay) variants.push_back(Variant::replay);
+  bool own_flags = request.replay && change_numbers(request.build.flags);
+  if (own_flags) variants.push_back(Variant::own_flags);
   std::vector<std::string> executables = build_programs(build, variants, *front.overlay, *front.workspace);
   front.symbolic_program = executables.front();
-  if (request.replay) front.replay_program = executables.back();
+  if (request.replay) front.replay_program = executables[1];
+  if (own_flags) front.own_flags_program = executables[2];
   front.build_seconds = watch.lap();
 
   talk.stage("recording");

@@ -19,7 +19,7 @@ struct FrontRequest {
   std::vector<std::string> roots;
   std::string kernel;  // only this one; empty: all
   bool keep = false;   // leave the workspace
-  bool replay = false; // build the replay program too
+  bool replay = false; // build what verification runs too
 };
 
 // How a run talks to its user.
@@ -33,6 +33,7 @@ struct Front {
   std::unique_ptr<Workspace> workspace; // holds the executables
   std::unique_ptr<Overlay> overlay;
   std::string symbolic_program, replay_program;
+  std::string own_flags_program; // empty when the user's flags do not change the numbers
   std::vector<Recorded> kernels; // at least one, names distinct
   double rewrite_seconds = 0, build_seconds = 0, run_seconds = 0;
 };

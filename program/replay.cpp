@@ -6,6 +6,7 @@
 #include <csignal>
 #include <cstring>
 #include <fcntl.h>
+#include <filesystem>
 #include <fmt/format.h>
 #include <poll.h>
 #include <sys/mman.h>
@@ -68,7 +69,7 @@ Replay::Replay(std::string const &executable, RunOptions const &options, std::st
     : server_(std::make_unique<Server>()) {
   std::signal(SIGPIPE, SIG_IGN); // the program may end at any moment
   if (!graph.inputs.empty()) place_ = graph.inputs.front().place;
-  std::string file = workspace.file("replay-samples");
+  std::string file = workspace.file(std::filesystem::path(executable).parent_path().filename().string() + "-samples");
   server_->share(file, graph, options.time_limit);
   Command command{.arguments = {executable},
                   .directory = options.directory,

@@ -29,6 +29,9 @@ Symbolizer::Symbolizer(std::string executable, Overlay const &overlay)
       engine_(std::make_unique<Engine>()) {}
 Symbolizer::~Symbolizer() = default;
 
+// The frames of RealNumber and of the recorder lead to the user's place and say nothing themselves.
+static bool is_runtime(std::string_view function) { return function.starts_with("symreal::"); }
+
 std::vector<Frame> Symbolizer::frames(std::vector<std::uint64_t> const &return_addresses) {
   std::vector<Frame> frames;
   for (std::uint64_t address : return_addresses) {
@@ -43,7 +46,7 @@ std::vector<Frame> Symbolizer::frames(std::vector<std::uint64_t> const &return_a
     for (unsigned i = 0; i < found->getNumberOfFrames(); ++i) {
       llvm::DILineInfo const &info = found->getFrame(i);
       if (info.FileName == llvm::DILineInfo::BadString || info.Line == 0) continue;
-      if (info.FileName.find("/symreal/") != std::string::npos && !overlay_.contains(info.FileName)) continue;
+      if (is_runtime(info.FunctionName) && !overlay_.contains(info.FileName)) continue;
       Place place{info.FileName, info.Line, info.Column};
       frames.push_back({info.FunctionName, overlay_.original(place), overlay_.contains(info.FileName)});
     }

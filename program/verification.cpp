@@ -33,10 +33,14 @@ Verification verify(Front const &front, RunOptions const &run, Recorded const &r
   Graph const &graph = recorded.graph;
   GeneratedCode code(path, banner, *front.workspace);
   Replay replay(front.replay_program, run, recorded.begun_as, graph, *front.workspace);
+  std::optional<Replay> own_flags;
+  if (!front.own_flags_program.empty())
+    own_flags.emplace(front.own_flags_program, run, recorded.begun_as, graph, *front.workspace);
   SampleSource source(graph, options.seed);
   Verification result;
   result.mode = banner.mode;
   result.outputs.resize(graph.output_count());
+  if (own_flags) result.own_flags_ulp.resize(graph.output_count());
 
   for (std::size_t k = 0; k < options.samples; ++k) {
     Sample sample = source.next();
@@ -53,6 +57,11 @@ Verification verify(Front const &front, RunOptions const &run, Recorded const &r
       } else {
         outside_same &= same(original[slot], generated[slot], FloatingPoint::strict, 0);
       }
+    }
+    if (own_flags && inside) {
+      std::vector<double> own = own_flags->run(sample);
+      for (std::size_t slot = 0; slot < own.size(); ++slot)
+        result.own_flags_ulp[slot] = std::max(result.own_flags_ulp[slot], ulp_distance(own[slot], generated[slot]));
     }
     result.inside += inside;
     if (!inside) ++(premises.finite ? result.zero_sign : result.not_finite);

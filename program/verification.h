@@ -19,6 +19,7 @@ struct Verification {
   std::size_t inside = 0;                    // samples that satisfy the premises of the mode
   std::size_t not_finite = 0, zero_sign = 0; // and those that do not, by premise
   std::vector<OutputComparison> outputs;     // per slot, over the samples inside
+  std::vector<std::uint64_t> own_flags_ulp;  // per slot, against the original with the user's own flags; may be empty
   std::size_t outside_different = 0;         // samples outside that differ in some output, not an error
   std::size_t graph_different = 0; // samples inside on which the recorded graph itself differs from the original
   std::vector<Sample> samples;     // all that were drawn

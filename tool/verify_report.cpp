@@ -36,6 +36,12 @@ std::size_t different_elements(Object const &object, program::Verification const
       std::count_if(first, first + object.count, [](OutputComparison const &output) { return output.different != 0; }));
 }
 
+// The worst of an object against the original in the user's own build.
+std::string own_flags_ulp(Object const &object, program::Verification const &verification) {
+  auto first = verification.own_flags_ulp.begin() + object.first;
+  return ulp_text(*std::max_element(first, first + object.count));
+}
+
 std::string list(std::vector<double> const &values) {
   constexpr std::size_t most = 16;
   std::string text;
@@ -67,15 +73,18 @@ void print_verification(std::ostream &out, Graph const &graph, program::Verifica
                "  outside: {} with a value that is not finite, {} where the sign of a zero is seen; {} of them "
                "differ\n",
                verification.not_finite, verification.zero_sign, verification.outside_different);
-  fmt::print(out, "  {:<28}{:>10}{:>12}{:>12}\n", "output", "elements", "worst ULP", "different");
+  bool own_flags = !verification.own_flags_ulp.empty();
+  fmt::print(out, "  {:<28}{:>10}{:>12}{:>12}{}\n", "output", "elements", "worst ULP", "different",
+             own_flags ? fmt::format("{:>22}", "ULP, own flags") : "");
   std::vector<std::string> names = identifiers(graph.outputs);
   for (std::size_t i = 0; i < graph.outputs.size(); ++i) {
     Object const &object = graph.outputs[i];
     if (object.count == 0) continue;
     std::uint32_t element = worst_element(object, verification);
-    fmt::print(out, "  {:<28}{:>10}{:>12}{:>12}\n", element_name(names[i], object, element), object.count,
+    fmt::print(out, "  {:<28}{:>10}{:>12}{:>12}{}\n", element_name(names[i], object, element), object.count,
                ulp_text(verification.outputs[object.first + element].worst_ulp),
-               different_elements(object, verification));
+               different_elements(object, verification),
+               own_flags ? fmt::format("{:>22}", own_flags_ulp(object, verification)) : "");
   }
 }
 
@@ -94,6 +103,8 @@ Json to_json(Graph const &graph, program::Verification const &verification) {
                                  {"element", element},
                                  {"worst_ulp", output.worst_ulp},
                                  {"different", output.different}});
+      if (!verification.own_flags_ulp.empty())
+        json["outputs"].back()["own_flags_ulp"] = verification.own_flags_ulp[object.first + element];
     }
   return json;
 }

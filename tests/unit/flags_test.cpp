@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-using symreal::program::adapted_flags;
+using namespace symreal::program;
 using Flags = std::vector<std::string>;
 
 TEST(Flags, WhatChangesTheNumbersOrChoosesOutputsIsDropped) {
@@ -16,4 +16,12 @@ TEST(Flags, TheStandardIsAtLeastTheOneTheHeadersNeed) {
   EXPECT_EQ(adapted_flags({"-std=c99"}), Flags{"-std=c++20"});
   EXPECT_EQ(adapted_flags({"-std=gnu++14"}), Flags{"-std=gnu++20"});
   EXPECT_EQ(adapted_flags({"-std=c++23"}), Flags{"-std=c++23"});
+}
+
+TEST(Flags, TheUsersOwnBuildKeepsWhatChangesTheNumbers) {
+  EXPECT_EQ(adapted_flags({"-O3", "-ffast-math", "-fopenmp", "-Wall"}, Variant::own_flags),
+            (Flags{"-O3", "-ffast-math", "-std=c++20"}));
+  EXPECT_TRUE(change_numbers({"-O2"}));
+  EXPECT_TRUE(change_numbers({"-march=native"}));
+  EXPECT_FALSE(change_numbers({"-Iinc", "-Wall", "-std=c++17"}));
 }
