@@ -127,6 +127,10 @@ void collect_kernels(Facts const &facts, Result &result) {
                               .annotations = annotations(pragma),
                               .source = pragma.display_file});
   }
+  for (Kernel kernel : facts.by_hand) {
+    kernel.name = stem(kernel.output_file);
+    result.kernels.push_back(std::move(kernel));
+  }
   bool any_region = false;
   for (Kernel const &kernel : result.kernels) any_region = any_region || !kernel.is_function;
   for (auto const &[file, open] : regions)

@@ -53,8 +53,9 @@ bool reads_numbers(FunctionDecl const *function) {
   return function->getDeclName().isIdentifier() && function->getName().ends_with("scanf");
 }
 
-// The stream operators and to_string have overloads for RealNumber.
-bool runtime_overloads(FunctionDecl const *function) {
+// The stream operators and to_string have overloads for RealNumber, and the runtime's own functions take it.
+bool runtime_overloads(FunctionDecl const *function, SourceManager const &sources) {
+  if (sources.getFilename(function->getLocation()).starts_with(SYMREAL_RUNTIME_INCLUDE)) return true;
   if (function->isOverloadedOperator()) {
     auto const *method = dyn_cast<CXXMethodDecl>(function);
     return method && method->getParent()->isInStdNamespace();
@@ -68,9 +69,25 @@ bool Recorder::is_plain_double(Expr const *expression) const {
   return Reals::is_double(expression->getType()) && !expression->isTypeDependent() && reals_.stays_double(expression);
 }
 
+// <symreal/symbolic_main.h>: the calls that the pragmas stand for.
+void Recorder::symbolic_main(CallExpr const *call, FunctionDecl const *function) {
+  if (!function->getDeclName().isIdentifier() || function->getName() != "generate_code" || call->getNumArgs() == 0) return;
+  auto const *name = dyn_cast<StringLiteral>(call->getArg(0)->IgnoreParenImpCasts());
+  if (!name) return;
+  Place const place = map_.place(call->getBeginLoc());
+  facts_.by_hand.push_back({.name = {},
+                            .is_function = false,
+                            .place = place,
+                            .output_file = name->getString().str(),
+                            .signature = {},
+                            .annotations = {},
+                            .source = place.file});
+}
+
 void Recorder::call(CallExpr const *call) {
   FunctionDecl const *function = call->getDirectCallee();
   if (!function) return;
+  symbolic_main(call, function);
   Expr const *callee = call->getCallee()->IgnoreParenImpCasts();
   bool overloaded = false;
   if (auto const *reference = dyn_cast<DeclRefExpr>(callee))
@@ -123,7 +140,7 @@ void Recorder::converting_construction(CXXConstructExpr const *construction) {
 void Recorder::arguments(FunctionDecl const *function, Arguments arguments, bool overloaded) {
   auto const count = static_cast<unsigned>(arguments.size());
   bool const math = reals_.is_math(function);
-  bool const outside = !reals_.in_roots(function) && !runtime_overloads(function);
+  bool const outside = !reals_.in_roots(function) && !runtime_overloads(function, map_.sources());
   for (unsigned i = 0; i < count; ++i) {
     if (math || arguments[i]->isTypeDependent()) continue;
     if (is_plain_double(arguments[i])) literal_argument(function, i, arguments[i], overloaded, count);

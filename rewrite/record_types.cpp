@@ -13,11 +13,16 @@ void Recorder::report(DiagnosticId id, SourceLocation location, std::string mess
 }
 
 void Recorder::builtin_type(BuiltinTypeLoc type, bool passive) {
+  if (type.getTypePtr()->getKind() == BuiltinType::LongDouble)
+    for (SourceLocation const end : {type.getBeginLoc(), type.getEndLoc()})
+      if (std::optional<Span> const span = map_.token(end)) facts_.types.insert({*span, ""});
   if (type.getTypePtr()->getKind() != BuiltinType::Double) return;
   SourceLocation const location = type.getBeginLoc();
   if (!map_.in_roots(location)) return;
   std::optional<Span> const span = map_.token(location);
   if (!span) {
+    // In a symbolic main written by hand the type is REAL already.
+    if (location.isMacroID() && Lexer::getImmediateMacroName(location, map_.sources(), map_.language()) == "REAL") return;
     report(DiagnosticId::double_from_macro, location, "this `double` is spelled by a macro that cannot be edited");
     return;
   }

@@ -25,6 +25,7 @@ public:
 
   // Calls (record_calls.cpp).
   void call(clang::CallExpr const *call);
+  void symbolic_main(clang::CallExpr const *call, clang::FunctionDecl const *function);
   void construction(clang::CXXConstructExpr const *construction);
   void variadic_definition(clang::FunctionDecl const *function);
   void converting_construction(clang::CXXConstructExpr const *construction);

@@ -4,6 +4,7 @@
 #include "rewrite/quoted_arguments.h"
 #include "rewrite/rewrite.h"
 #include "rewrite/source_map.h"
+#include "rewrite/token_watch.h"
 #include "rewrite/visitor.h"
 
 #include <algorithm>
@@ -59,6 +60,7 @@ public:
     Preprocessor &preprocessor = compiler.getPreprocessor();
     preprocessor.AddPragmaHandler(make_pragma_handler(map_, facts_, index_).release()); // owned there from now on
     preprocessor.addPPCallbacks(make_quoted_argument_recorder(map_, facts_));
+    watch_tokens(preprocessor, map_, facts_);
   }
 
   void HandleTranslationUnit(ASTContext &context) override {
@@ -109,7 +111,7 @@ std::vector<std::string> command_line(Request const &request, std::string const 
                                     "-Wno-error",
                                     "-Qunused-arguments",
                                     "-fno-caret-diagnostics",
-                                    "-resource-dir=" SYMREAL_CLANG_RESOURCES,
+                                    "-resource-dir=" SYMREAL_CLANG_RESOURCES, "-isystem", SYMREAL_RUNTIME_INCLUDE,
                                     "-ferror-limit=20"};
   for (std::size_t i = 0; i < request.flags.size(); ++i) {
     std::string const &flag = request.flags[i];
