@@ -63,6 +63,20 @@ void add_types(Facts const &facts, std::set<Span> const &pragmas, ByFile &reword
   }
 }
 
+// A few places have no type in the syntax tree, such as the explicit instantiation of a function or an attribute. There
+// `double` follows its neighbours; if that is wrong the symbolic program does not compile.
+void add_unaccounted(Facts const &facts, std::set<Span> const &pragmas, ByFile &rewordings, Result &result) {
+  for (Span const &span : facts.doubles) {
+    auto const known = facts.types.lower_bound({span, ""});
+    bool const accounted = known != facts.types.end() && known->span == span;
+    if (accounted || meets(pragmas, span) || meets(facts.quoted, span)) continue;
+    rewordings[span.file].push_back({span.begin, span.end, "REAL", "", true});
+    result.diagnostics.push_back({DiagnosticId::unaccounted_double, Severity::warning,
+                                  place_in(facts.files.at(span.file), span.begin),
+                                  "the syntax tree does not say what this double is part of; it becomes REAL"});
+  }
+}
+
 void add_wraps(Facts const &facts, std::set<Span> const &pragmas, ByFile &rewordings) {
   for (Wrap const &wrap : facts.wraps) {
     // The function reads the REALs itself, as REALs.
@@ -115,6 +129,7 @@ Result decide(Facts facts) {
   for (auto const &[span, pragma] : facts.pragmas) pragmas.insert(span);
   ByFile rewordings;
   add_types(facts, pragmas, rewordings, result);
+  add_unaccounted(facts, pragmas, rewordings, result);
   add_wraps(facts, pragmas, rewordings);
   collect_kernels(facts, result);
   if (!has_error(result)) add_pragmas(facts, rewordings);

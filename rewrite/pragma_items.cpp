@@ -90,6 +90,30 @@ public:
   std::vector<ReturnStmt *> found;
 };
 
+// Does the function change the variable itself, as in `n--` or `*out++ = x`?
+class Changes : public RecursiveASTVisitor<Changes> {
+public:
+  explicit Changes(ValueDecl const *variable) : variable_(variable) {}
+  bool VisitUnaryOperator(UnaryOperator *unary) {
+    return !(unary->isIncrementDecrementOp() && is_it(unary->getSubExpr())) || note(unary->getOperatorLoc());
+  }
+  bool VisitBinaryOperator(BinaryOperator *binary) {
+    return !(binary->isAssignmentOp() && is_it(binary->getLHS())) || note(binary->getOperatorLoc());
+  }
+  SourceLocation place;
+
+private:
+  bool is_it(Expr const *expression) const {
+    auto const *reference = dyn_cast<DeclRefExpr>(expression->IgnoreParenImpCasts());
+    return reference && reference->getDecl() == variable_;
+  }
+  bool note(SourceLocation location) {
+    place = location;
+    return false; // one is enough
+  }
+  ValueDecl const *variable_;
+};
+
 class Attacher {
 public:
   Attacher(SourceMap const &map, Reals const &reals, PragmaIndex const &index, Facts &facts)
@@ -158,6 +182,10 @@ private:
         item.seen = true;
         continue;
       }
+      // Outputs are read when the function returns, so what says where they are must still say so then.
+      bool const locates = !name.is_base || item.section_on_base;
+      if (pragma.clauses[name.item.clause].name == "output" && locates && isa<ParmVarDecl>(declaration))
+        refuse_changes(item, name.text, declaration, function);
       if (!name.is_base) continue;
       item.seen = true;
       item.type = declaration->getType().getAsString();
@@ -167,6 +195,19 @@ private:
     for (ClauseFact &clause : pragma.clauses) // expressions that begin with no plain name: nothing is known
       for (ItemFact &item : clause.items)
         if (!item.seen) item.seen = item.carries_real = true;
+  }
+
+  void refuse_changes(ItemFact const &item, std::string const &name, ValueDecl const *declaration,
+                      FunctionDecl const *function) {
+    Changes changes(declaration);
+    changes.TraverseStmt(function->getBody());
+    if (changes.place.isInvalid()) return;
+    std::string const message = "'" + item.label + "' is read when the function returns, but '" + name + "' changes";
+    facts_.diagnostics.push_back({DiagnosticId::pragma_item,
+                                  Severity::error,
+                                  item.place,
+                                  message,
+                                  {{map_.place(changes.place), "it is changed here"}}});
   }
 
   void refuse_returned(PragmaFact const &pragma) {

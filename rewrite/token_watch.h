@@ -1,0 +1,13 @@
+// Watches the tokens on their way to the parser: notes every `double` of the roots, so that none is left out unseen,
+// and refuses names that the rewriter itself writes.
+#pragma once
+
+#include "rewrite/clang.h"
+#include "rewrite/facts.h"
+#include "rewrite/source_map.h"
+
+namespace symreal::rewrite {
+
+void watch_tokens(clang::Preprocessor &preprocessor, SourceMap const &map, Facts &facts);
+
+} // namespace symreal::rewrite
