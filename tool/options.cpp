@@ -9,6 +9,7 @@ namespace symreal::tool {
 void SourceOptions::add_to(CLI::App &app, bool several_kernels) {
   app.add_option("--root", roots, "A directory whose files may be rewritten (repeatable; default: the sources' own)")
       ->take_all()
+      ->allow_extra_args(false)
       ->type_name("DIR");
   app.add_option("--cxx", front.build.compiler, "Compiler of the rewritten program")->capture_default_str();
   app.add_option("--link", link, "Words for the linker of the rewritten program, such as '-L. -lfoo'");

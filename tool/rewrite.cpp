@@ -43,6 +43,7 @@ void add_rewrite(CLI::App &app, Session &session) {
       ->add_option("--root", options->request.roots,
                    "A directory whose files may be rewritten (repeatable; default: the sources' own)")
       ->take_all()
+      ->allow_extra_args(false)
       ->type_name("DIR");
   command->add_flag("--diff", options->diff, "Print a unified diff");
   command->add_option("--out-root", options->out_root, "Write a mirror of the files below this directory")
