@@ -39,12 +39,12 @@ Workspace::Workspace(bool keep) : keep_(keep) {
   path_ = name;
   if (keep_) return;
   doomed = path_.c_str();
-  for (int signal_number : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal_number, remove_and_die);
+  for (int signal_number : {SIGINT, SIGTERM, SIGHUP, SIGPIPE}) std::signal(signal_number, remove_and_die);
 }
 
 Workspace::~Workspace() {
   if (keep_) return;
-  for (int signal_number : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal_number, SIG_DFL);
+  for (int signal_number : {SIGINT, SIGTERM, SIGHUP, SIGPIPE}) std::signal(signal_number, SIG_DFL);
   doomed = nullptr;
   std::error_code ignored;
   fs::remove_all(path_, ignored);

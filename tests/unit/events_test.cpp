@@ -1,0 +1,32 @@
+#include "program/events.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <fstream>
+
+using namespace symreal;
+
+TEST(Events, AreReadLineByLine) {
+  std::string path = testing::TempDir() + "symreal-events-test";
+  std::ofstream(path) << "started\ta.cpp:3:1\n"
+                         "kernel\tarm\t0.graph\tarm.c\n"
+                         "diagnostic\tSYM002\ta.cpp\t4\t5\ttext with blanks\n"
+                         "decision\t7\tx > 1\t10,ff\n"
+                         "located\tSYM001\tmessage\t1a\n"
+                         "of another version\tignored\n";
+  program::Events events = program::read_events(path);
+  std::remove(path.c_str());
+  ASSERT_EQ(events.kernels.size(), 1u);
+  EXPECT_EQ(events.kernels[0].graph_file, "0.graph");
+  EXPECT_EQ(events.kernels[0].begun_as, "a.cpp:3:1");
+  ASSERT_EQ(events.diagnostics.size(), 1u);
+  EXPECT_EQ(events.diagnostics[0].place.column, 5u);
+  EXPECT_EQ(events.diagnostics[0].message, "text with blanks");
+  ASSERT_EQ(events.decisions.size(), 1u);
+  EXPECT_EQ(events.decisions[0].addresses, (std::vector<std::uint64_t>{0x10, 0xff}));
+  ASSERT_EQ(events.located.size(), 1u);
+  EXPECT_EQ(events.located[0].addresses, std::vector<std::uint64_t>{0x1a});
+}
+
+TEST(Events, AMissingFileHoldsNone) { EXPECT_TRUE(program::read_events("/no/such/file").kernels.empty()); }
