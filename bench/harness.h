@@ -3,8 +3,8 @@
      t N    N calls of the kernel, cycling through the input vectors; answers nanoseconds per call
      v      one call with each input vector; answers the outputs in hexadecimal
 
-   so that contenders take turns, in blocks of milliseconds, under the hand of one driver (bench/measure.py). A kernel is
-   called in an endless loop, or is a stretch of code that ends with a jump back:
+   so that contenders take turns, in blocks of milliseconds, under the hand of one driver (bench/measure.py). A kernel
+   is called in an endless loop, or is a stretch of code that ends with a jump back:
 
      for (;;) { double *in = bench_next(); kernel(in, bench_parameters, bench_output); }
 

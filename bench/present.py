@@ -5,6 +5,7 @@ import matplotlib
 
 matplotlib.use("svg")
 matplotlib.rcParams["svg.hashsalt"] = "symreal"  # the same figures give the same bytes
+matplotlib.rcParams["svg.fonttype"] = "none"  # text stays text
 import matplotlib.pyplot as plot  # noqa: E402
 
 BEGIN, END = "<!-- table of bench/run: begin -->", "<!-- table of bench/run: end -->"
