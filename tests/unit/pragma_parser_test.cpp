@@ -60,8 +60,8 @@ TEST(PragmaParser, ErrorsNameTheirToken) {
   EXPECT_EQ(error("external(f)").id, DiagnosticId::pragma_not_available);
   EXPECT_EQ(error("input q").token, 1u);
   EXPECT_EQ(error("input(q").token, 3u);
-  EXPECT_EQ(error("input(q[0:1)").token, 6u);
-  EXPECT_EQ(error("input(q[0:1:2])").token, 6u);
+  EXPECT_EQ(error("input(q[0:1)").token, 7u);
+  EXPECT_EQ(error("input(q[0:1:2])").token, 7u);
   EXPECT_EQ(error("input(q,)").token, 4u);
   EXPECT_EQ(error("input()").token, 2u);
   EXPECT_EQ(error("function generate(q)").token, 1u);
