@@ -107,7 +107,7 @@ struct Facts {
   std::set<Span> quoted;                // arguments that a macro stringifies or pastes: their text is data
   std::map<Span, PragmaFact> pragmas;   // by the span of the directive
   std::set<std::string> number_readers; // variadic functions that read doubles themselves, by qualified name
-  std::vector<Kernel> by_hand;         // generate_code("...") in a symbolic main that was written by hand
+  std::vector<Kernel> by_hand;          // generate_code("...") in a symbolic main that was written by hand
   std::set<std::string> definitions;    // mangled names of the functions that the sources define
   std::map<std::string, UseFact> uses;  // by mangled name, the first use
   std::vector<std::string> include_dirs;

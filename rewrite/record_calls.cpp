@@ -71,7 +71,8 @@ bool Recorder::is_plain_double(Expr const *expression) const {
 
 // <symreal/symbolic_main.h>: the calls that the pragmas stand for.
 void Recorder::symbolic_main(CallExpr const *call, FunctionDecl const *function) {
-  if (!function->getDeclName().isIdentifier() || function->getName() != "generate_code" || call->getNumArgs() == 0) return;
+  if (!function->getDeclName().isIdentifier() || function->getName() != "generate_code" || call->getNumArgs() == 0)
+    return;
   auto const *name = dyn_cast<StringLiteral>(call->getArg(0)->IgnoreParenImpCasts());
   if (!name) return;
   Place const place = map_.place(call->getBeginLoc());

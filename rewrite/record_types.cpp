@@ -22,7 +22,8 @@ void Recorder::builtin_type(BuiltinTypeLoc type, bool passive) {
   std::optional<Span> const span = map_.token(location);
   if (!span) {
     // In a symbolic main written by hand the type is REAL already.
-    if (location.isMacroID() && Lexer::getImmediateMacroName(location, map_.sources(), map_.language()) == "REAL") return;
+    if (location.isMacroID() && Lexer::getImmediateMacroName(location, map_.sources(), map_.language()) == "REAL")
+      return;
     report(DiagnosticId::double_from_macro, location, "this `double` is spelled by a macro that cannot be edited");
     return;
   }

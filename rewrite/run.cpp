@@ -111,7 +111,9 @@ std::vector<std::string> command_line(Request const &request, std::string const 
                                     "-Wno-error",
                                     "-Qunused-arguments",
                                     "-fno-caret-diagnostics",
-                                    "-resource-dir=" SYMREAL_CLANG_RESOURCES, "-isystem", SYMREAL_RUNTIME_INCLUDE,
+                                    "-resource-dir=" SYMREAL_CLANG_RESOURCES,
+                                    "-isystem",
+                                    SYMREAL_RUNTIME_INCLUDE,
                                     "-ferror-limit=20"};
   for (std::size_t i = 0; i < request.flags.size(); ++i) {
     std::string const &flag = request.flags[i];

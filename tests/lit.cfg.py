@@ -1,5 +1,5 @@
 # What stands in RUN lines: %symreal the tool, %rewrite prints rewritten text, %same compares object code,
-# %inputs the example programs, %runtime_include the public headers, %runtime the directory of the runtime,
+# %source the repository, %inputs the example programs, %runtime_include the public headers, %runtime the directory of the runtime,
 # %tools helper scripts, %version the tool's version, %cxx %cc %clang compilers.
 import os
 
@@ -19,6 +19,7 @@ config.substitutions += [
     (r"%same\b", "python3 " + os.path.join(config.source_dir, "tests", "tools", "same_object.py") + " "
      + os.path.join(config.binary_dir, "rewrite", "symreal-rewrite-dump") + " "
      + os.path.join(config.source_dir, "runtime", "include")),
+    (r"%source\b", config.source_dir),
     (r"%inputs\b", os.path.join(config.source_dir, "inputs")),
     (r"%runtime_include\b", os.path.join(config.source_dir, "runtime", "include")),
     (r"%runtime\b", os.path.join(config.source_dir, "runtime")),

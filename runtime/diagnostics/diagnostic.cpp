@@ -58,7 +58,8 @@ void print(std::ostream &out, Diagnostic const &diagnostic) {
 }
 
 DiagnosticError::DiagnosticError(Diagnostic diagnostic)
-    : std::runtime_error(diagnostic.message), diagnostic_(std::move(diagnostic)) {}
+    : std::runtime_error(diagnostic.message),
+      diagnostic_(std::move(diagnostic)) {}
 
 void fail(DiagnosticId id, Place place, std::string message, std::vector<Note> notes) {
   throw DiagnosticError({id, Severity::error, std::move(place), std::move(message), std::move(notes)});

@@ -8,7 +8,8 @@ namespace symreal {
 static std::string_view promise(FloatingPoint mode) {
   switch (mode) {
   case FloatingPoint::strict:
-    return "   Mode strict: bit-identical to the original for all inputs, any NaN equal to any NaN, when compiled with\n"
+    return "   Mode strict: bit-identical to the original for all inputs, any NaN equal to any NaN, when compiled "
+           "with\n"
            "   -ffp-contract=off and without -ffast-math.";
   case FloatingPoint::finite:
     return "   Mode finite: equal (==) to the original wherever all its values are finite and no zero reaches an\n"
@@ -24,9 +25,12 @@ static std::string json_string(std::string const &text) {
   std::string result = "\"";
   for (char c : text) {
     if (c == '"' || c == '\\') result += '\\';
-    if (static_cast<unsigned char>(c) < ' ') result += fmt::format("\\u{:04x}", c);
-    else if (c == '/') result += "\\/";
-    else result += c;
+    if (static_cast<unsigned char>(c) < ' ')
+      result += fmt::format("\\u{:04x}", c);
+    else if (c == '/')
+      result += "\\/";
+    else
+      result += c;
   }
   return result + '"';
 }

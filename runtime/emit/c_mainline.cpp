@@ -40,10 +40,11 @@ std::string c_mainline(Program const &program, EmitOptions const &options) {
   out += fmt::format("  double constants[{}] = {{0}};\n  double output[{}] = {{0}};\n",
                      std::max<std::size_t>(program.constant_count, 1), std::max<std::size_t>(graph.output_count(), 1));
   out += "  int i;\n\n";
-  out += fmt::format("  for (i = 1; i < argc; ++i) {{\n    double const value = strtod(argv[i], NULL);\n"
-                     "    if (i <= {0}) input[i - 1] = value;\n    else if (i <= {1}) parameters[i - 1 - {0}] = value;\n"
-                     "  }}\n",
-                     graph.input_count(), graph.input_count() + graph.parameter_count());
+  out +=
+      fmt::format("  for (i = 1; i < argc; ++i) {{\n    double const value = strtod(argv[i], NULL);\n"
+                  "    if (i <= {0}) input[i - 1] = value;\n    else if (i <= {1}) parameters[i - 1 - {0}] = value;\n"
+                  "  }}\n",
+                  graph.input_count(), graph.input_count() + graph.parameter_count());
   out += fmt::format("  {}(parameters, constants);\n  {}(input, constants, output);\n", prefixed(options, "preprocess"),
                      prefixed(options, "compute"));
   out += fmt::format("  for (i = 0; i < {}; ++i) printf(\"%s = %.17g\\n\", name[i], output[i]);\n  return 0;\n}}\n",

@@ -29,9 +29,13 @@ namespace {
 class FunctionPrinter {
 public:
   FunctionPrinter(Program const &program, EmitOptions const &options, bool is_compute)
-      : program_(program), body_(is_compute ? program.compute : program.preprocess), is_compute_(is_compute),
-        name_(prefixed(options, is_compute ? "compute" : "preprocess")), chunks_(cut(program, body_, is_compute)),
-        variable_(program.graph->nodes.size(), no_slot), kept_(program.graph->nodes.size(), no_slot) {}
+      : program_(program),
+        body_(is_compute ? program.compute : program.preprocess),
+        is_compute_(is_compute),
+        name_(prefixed(options, is_compute ? "compute" : "preprocess")),
+        chunks_(cut(program, body_, is_compute)),
+        variable_(program.graph->nodes.size(), no_slot),
+        kept_(program.graph->nodes.size(), no_slot) {}
 
   std::string print() {
     if (chunks_.size() == 1) {
@@ -59,8 +63,8 @@ private:
       NodeId const id = body_.variables[k];
       Node const &node = program_.graph->nodes[id];
       bool truth = !is_leaf(node.op) && info(node.op).has(flag::BOOLEAN);
-      append_wrapped(out, fmt::format("{} const t{} = {};", truth ? "int" : "double", k,
-                                      c_expression(program_, context, id)));
+      append_wrapped(
+          out, fmt::format("{} const t{} = {};", truth ? "int" : "double", k, c_expression(program_, context, id)));
       variable_[id] = static_cast<std::uint32_t>(k);
       if (chunks_.spill_slot[id] != no_slot) out += fmt::format("  v[{}] = t{};\n", chunks_.spill_slot[id], k);
     }

@@ -36,8 +36,10 @@ public:
     while (!stack_.empty()) {
       Piece piece = std::move(stack_.back());
       stack_.pop_back();
-      if (piece.node == no_node) text_ += piece.text;
-      else print_node(piece);
+      if (piece.node == no_node)
+        text_ += piece.text;
+      else
+        print_node(piece);
     }
     return std::move(text_);
   }

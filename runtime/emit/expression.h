@@ -12,8 +12,8 @@ std::string c_constant(double value);
 
 // How the nodes that stand in an array are spelled inside one function.
 struct FunctionContext {
-  bool in_compute;                            // reads input[] and constants[]; otherwise parameters[]
-  std::vector<std::uint32_t> const *name;     // per node: the number k of its variable tk, or no_slot
+  bool in_compute;                                  // reads input[] and constants[]; otherwise parameters[]
+  std::vector<std::uint32_t> const *name;           // per node: the number k of its variable tk, or no_slot
   std::vector<std::uint32_t> const *kept = nullptr; // per node: the slot of v[] where an earlier chunk kept it
 };
 

@@ -7,13 +7,15 @@
 namespace symreal {
 
 static bool is_keyword(std::string_view word) {
+  // Of C99 and C++ together: the header is for both.
   static std::set<std::string_view> const words = {
-      "auto",     "break",    "case",     "char",   "class",    "const",    "continue", "default", "delete", "do",
-      "double",   "else",     "enum",     "extern", "float",    "for",      "friend",   "goto",    "if",     "inline",
-      "int",      "long",     "new",      "not",    "and",      "or",       "xor",      "operator", "private", "protected",
-      "public",   "register", "restrict", "return", "short",    "signed",   "sizeof",   "static",  "struct", "switch",
-      "template", "this",     "throw",    "try",    "typedef",  "union",    "unsigned", "using",   "virtual", "void",
-      "volatile", "while",    "bool",     "true",   "false",    "namespace", "new",     "catch",   "export"};
+      "and",       "auto",     "bool",   "break",    "case",    "catch",   "char",      "class",  "const",
+      "continue",  "default",  "delete", "do",       "double",  "else",    "enum",      "export", "extern",
+      "false",     "float",    "for",    "friend",   "goto",    "if",      "inline",    "int",    "long",
+      "namespace", "new",      "not",    "operator", "or",      "private", "protected", "public", "register",
+      "restrict",  "return",   "short",  "signed",   "sizeof",  "static",  "struct",    "switch", "template",
+      "this",      "throw",    "true",   "try",      "typedef", "union",   "unsigned",  "using",  "virtual",
+      "void",      "volatile", "while",  "xor"};
   return words.contains(word);
 }
 
@@ -23,8 +25,10 @@ static std::string identifier(std::string const &label) {
   for (char c : label) {
     if (c == '[') ++brackets;
     bool plain = std::isalnum(static_cast<unsigned char>(c)) || c == '_';
-    if (brackets == 0 && plain) name += c;
-    else if (brackets == 0 && !name.empty() && name.back() != '_') name += '_';
+    if (brackets == 0 && plain)
+      name += c;
+    else if (brackets == 0 && !name.empty() && name.back() != '_')
+      name += '_';
     if (c == ']') --brackets;
   }
   while (!name.empty() && name.back() == '_') name.pop_back();

@@ -13,8 +13,7 @@ std::vector<double> evaluate(Graph const &graph, std::span<double const> inputs,
     case Op::input: values.push_back(inputs[node.slot()]); break;
     case Op::parameter: values.push_back(parameters[node.slot()]); break;
     default:
-      values.push_back(
-          evaluate(node.op, operand(node.operand[0]), operand(node.operand[1]), operand(node.operand[2])));
+      values.push_back(evaluate(node.op, operand(node.operand[0]), operand(node.operand[1]), operand(node.operand[2])));
     }
   return values;
 }

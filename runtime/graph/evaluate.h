@@ -13,7 +13,7 @@ std::vector<double> evaluate(Graph const &graph, std::span<double const> inputs,
 // Whether a sample lies where `finite` mode promises equality: (P1) every live value is finite, (P2) no zero reaches an
 // operation that sees its sign.
 struct Premises {
-  bool finite = true;          // P1
+  bool finite = true;           // P1
   bool zero_sign_unseen = true; // P2
   bool hold() const { return finite && zero_sign_unseen; }
 };

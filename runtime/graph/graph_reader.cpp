@@ -96,16 +96,26 @@ private:
     if (!headed_) {
       if (head != "symreal-graph" || line.count("version") != 1) line.error("the first line must be 'symreal-graph 1'");
       headed_ = true;
-    } else if (head == "kernel") graph_.kernel = line.string("the kernel's name");
-    else if (head == "input") read_object(line, graph_.inputs, &graph_.input_values);
-    else if (head == "parameter") read_object(line, graph_.parameters, &graph_.parameter_values);
-    else if (head == "output") read_object(line, graph_.outputs, nullptr);
-    else if (head == "frozen") read_frozen(line);
-    else if (head == "executed") read_executed(line);
-    else if (head == "result") read_root(line, graph_.results);
-    else if (head == "precomputed") read_root(line, graph_.precomputed);
-    else if (head[0] == '%') read_node(line, head);
-    else line.error("'" + head + "' begins no line of a graph");
+    } else if (head == "kernel")
+      graph_.kernel = line.string("the kernel's name");
+    else if (head == "input")
+      read_object(line, graph_.inputs, &graph_.input_values);
+    else if (head == "parameter")
+      read_object(line, graph_.parameters, &graph_.parameter_values);
+    else if (head == "output")
+      read_object(line, graph_.outputs, nullptr);
+    else if (head == "frozen")
+      read_frozen(line);
+    else if (head == "executed")
+      read_executed(line);
+    else if (head == "result")
+      read_root(line, graph_.results);
+    else if (head == "precomputed")
+      read_root(line, graph_.precomputed);
+    else if (head[0] == '%')
+      read_node(line, head);
+    else
+      line.error("'" + head + "' begins no line of a graph");
   }
 
   static Place read_place(Line &line) {

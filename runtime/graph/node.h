@@ -28,8 +28,7 @@ struct Node {
 
   static Node constant(double value) {
     auto bits = std::bit_cast<std::uint64_t>(value);
-    return {Op::constant, Attribute::constant,
-            {static_cast<NodeId>(bits), static_cast<NodeId>(bits >> 32), no_node}};
+    return {Op::constant, Attribute::constant, {static_cast<NodeId>(bits), static_cast<NodeId>(bits >> 32), no_node}};
   }
   static Node input(std::uint32_t slot) { return {Op::input, Attribute::variable, {slot, no_node, no_node}}; }
   static Node parameter(std::uint32_t slot) { return {Op::parameter, Attribute::parametric, {slot, no_node, no_node}}; }

@@ -18,12 +18,14 @@ static constexpr std::array table = {
 #undef OPERATION
 };
 
-static_assert([] {
-  std::size_t row = static_cast<std::size_t>(Op::parameter) + 1;
-  for (OperationInfo const &operation : table)
-    if (static_cast<std::size_t>(operation.op) != row++) return false;
-  return row == static_cast<std::size_t>(Op::count);
-}(), "the enum and the table run in parallel");
+static_assert(
+    [] {
+      std::size_t row = static_cast<std::size_t>(Op::parameter) + 1;
+      for (OperationInfo const &operation : table)
+        if (static_cast<std::size_t>(operation.op) != row++) return false;
+      return row == static_cast<std::size_t>(Op::count);
+    }(),
+    "the enum and the table run in parallel");
 
 std::span<OperationInfo const> operations() { return table; }
 

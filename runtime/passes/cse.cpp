@@ -3,8 +3,6 @@
 
 namespace symreal {
 
-Graph pass_cse(Graph const &graph, FloatingPoint mode) {
-  return sweep(graph, {.mode = mode, .canonical_order = true});
-}
+Graph pass_cse(Graph const &graph, FloatingPoint mode) { return sweep(graph, {.mode = mode, .canonical_order = true}); }
 
 } // namespace symreal

@@ -3,8 +3,6 @@
 
 namespace symreal {
 
-Graph pass_fold(Graph const &graph, FloatingPoint mode) {
-  return sweep(graph, {.mode = mode, .fold = true});
-}
+Graph pass_fold(Graph const &graph, FloatingPoint mode) { return sweep(graph, {.mode = mode, .fold = true}); }
 
 } // namespace symreal

@@ -31,9 +31,12 @@ Graph pass_negations(Graph const &graph, FloatingPoint mode) {
       return node;
     case Op::mul:
     case Op::div:
-      if (constant(1)) negate(1);
-      else if (constant(0)) negate(0);
-      else return std::nullopt;
+      if (constant(1))
+        negate(1);
+      else if (constant(0))
+        negate(0);
+      else
+        return std::nullopt;
       return node;
     default: return std::nullopt;
     }

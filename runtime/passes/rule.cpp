@@ -8,8 +8,8 @@ namespace symreal {
 std::span<Rule const> rules() {
   static std::vector<Rule> const table = {
 #define RULE(topic, mode, pattern, replacement, condition, counterexample)                                             \
-  {Topic::topic, FloatingPoint::mode,    pattern,           replacement, counterexample,                               \
-   Condition::condition, parse_term(pattern), parse_term(replacement)},
+  {Topic::topic,        FloatingPoint::mode,    pattern, replacement, counterexample, Condition::condition,            \
+   parse_term(pattern), parse_term(replacement)},
 #include "passes/rules.def"
 #undef RULE
   };

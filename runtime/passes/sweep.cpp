@@ -63,8 +63,7 @@ private:
 
   NodeId fold(Node const &node) {
     auto value = [&](NodeId id) { return id == no_node ? 0.0 : table_[id].value(); };
-    return table_.constant(
-        evaluate(node.op, value(node.operand[0]), value(node.operand[1]), value(node.operand[2])));
+    return table_.constant(evaluate(node.op, value(node.operand[0]), value(node.operand[1]), value(node.operand[2])));
   }
 
   SweepOptions options_;

@@ -11,7 +11,10 @@ namespace {
 class Cutter {
 public:
   Cutter(Program const &program, FunctionBody const &body, bool in_compute)
-      : program_(program), body_(body), in_compute_(in_compute), chunk_(program.graph->nodes.size(), no_slot),
+      : program_(program),
+        body_(body),
+        in_compute_(in_compute),
+        chunk_(program.graph->nodes.size(), no_slot),
         last_reader_(program.graph->nodes.size(), 0) {}
 
   Chunks cut() {
@@ -44,8 +47,10 @@ private:
       if (is_leaf(node.op)) continue;
       for (NodeId operand : node.operand) {
         if (operand == no_node || (in_compute_ && program_.constant_slot[operand] != no_slot)) continue;
-        if (chunk_[operand] != no_slot) last_reader_[operand] = static_cast<std::uint32_t>(chunk);
-        else stack_.push_back(operand);
+        if (chunk_[operand] != no_slot)
+          last_reader_[operand] = static_cast<std::uint32_t>(chunk);
+        else
+          stack_.push_back(operand);
       }
     }
   }

@@ -9,9 +9,9 @@
 namespace symreal {
 
 struct Chunks {
-  std::vector<std::size_t> begin;         // first statement of each chunk, and the end of the last
-  std::vector<std::uint32_t> spill_slot;  // per node: where it is kept for later chunks, or no_slot
-  std::size_t spill_count = 0;            // size of the array; slots are used again when their value is dead
+  std::vector<std::size_t> begin;        // first statement of each chunk, and the end of the last
+  std::vector<std::uint32_t> spill_slot; // per node: where it is kept for later chunks, or no_slot
+  std::size_t spill_count = 0;           // size of the array; slots are used again when their value is dead
 
   std::size_t size() const { return begin.size() - 1; }
 };

@@ -56,7 +56,8 @@ FunctionBody lay_out(Graph const &graph, std::vector<NodeId> const &roots,
       }
     bool nests = is_read || (needs.uses[id] == 1 && size <= most_nested_operations && height < most_nested_depth);
     if (is_root[id] && !node.is_constant()) nests = false;
-    if (!nests) body.variables.push_back(static_cast<NodeId>(id));
+    if (!nests)
+      body.variables.push_back(static_cast<NodeId>(id));
     else if (!is_read) {
       operations[id] = static_cast<std::uint8_t>(size);
       depth[id] = static_cast<std::uint8_t>(height + 1);

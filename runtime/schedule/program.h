@@ -7,8 +7,8 @@
 
 namespace symreal {
 
-// A function body: `variables` are computed in this order, one statement each; every other operation is used once and is
-// nested in its user's expression. `results` are stored at the end, result k to slot k.
+// A function body: `variables` are computed in this order, one statement each; every other operation is used once and
+// is nested in its user's expression. `results` are stored at the end, result k to slot k.
 struct FunctionBody {
   std::vector<NodeId> variables;
   std::vector<NodeId> results;

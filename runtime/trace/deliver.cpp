@@ -40,7 +40,7 @@ static void hand_to_driver(Graph const &graph, std::string const &output_file) {
 }
 
 static void generate_here(Graph const &graph, std::string const &output_file) {
-  if (anything_wrong()) return;
+  if (anything_wrong()) give_up(); // what is wrong is printed; nothing is generated
   std::vector<std::string> const passes = default_passes();
   std::filesystem::path const path = output_file.empty() ? graph.kernel + ".c" : output_file;
   Graph const optimised = run_passes(graph, passes, FloatingPoint::finite);
@@ -50,8 +50,10 @@ static void generate_here(Graph const &graph, std::string const &output_file) {
 
 void deliver(Graph const &graph, std::string const &output_file) {
   try {
-    if (record_directory().empty()) generate_here(graph, output_file);
-    else hand_to_driver(graph, output_file);
+    if (record_directory().empty())
+      generate_here(graph, output_file);
+    else
+      hand_to_driver(graph, output_file);
   } catch (DiagnosticError const &error) {
     report(error.diagnostic());
     give_up();

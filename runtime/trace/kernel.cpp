@@ -64,7 +64,9 @@ void Kernel::end_region(detail::Program, char const *file_name, SourcePlace plac
   }
   if (muted_ || phase_ == Phase::inside || phase_ == Phase::entering || phase_ == Phase::leaving) return;
   if (phase_ == Phase::none) {
-    report({DiagnosticId::annotation_outside_kernel, Severity::error, {place.file, place.line, place.column},
+    report({DiagnosticId::annotation_outside_kernel,
+            Severity::error,
+            {place.file, place.line, place.column},
             "generate is met before any input of its kernel"});
     give_up();
   }

@@ -48,7 +48,8 @@ public:
   void end_region(detail::Program program, char const *file_name, SourcePlace place);
 
   void set_range(double low, double high) {
-    if (!muted_ && !inert_region_ && (phase_ == Phase::region || phase_ == Phase::entering)) sink_->set_range(low, high);
+    if (!muted_ && !inert_region_ && (phase_ == Phase::region || phase_ == Phase::entering))
+      sink_->set_range(low, high);
   }
 
   bool is_entering_function() const { return phase_ == Phase::entering; }

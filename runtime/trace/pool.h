@@ -1,7 +1,7 @@
 // The pool of one thread: the graph that is being recorded, and the carried values of its nodes.
 //
-// One pool per thread rather than one behind a mutex: kernels recorded by several threads do not meet, and the generation
-// in each node tells one pool's nodes from another's.
+// One pool per thread rather than one behind a mutex: kernels recorded by several threads do not meet, and the
+// generation in each node tells one pool's nodes from another's.
 #pragma once
 
 #include "graph/node_table.h"

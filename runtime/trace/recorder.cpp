@@ -114,8 +114,7 @@ private:
 
   void check_outputs(Place const &end) {
     if (graph_.outputs.empty())
-      report({DiagnosticId::no_output, Severity::error, end,
-              "kernel '" + graph_.kernel + "' ends without an output"});
+      report({DiagnosticId::no_output, Severity::error, end, "kernel '" + graph_.kernel + "' ends without an output"});
     for (Object const &output : graph_.outputs) {
       auto first = graph_.results.begin() + output.first;
       bool constant = std::all_of(first, first + output.count, [](NodeId id) {

@@ -9,8 +9,7 @@ namespace symreal {
 
 __thread bool detail::recording = false;
 
-void detail::note_state(void *object, std::size_t size, bool is_numbers, char const *name,
-                        char const *place) noexcept {
+void detail::note_state(void *object, std::size_t size, bool is_numbers, char const *name, char const *place) noexcept {
   trace::State::current().note(object, size, is_numbers, name, place);
 }
 

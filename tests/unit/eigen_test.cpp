@@ -17,8 +17,10 @@ using trace::Pool;
 
 std::uint32_t slots = 0;
 template <class Real> Real number(double value) {
-  if constexpr (std::is_same_v<Real, double>) return value;
-  else return Pool::current().leaf(Node::input(slots++), value);
+  if constexpr (std::is_same_v<Real, double>)
+    return value;
+  else
+    return Pool::current().leaf(Node::input(slots++), value);
 }
 
 template <class Real, int Size, int Declared> std::vector<double> results() {
@@ -35,7 +37,8 @@ template <class Real, int Size, int Declared> std::vector<double> results() {
       b(i, j) = number<Real>(uniform(random));
     }
   }
-  std::vector<double> values = {value(v.dot(w)), value(v.sum()), value(a.norm()), value(v.squaredNorm()), value(a.trace())};
+  std::vector<double> values = {value(v.dot(w)), value(v.sum()), value(a.norm()), value(v.squaredNorm()),
+                                value(a.trace())};
   Matrix const product = a * b, inverse = a.inverse(), scaled = 0.5 * a + b * 2.0;
   Vector const image = a * v, difference = a.transpose() * w - v / 3.0;
   for (int i = 0; i < Size; ++i) {
@@ -48,7 +51,8 @@ template <class Real, int Size, int Declared> std::vector<double> results() {
 
 template <int Size> void compare() {
   EXPECT_EQ((results<RealNumber, Size, Size>()), (results<double, Size, Size>())) << "fixed " << Size;
-  EXPECT_EQ((results<RealNumber, Size, Eigen::Dynamic>()), (results<double, Size, Eigen::Dynamic>())) << "dynamic " << Size;
+  EXPECT_EQ((results<RealNumber, Size, Eigen::Dynamic>()), (results<double, Size, Eigen::Dynamic>()))
+      << "dynamic " << Size;
 }
 
 TEST(Eigen, AssociatesAsOnDouble) {

@@ -17,7 +17,8 @@ namespace {
 // A graph of one operation on inputs.
 Graph graph_of(OperationInfo const &operation) {
   std::string text = "symreal-graph 1\nkernel \"k\"\ninput \"x\" [3]\noutput \"y\"\n%0 = input 0\n%1 = input 1\n"
-                     "%2 = input 2\n%3 = " + std::string(operation.name);
+                     "%2 = input 2\n%3 = " +
+                     std::string(operation.name);
   for (unsigned i = 0; i < operation.arity; ++i) text += " %" + std::to_string(i);
   return read_graph(text + "\nresult 0 %3\n", "test");
 }
@@ -105,7 +106,8 @@ TEST(Operations, DerivativesMatchDifferences) {
         std::array<double, 3> low = x, high = x;
         low[i] -= step, high[i] += step;
         double difference =
-            (evaluate(operation.op, high[0], high[1], high[2]) - evaluate(operation.op, low[0], low[1], low[2])) / (2 * step);
+            (evaluate(operation.op, high[0], high[1], high[2]) - evaluate(operation.op, low[0], low[1], low[2])) /
+            (2 * step);
         double symbolic = evaluate(parse_term(derivatives[i]), [&](char name) {
           return name == 'r' ? result : x[static_cast<std::size_t>(name - 'x')];
         });

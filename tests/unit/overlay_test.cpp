@@ -15,7 +15,9 @@ struct OverlayTest : testing::Test {
 
   OverlayTest() {
     //                                      columns: 1         11        21
-    result.files.push_back({"/project/a.cpp", "a.cpp", "int n;\n  double x = 2.5, y;\n",
+    result.files.push_back({"/project/a.cpp",
+                            "a.cpp",
+                            "int n;\n  double x = 2.5, y;\n",
                             "int n;\n  REAL x = REAL_C(2.5), y;\n",
                             {{9, 6, "REAL"}, {20, 3, "REAL_C(2.5)"}}});
     result.include_dirs = {"/elsewhere", "/project"};

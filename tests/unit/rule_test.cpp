@@ -46,7 +46,8 @@ TEST(Rules, HoldInTheirMode) {
       double before = evaluate(rule.pattern, variable), after = evaluate(rule.replacement, variable);
       bool strict = rule.mode == FloatingPoint::strict;
       if (!strict && !all_finite(rule.pattern, variable)) continue;
-      EXPECT_TRUE(strict ? same_bits(before, after) : before == after) << rule.pattern_text << " " << before << " " << after;
+      EXPECT_TRUE(strict ? same_bits(before, after) : before == after)
+          << rule.pattern_text << " " << before << " " << after;
       ++compared;
     }
     EXPECT_GT(compared, 500) << rule.pattern_text;

@@ -1,5 +1,6 @@
-// What the pragmas become: objects are walked down to their numbers, and each number is handed to the recorder (symbolic
-// programs, where it is a RealNumber) or to the replay (where it is a double). Both sides share the life of a kernel.
+// What the pragmas become: objects are walked down to their numbers, and each number is handed to the recorder
+// (symbolic programs, where it is a RealNumber) or to the replay (where it is a double). Both sides share the life of a
+// kernel.
 #pragma once
 
 #include <symreal/real_number.h>
@@ -44,8 +45,8 @@ template <class T>
 struct is_sequence<T, std::void_t<decltype(std::declval<T &>().size()), decltype(std::declval<T &>()[0])>>
     : std::true_type {};
 template <class T, class = void> struct is_complex : std::false_type {};
-template <class T>
-struct is_complex<T, std::enable_if_t<std::is_same_v<typename T::value_type, std::decay_t<decltype(std::declval<T &>().imag())>>>>
+template <class T> struct is_complex<
+    T, std::enable_if_t<std::is_same_v<typename T::value_type, std::decay_t<decltype(std::declval<T &>().imag())>>>>
     : std::true_type {};
 
 template <class> inline constexpr bool always_false = false;

@@ -1,5 +1,5 @@
-/* The switch. A rewritten source spells `double` as REAL and its pragmas as the macros below; this header, force-included
-   before the first line, says what they mean:
+/* The switch. A rewritten source spells `double` as REAL and its pragmas as the macros below; this header,
+   force-included before the first line, says what they mean:
 
      (nothing)        numeric: REAL is double and every macro vanishes or leaves the original tokens; object code is the
                       original's, in C and in C++
@@ -60,7 +60,8 @@
 #define SYMREAL_FUNCTION(name, file, line, column, ...)                                                                \
   ::symreal::FunctionKernel symreal_kernel(name, {file, line, column}, ##__VA_ARGS__);
 #define SYMREAL_OUTPUTS_BEGIN auto symreal_outputs = symreal_kernel.on_return([&] {
-#define SYMREAL_OUTPUTS_END });
+#define SYMREAL_OUTPUTS_END                                                                                            \
+  });
 #define SYMREAL_RETURN(label, file, line, column, ...)                                                                 \
   (symreal_kernel.returned(label, {file, line, column}, __VA_ARGS__))
 #define SYMREAL_GENERATE(name, file, line, column) ::symreal::generate(name, {file, line, column});

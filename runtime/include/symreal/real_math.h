@@ -80,7 +80,9 @@ inline int fpclassify(RealNumber x) noexcept { return std::fpclassify(static_cas
 
 // Under the premise of `finite` mode these are constants; elsewhere the decision is reported.
 inline bool isnan(RealNumber x) noexcept { return static_cast<bool>(x != x); }
-inline bool isinf(RealNumber x) noexcept { return x.is_node() ? std::isinf(static_cast<double>(x)) : std::isinf(x.plain()); }
+inline bool isinf(RealNumber x) noexcept {
+  return x.is_node() ? std::isinf(static_cast<double>(x)) : std::isinf(x.plain());
+}
 inline bool isfinite(RealNumber x) noexcept {
   return x.is_node() ? std::isfinite(static_cast<double>(x)) : std::isfinite(x.plain());
 }

@@ -6,10 +6,10 @@
 //   63            52 51  50        40 39         32 31                    0
 //   1 111 1111 1111  0   tag (11 bit) generation    node id
 //
-// So all-zero bytes are 0.0, memcpy, unions, calloc and arrays keep working, and sizeof is unchanged. Arithmetic that is
-// not instrumented makes the NaN quiet (bit 51) and keeps the tag: a leak that names its node. An uninstrumented fabs or
-// negation clears the sign bit. Both are caught when the value is next read. The generation tells the nodes of one
-// recording from those of another, and from another thread's.
+// So all-zero bytes are 0.0, memcpy, unions, calloc and arrays keep working, and sizeof is unchanged. Arithmetic that
+// is not instrumented makes the NaN quiet (bit 51) and keeps the tag: a leak that names its node. An uninstrumented
+// fabs or negation clears the sign bit. Both are caught when the value is next read. The generation tells the nodes of
+// one recording from those of another, and from another thread's.
 #pragma once
 
 #include <symreal/op.h>
@@ -49,8 +49,8 @@ class RealNumber {
 
 public:
   RealNumber() = default;
-  template <class T, class = std::enable_if_t<std::is_arithmetic_v<T>>>
-  constexpr RealNumber(T value) noexcept : value_(static_cast<double>(value)) {}
+  template <class T, class = std::enable_if_t<std::is_arithmetic_v<T>>> constexpr RealNumber(T value) noexcept
+      : value_(static_cast<double>(value)) {}
 
   static constexpr RealNumber from_bits(std::uint64_t bits) noexcept {
     RealNumber number(0.0);
@@ -117,7 +117,11 @@ class SymbolicBool {
 public:
   constexpr SymbolicBool(bool value) noexcept : value_(value) {}
   constexpr SymbolicBool(Op op, RealNumber x, RealNumber y, bool value) noexcept
-      : x_(x), y_(y), op_(op), value_(value), symbolic_(true) {}
+      : x_(x),
+        y_(y),
+        op_(op),
+        value_(value),
+        symbolic_(true) {}
 
   [[gnu::always_inline]] constexpr operator bool() const noexcept {
     return symbolic_ ? detail::decide(op_, x_, y_, value_) : value_;
@@ -149,7 +153,7 @@ SYMREAL_COMPARISON(!=, ne)
 // i += x for an arithmetic i: what the original did, a conversion back included.
 #define SYMREAL_COMPOUND(op)                                                                                           \
   template <class T, class = std::enable_if_t<std::is_arithmetic_v<T>>>                                                \
-  constexpr T &operator op##=(T &x, RealNumber y) noexcept {                                                           \
+  constexpr T &operator op##=(T & x, RealNumber y) noexcept {                                                          \
     return x = static_cast<T>(RealNumber(x) op y);                                                                     \
   }
 SYMREAL_COMPOUND(+)
@@ -164,9 +168,7 @@ template <class T, class = std::enable_if_t<std::is_arithmetic_v<T>>> constexpr 
 
 // y where the condition holds, else z; both are computed.
 inline RealNumber select(SymbolicBool condition, RealNumber y, RealNumber z) noexcept {
-  return condition.is_symbolic() ? detail::record(Op::select, condition.condition(), y, z)
-         : condition             ? y
-                                 : z;
+  return condition.is_symbolic() ? detail::record(Op::select, condition.condition(), y, z) : condition ? y : z;
 }
 
 } // namespace symreal

@@ -16,8 +16,7 @@ extern __thread bool recording;
 // A reference to a non-const object of static storage duration. What it holds is baked in unless it is annotated.
 template <class T> T &state(T &object, char const *name, char const *place) noexcept {
   using Number = std::remove_cv_t<std::remove_all_extents_t<T>>;
-  if (detail::recording)
-    detail::note_state(&object, sizeof object, std::is_same_v<Number, RealNumber>, name, place);
+  if (detail::recording) detail::note_state(&object, sizeof object, std::is_same_v<Number, RealNumber>, name, place);
   return object;
 }
 
