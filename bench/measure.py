@@ -143,8 +143,11 @@ def worst_difference(values, reference):
     """Relative to the larger of 1 and the reference's magnitude."""
     if len(values) != len(reference):
         sys.exit("bench: two contenders have not the same number of outputs")
-    return max(0 if a == b or (a != a and b != b) else abs(a - b) / max(1, abs(b)) if a == a and b == b else float("inf")
-               for a, b in zip(values, reference))
+    def difference(a, b):
+        if a == b or (a != a and b != b):
+            return 0
+        return abs(a - b) / max(1, abs(b)) if a == a and b == b else float("inf")
+    return max(map(difference, values, reference))
 
 
 def quartiles(values):

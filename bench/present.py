@@ -20,7 +20,8 @@ def count(entry):
 
 
 def speedup_table(results):
-    lines = ["| Program | Operations before | after | in preprocess | Speed-up at -O2 | at -O3 -march=native | ... with fma |",
+    lines = ["| Program | Operations before | after | in preprocess "
+             "| Speed-up at -O2 | at -O3 -march=native | ... with fma |",
              "|---|---|---|---|---|---|---|"]
     for result in results:
         operations, ratios = result["operations"], result["ratios"]
