@@ -17,7 +17,7 @@ namespace symreal::rewrite {
 
 struct Request {
   std::vector<std::string> sources; // as the user named them; a name ending in .c is parsed as C
-  std::vector<std::string> roots;   // what may be rewritten; empty: the directories of the sources
+  std::vector<std::string> roots;   // what may be rewritten besides the directories of the sources
   std::vector<std::string> flags;   // the compiler flags of every source
 };
 

@@ -177,9 +177,8 @@ void record_source(Request const &request, std::vector<std::string> const &roots
 std::vector<std::string> real_roots(Request const &request) {
   std::vector<std::string> roots;
   for (std::string const &root : request.roots) roots.push_back(real_path(root));
-  if (roots.empty())
-    for (std::string const &source : request.sources)
-      roots.push_back(llvm::sys::path::parent_path(real_path(source)).str());
+  for (std::string const &source : request.sources)
+    roots.push_back(llvm::sys::path::parent_path(real_path(source)).str());
   return roots;
 }
 

@@ -7,7 +7,8 @@
 namespace symreal::tool {
 
 void SourceOptions::add_to(CLI::App &app, bool several_kernels) {
-  app.add_option("--root", roots, "A directory whose files may be rewritten (repeatable; default: the sources' own)")
+  app.add_option("--root", roots,
+                 "A further directory whose files may be rewritten, besides the sources' own (repeatable)")
       ->take_all()
       ->allow_extra_args(false)
       ->type_name("DIR");

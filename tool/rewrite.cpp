@@ -41,7 +41,7 @@ void add_rewrite(CLI::App &app, Session &session) {
   command->add_option("sources", options->request.sources, "C and C++ sources")->required();
   command
       ->add_option("--root", options->request.roots,
-                   "A directory whose files may be rewritten (repeatable; default: the sources' own)")
+                   "A further directory whose files may be rewritten, besides the sources' own (repeatable)")
       ->take_all()
       ->allow_extra_args(false)
       ->type_name("DIR");

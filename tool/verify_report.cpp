@@ -74,14 +74,14 @@ void print_verification(std::ostream &out, Graph const &graph, program::Verifica
                "differ\n",
                verification.not_finite, verification.zero_sign, verification.outside_different);
   bool own_flags = !verification.own_flags_ulp.empty();
-  fmt::print(out, "  {:<28}{:>10}{:>12}{:>12}{}\n", "output", "elements", "worst ULP", "different",
+  fmt::print(out, "  {:<28}{:>10}{:>22}{:>12}{}\n", "output", "elements", "worst ULP", "different",
              own_flags ? fmt::format("{:>22}", "ULP, own flags") : "");
   std::vector<std::string> names = identifiers(graph.outputs);
   for (std::size_t i = 0; i < graph.outputs.size(); ++i) {
     Object const &object = graph.outputs[i];
     if (object.count == 0) continue;
     std::uint32_t element = worst_element(object, verification);
-    fmt::print(out, "  {:<28}{:>10}{:>12}{:>12}{}\n", element_name(names[i], object, element), object.count,
+    fmt::print(out, "  {:<28}{:>10}{:>22}{:>12}{}\n", element_name(names[i], object, element), object.count,
                ulp_text(verification.outputs[object.first + element].worst_ulp),
                different_elements(object, verification),
                own_flags ? fmt::format("{:>22}", own_flags_ulp(object, verification)) : "");

@@ -1,19 +1,27 @@
 #include "emit/c_parts.h"
 #include "support/version.h"
 
+#include <algorithm>
 #include <fmt/format.h>
 
 namespace symreal {
 
-static std::string_view promise(FloatingPoint mode) {
+// Compilers turn pow(x, 2.0) into x*x and pow(2.0, x) into exp2(x), which differ in the last bit, unless told not to.
+static bool calls_pow(Graph const &graph) {
+  return std::any_of(graph.nodes.begin(), graph.nodes.end(), [](Node const &node) { return node.op == Op::pow; });
+}
+
+static std::string promise(FloatingPoint mode, bool with_pow) {
+  std::string const flags = with_pow ? "-ffp-contract=off -fno-builtin-pow" : "-ffp-contract=off";
   switch (mode) {
   case FloatingPoint::strict:
     return "   Mode strict: bit-identical to the original for all inputs, any NaN equal to any NaN, when compiled "
-           "with\n"
-           "   -ffp-contract=off and without -ffast-math.";
+           "with\n   " +
+           flags + " and without -ffast-math.";
   case FloatingPoint::finite:
     return "   Mode finite: equal (==) to the original wherever all its values are finite and no zero reaches an\n"
-           "   operation that sees its sign, when compiled with -ffp-contract=off and without -ffast-math.";
+           "   operation that sees its sign, when compiled with " +
+           flags + " and without -ffast-math.";
   case FloatingPoint::fast:
     return "   Mode fast: the real-number algebra of the original; rounding differs. Any compiler flags.";
   }
@@ -43,7 +51,7 @@ std::string c_banner(Program const &program, EmitOptions const &options) {
                      "applies to it.\n{} */\n",
                      json_string(graph.kernel), to_string(options.mode), json_string(options.prefix),
                      graph.input_count(), graph.parameter_count(), program.constant_count, graph.output_count(),
-                     version, promise(options.mode));
+                     version, promise(options.mode, calls_pow(graph)));
 }
 
 } // namespace symreal
