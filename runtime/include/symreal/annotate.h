@@ -174,7 +174,8 @@ public:
     return OnReturn<Outputs>(active_, std::move(outputs));
   }
 
-  // The returned value as an output; the caller gets an ordinary number. Stands after the other outputs in order.
+  // The returned value as an output; the caller gets an ordinary number. Stands before the other outputs: it is met
+  // first.
   template <class T> std::decay_t<T> returned(char const *label, SourcePlace place, T &&result) {
     std::decay_t<T> copy = std::forward<T>(result);
     if (active_) {
