@@ -122,7 +122,6 @@ bool has_error(Result const &result) {
 Result decide(Facts facts) {
   Result result;
   result.include_dirs = std::move(facts.include_dirs);
-  result.uses_eigen = facts.uses_eigen;
   result.diagnostics = std::move(facts.diagnostics);
   if (facts.broken) return result;
   std::set<Span> pragmas;

@@ -113,7 +113,6 @@ struct Facts {
   std::vector<std::string> include_dirs;
   std::vector<Diagnostic> diagnostics;
   bool broken = false; // a source does not compile
-  bool uses_eigen = false;
 };
 
 } // namespace symreal::rewrite

@@ -1,5 +1,7 @@
 #include "rewrite/reals.h"
 
+#include "ops/operation.h"
+
 namespace symreal::rewrite {
 using namespace clang;
 
@@ -75,40 +77,18 @@ bool Reals::is_passive_class(QualType type) {
 }
 
 bool Reals::is_math(FunctionDecl const *function) const {
-  static llvm::StringSet<> const names = {"acos",          "acosh",
-                                          "asin",          "asinh",
-                                          "atan",          "atan2",
-                                          "atanh",         "cbrt",
-                                          "ceil",          "copysign",
-                                          "cos",           "cosh",
-                                          "erf",           "erfc",
-                                          "exp",           "exp2",
-                                          "expm1",         "fabs",
-                                          "abs",           "fdim",
-                                          "floor",         "fma",
-                                          "fmax",          "fmin",
-                                          "fmod",          "frexp",
-                                          "hypot",         "ldexp",
-                                          "lgamma",        "llrint",
-                                          "log",           "log10",
-                                          "log1p",         "log2",
-                                          "logb",          "lrint",
-                                          "llround",       "lround",
-                                          "modf",          "nearbyint",
-                                          "pow",           "remainder",
-                                          "rint",          "round",
-                                          "scalbn",        "sin",
-                                          "sincos",        "sinh",
-                                          "sqrt",          "tan",
-                                          "tanh",          "tgamma",
-                                          "trunc",         "isfinite",
-                                          "isinf",         "isnan",
-                                          "isnormal",      "signbit",
-                                          "fpclassify",    "ilogb",
-                                          "isgreater",     "isgreaterequal",
-                                          "isless",        "islessequal",
-                                          "islessgreater", "isunordered",
-                                          "nextafter",     "remquo"};
+  // The calls of the operation table, under both their names, and what the runtime builds from them.
+  static llvm::StringSet<> const names = [] {
+    llvm::StringSet<> known = {"fpclassify",  "frexp",  "ilogb",       "isfinite",      "isgreater", "isgreaterequal",
+                               "isinf",       "isless", "islessequal", "islessgreater", "isnan",     "isnormal",
+                               "isunordered", "ldexp",  "llrint",      "llround",       "logb",      "lrint",
+                               "lround",      "modf",   "nearbyint",   "nextafter",     "remquo",    "scalbn",
+                               "signbit",     "sincos"};
+    for (OperationInfo const &operation : operations())
+      if (operation.form == Form::call)
+        for (std::string_view name : {operation.name, operation.c}) known.insert(llvm::StringRef(name));
+    return known;
+  }();
   if (!function || !function->getDeclName().isIdentifier() || in_roots(function)) return false;
   DeclContext const *context = function->getDeclContext()->getRedeclContext();
   if (!context->isTranslationUnit() && !function->isInStdNamespace()) return false;

@@ -80,7 +80,6 @@ struct Result {
   std::vector<std::string> include_dirs; // header search directories of the sources, in order, once each
   std::vector<Boundary> boundaries;      // each also has its diagnostic
   std::vector<Diagnostic> diagnostics;
-  bool uses_eigen = false; // a source includes Eigen: force-include <symreal/eigen.h> too
 };
 
 // Throws DiagnosticError only for a source that cannot be read; all else is found in Result::diagnostics.

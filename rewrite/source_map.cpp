@@ -76,7 +76,6 @@ std::string SourceMap::text(Span const &span, clang::SourceLocation inside) cons
 void SourceMap::record_files(Facts &facts) const {
   for (auto at = sources_.fileinfo_begin(); at != sources_.fileinfo_end(); ++at) {
     std::string const name = at->first.getName().str();
-    if (name.find("/Eigen/") != std::string::npos) facts.uses_eigen = true;
     std::string const real = real_path(name);
     if (!below_roots(real, roots_) || facts.files.count(real) != 0) continue;
     if (std::optional<llvm::StringRef> const text = at->second->getBufferDataIfLoaded())

@@ -15,6 +15,11 @@ Graph without_nodes(Graph const &graph) {
   return rest;
 }
 
+void move_roots(Graph const &graph, std::vector<NodeId> const &now, Graph &result) {
+  for (NodeId root : graph.results) result.results.push_back(now[root]);
+  for (NodeId root : graph.precomputed) result.precomputed.push_back(now[root]);
+}
+
 std::vector<char> live_nodes(Graph const &graph) {
   std::vector<char> live(graph.nodes.size(), 0);
   for (NodeId result : graph.results) live[result] = 1;

@@ -58,6 +58,9 @@ private:
 // Everything but nodes, results and precomputed: what a pass carries over unchanged.
 Graph without_nodes(Graph const &graph);
 
+// Takes results and precomputed of `graph` over, where node `id` has become `now[id]`.
+void move_roots(Graph const &graph, std::vector<NodeId> const &now, Graph &result);
+
 // Which nodes some root needs. Iterative, linear.
 std::vector<char> live_nodes(Graph const &graph);
 

@@ -14,8 +14,7 @@ Graph compact(Graph const &graph, std::vector<char> const &keep) {
     now[id] = static_cast<NodeId>(result.nodes.size());
     result.nodes.push_back(node);
   }
-  for (NodeId root : graph.results) result.results.push_back(now[root]);
-  for (NodeId root : graph.precomputed) result.precomputed.push_back(now[root]);
+  move_roots(graph, now, result);
   return result;
 }
 

@@ -53,8 +53,7 @@ Graph pass_negations(Graph const &graph, FloatingPoint mode) {
     now[id] = table.intern(direct.value_or(node));
   }
   Graph result = without_nodes(graph);
-  for (NodeId root : graph.results) result.results.push_back(now[root]);
-  for (NodeId root : graph.precomputed) result.precomputed.push_back(now[root]);
+  move_roots(graph, now, result);
   result.nodes = table.release();
   return compact(result, live_nodes(result));
 }

@@ -26,8 +26,7 @@ public:
       now[id] = make(node.op, operand);
     }
     Graph result = without_nodes(graph);
-    for (NodeId root : graph.results) result.results.push_back(now[root]);
-    for (NodeId root : graph.precomputed) result.precomputed.push_back(now[root]);
+    move_roots(graph, now, result);
     result.nodes = table_.release();
     return result;
   }

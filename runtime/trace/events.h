@@ -19,8 +19,8 @@
 
 namespace symreal::trace {
 
-// Return addresses of the callers, innermost first, relative to the load base; frames of the runtime itself are
-// skipped.
+// Return addresses of the callers, innermost first, relative to the load base. The driver leaves the recorder's own
+// out.
 std::vector<std::uintptr_t> call_stack();
 
 void event(std::initializer_list<std::string> fields);
