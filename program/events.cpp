@@ -46,9 +46,9 @@ void add(Events &events, std::vector<std::string> const &field) {
     Place place{field[2], number<unsigned>(field[3]), number<unsigned>(field[4])};
     events.diagnostics.push_back({row(field[1]).id, Severity::error, place, field[5]});
   }
-  if (kind == "decision" && has(4)) {
-    events.decisions.push_back({number<std::size_t>(field[1]), field[2], addresses(field[3])});
-  }
+  if ((kind == "decision" || kind == "settled") && has(4))
+    (kind == "decision" ? events.decisions : events.settled)
+        .push_back({number<std::size_t>(field[1]), field[2], addresses(field[3])});
   if (kind == "located" && has(4)) events.located.push_back({row(field[1]).id, field[2], addresses(field[3])});
 }
 

@@ -5,6 +5,7 @@
 //   diagnostic  SYM0nn  file  line  column  message
 //   located     SYM0nn  message  address,address,...
 //   decision    count  condition  address,address,...   hexadecimal, relative to the load base, innermost first
+//   settled     count  condition  address,address,...
 //
 // Other kinds of event are for other readers.
 #pragma once
@@ -39,7 +40,7 @@ struct Events {
   std::vector<std::string> started; // kernels that were begun
   std::vector<RecordedKernel> kernels;
   std::vector<Diagnostic> diagnostics;
-  std::vector<Decision> decisions;
+  std::vector<Decision> decisions, settled;
   std::vector<Located> located;
 };
 

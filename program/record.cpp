@@ -44,6 +44,26 @@ Diagnostic explain(Decision const &decision, Symbolizer &symbolizer) {
   return locate({DiagnosticId::symbolic_decision, message, decision.addresses}, symbolizer);
 }
 
+Diagnostic remark(Decision const &settled, Symbolizer &symbolizer) {
+  std::string message =
+      fmt::format("{} is taken for constant: in mode finite every value is finite", settled.condition);
+  Diagnostic diagnostic = locate({DiagnosticId::settled_condition, message, settled.addresses}, symbolizer);
+  diagnostic.severity = Severity::remark;
+  diagnostic.notes.clear();
+  return diagnostic;
+}
+
+// The innermost place in a rewritten file comes first: it is where the user can act.
+void resolve(Graph &graph, Symbolizer &symbolizer) {
+  for (Location &location : graph.locations) {
+    std::vector<Frame> frames = symbolizer.frames(location.addresses);
+    auto own = std::find_if(frames.begin(), frames.end(), [](Frame const &frame) { return frame.rewritten; });
+    if (own != frames.end()) location.places.push_back(own->place);
+    for (auto frame = frames.begin(); frame != own; ++frame) location.places.push_back(frame->place);
+    location.addresses.clear();
+  }
+}
+
 // Why a kernel that was asked for is missing, from how the program ended.
 Diagnostic explain_missing(rewrite::Kernel const &kernel, bool begun, Outcome const &outcome) {
   Diagnostic diagnostic{DiagnosticId::kernel_not_reached, Severity::error, kernel.place, ""};
@@ -93,7 +113,9 @@ Recording record(std::string const &executable, RunOptions const &options, std::
                  Overlay const &overlay, Workspace const &workspace, LineSink const &sink) {
   std::string directory = workspace.directory("recording");
   Command program = command(executable, options);
-  program.environment = {"SYMREAL_RECORD=" + directory};
+  program.environment = {"SYMREAL_RECORD=" + directory, "SYMREAL_DECISIONS=" + options.decisions,
+                         "SYMREAL_FP=" + options.floating_point,
+                         options.places ? "SYMREAL_PLACES=1" : "SYMREAL_PLACES=0"};
   if (!options.run_on) program.environment.push_back("SYMREAL_KERNELS=" + std::to_string(wanted.size()));
   Outcome outcome = run(program, sink);
 
@@ -101,18 +123,19 @@ Recording record(std::string const &executable, RunOptions const &options, std::
   recording.seconds = outcome.seconds;
   Events events = read_events(directory + "/events");
   recording.diagnostics = events.diagnostics;
-  if (!events.decisions.empty() || !events.located.empty()) {
-    Symbolizer symbolizer(executable, overlay);
-    for (Located const &located : events.located) recording.diagnostics.push_back(locate(located, symbolizer));
-    for (Decision const &decision : events.decisions) recording.diagnostics.push_back(explain(decision, symbolizer));
-  }
+  Symbolizer symbolizer(executable, overlay);
+  for (Located const &located : events.located) recording.diagnostics.push_back(locate(located, symbolizer));
+  for (Decision const &decision : events.decisions) recording.diagnostics.push_back(explain(decision, symbolizer));
+  for (Decision const &settled : events.settled) recording.diagnostics.push_back(remark(settled, symbolizer));
   bool explained = has_error(recording.diagnostics);
   for (rewrite::Kernel const &kernel : wanted) {
     auto found = std::find_if(events.kernels.begin(), events.kernels.end(),
                               [&](RecordedKernel const &recorded) { return is_recording_of(recorded, kernel); });
     if (found != events.kernels.end()) {
       std::string file = directory + "/" + found->graph_file;
-      recording.kernels.push_back({read_graph(read_file(file), file), kernel, found->output_file, found->begun_as});
+      Graph graph = read_graph(read_file(file), file);
+      resolve(graph, symbolizer);
+      recording.kernels.push_back({std::move(graph), kernel, found->output_file, found->begun_as});
     } else if (!explained) {
       bool begun = is_begun(kernel, events.started);
       recording.diagnostics.push_back(explain_missing(kernel, begun, outcome));

@@ -16,10 +16,12 @@ namespace symreal::program {
 // How the program is run, for recording and for verification alike.
 struct RunOptions {
   std::vector<std::string> arguments;
-  std::string directory;      // empty: the current one
-  std::string standard_input; // empty: none
-  double time_limit = 60;     // seconds
-  bool run_on = false;        // let the program go on to its own end
+  std::string directory;                                      // empty: the current one
+  std::string standard_input;                                 // empty: none
+  double time_limit = 60;                                     // seconds
+  bool run_on = false;                                        // let the program go on to its own end
+  std::string decisions = "error", floating_point = "finite"; // for the recording, as the options spell them
+  bool places = false;                                        // keep the source places of nodes
 };
 
 struct Recorded {

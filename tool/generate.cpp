@@ -99,7 +99,10 @@ int run(Options const &options, Session const &session) {
   require_sense(options);
   require_outputs(options);
   Console console;
-  auto front = program::run_front(options.source.request(session.flags), console.talk());
+  program::FrontRequest request = options.source.request(session.flags);
+  request.run.decisions = options.decisions;
+  request.run.floating_point = options.passes.mode;
+  auto front = program::run_front(request, console.talk());
   if (front && options.source.front.keep) console.note("the build directory is " + front->workspace->path());
   if (!front || !report_frozen(front->kernels, options.frozen, console)) return error;
 

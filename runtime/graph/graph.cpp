@@ -12,18 +12,26 @@ Graph without_nodes(Graph const &graph) {
   rest.parameter_values = graph.parameter_values;
   rest.frozen = graph.frozen;
   rest.executed = graph.executed;
+  rest.locations = graph.locations;
   return rest;
 }
 
-void move_roots(Graph const &graph, std::vector<NodeId> const &now, Graph &result) {
+void carry_over(Graph const &graph, std::vector<NodeId> const &now, Graph &result) {
   for (NodeId root : graph.results) result.results.push_back(now[root]);
   for (NodeId root : graph.precomputed) result.precomputed.push_back(now[root]);
+  for (Guard const &guard : graph.guards) result.guards.push_back({now[guard.condition], guard.location, guard.text});
+  if (graph.node_location.empty()) return;
+  std::vector<LocationId> &locations = result.node_location;
+  locations.assign(result.nodes.size(), no_location);
+  for (std::size_t id = 0; id < now.size(); ++id)
+    if (now[id] != no_node && locations[now[id]] == no_location) locations[now[id]] = graph.node_location[id];
+  for (std::size_t id = locations.size(); id-- > 1;)
+    if (locations[id - 1] == no_location && !is_leaf(result.nodes[id - 1].op)) locations[id - 1] = locations[id];
 }
 
 std::vector<char> live_nodes(Graph const &graph) {
   std::vector<char> live(graph.nodes.size(), 0);
-  for (NodeId result : graph.results) live[result] = 1;
-  for (NodeId stored : graph.precomputed) live[stored] = 1;
+  for_each_root(graph, [&](NodeId root) { live[root] = 1; });
   // Operands are older than users, so one sweep from the newest node down meets every user before its operands.
   for (std::size_t id = graph.nodes.size(); id-- > 0;) {
     Node const &node = graph.nodes[id];

@@ -33,14 +33,33 @@ struct Frozen {
   std::vector<double> values;
 };
 
+// Where in the program a node or a decision comes from. While a program runs only return addresses are known, innermost
+// first; the driver turns them into places: the user's own, then those further in (Eigen, std) and the inline frames.
+struct Location {
+  std::vector<Place> places;
+  std::vector<std::uint64_t> addresses; // relative to the executable's load base; empty once resolved
+};
+using LocationId = std::uint32_t;
+inline constexpr LocationId no_location = ~LocationId{0};
+
+// What the recorded path rests on: the program decided as it did because `condition` is not 0.
+struct Guard {
+  NodeId condition;
+  LocationId location = no_location;
+  std::string text; // the condition in words
+};
+
 struct Graph {
   std::string kernel;
   std::vector<Object> inputs, parameters, outputs;
 
-  std::vector<Node> nodes;          // topological order
-  std::vector<NodeId> results;      // per output slot
-  std::vector<NodeId> precomputed;  // what `preprocess` stores: slot k of `constants` holds the value of precomputed[k]
-  std::vector<double> input_values; // per input slot: the value it had while recording
+  std::vector<Node> nodes;         // topological order
+  std::vector<NodeId> results;     // per output slot
+  std::vector<NodeId> precomputed; // what `preprocess` stores: slot k of `constants` holds the value of precomputed[k]
+  std::vector<Guard> guards;       // in the order of recording: compute returns k + 1 for the first, k, that fails
+  std::vector<Location> locations;
+  std::vector<LocationId> node_location; // per node, or empty: places were not asked for
+  std::vector<double> input_values;      // per input slot: the value it had while recording
   std::vector<double> parameter_values;
   std::vector<Frozen> frozen;
   OperationCounts executed; // by the program while it was recorded, repetitions and work on constants included
@@ -55,11 +74,19 @@ private:
   }
 };
 
-// Everything but nodes, results and precomputed: what a pass carries over unchanged.
+// Everything but nodes and what names them: what a pass carries over unchanged.
 Graph without_nodes(Graph const &graph);
 
-// Takes results and precomputed of `graph` over, where node `id` has become `now[id]`.
-void move_roots(Graph const &graph, std::vector<NodeId> const &now, Graph &result);
+// Takes over what names the nodes of `graph`, where node `id` has become `now[id]` of `result`, or no_node: results,
+// precomputed, guards, and locations. A node that a pass made on the way to another has that one's location.
+void carry_over(Graph const &graph, std::vector<NodeId> const &now, Graph &result);
+
+// Calls `visit` with every node that a function of the program must compute: results, precomputed, guards.
+template <class Visit> void for_each_root(Graph const &graph, Visit const &visit) {
+  for (NodeId root : graph.results) visit(root);
+  for (NodeId root : graph.precomputed) visit(root);
+  for (Guard const &guard : graph.guards) visit(guard.condition);
+}
 
 // Which nodes some root needs. Iterative, linear.
 std::vector<char> live_nodes(Graph const &graph);

@@ -86,6 +86,10 @@ public:
     Line end("", {file_name, number, 0});
     if (!headed_) end.error("the file is no graph: its first line must be 'symreal-graph 1'");
     graph_.nodes = table_.release();
+    if (located_) {
+      locations_.resize(graph_.nodes.size(), no_location);
+      graph_.node_location = std::move(locations_);
+    }
     if (std::string violation = find_violation(graph_); !violation.empty()) end.error(violation);
     return std::move(graph_);
   }
@@ -112,6 +116,10 @@ private:
       read_root(line, graph_.results);
     else if (head == "precomputed")
       read_root(line, graph_.precomputed);
+    else if (head == "guard")
+      read_guard(line);
+    else if (head == "location")
+      read_location(line);
     else if (head[0] == '%')
       read_node(line, head);
     else
@@ -179,6 +187,35 @@ private:
     std::array<NodeId, 3> operand = {no_node, no_node, no_node};
     for (unsigned i = 0; i < arity(op); ++i) operand[i] = read_operand(line);
     named_.push_back(table_.append(table_.operation(op, operand[0], operand[1], operand[2])));
+    if (LocationId location = read_location_use(line); location != no_location) {
+      located_ = true;
+      locations_.resize(table_.size(), no_location);
+      locations_.back() = location;
+    }
+  }
+
+  static LocationId read_location_use(Line &line) {
+    if (line.done() || line.peek()[0] != '@') return no_location;
+    std::string text = line.word("a location");
+    auto id = parse_number(std::string_view(text).substr(1));
+    if (!id || *id < 0 || *id != std::floor(*id)) line.error("'" + text + "' is no location");
+    return static_cast<LocationId>(*id);
+  }
+
+  void read_guard(Line &line) {
+    if (line.count("guard") != graph_.guards.size()) line.error("guards must follow each other from 0 on");
+    NodeId condition = read_operand(line);
+    LocationId location = read_location_use(line);
+    graph_.guards.push_back({condition, location, line.string("the condition in words")});
+  }
+
+  void read_location(Line &line) {
+    if (line.count("location") != graph_.locations.size()) line.error("locations must follow each other from 0 on");
+    Location location;
+    while (!line.done() && line.peek() == "at") location.places.push_back(read_place(line));
+    if (line.accept("stack"))
+      while (!line.done()) location.addresses.push_back(static_cast<std::uint64_t>(line.number("an address")));
+    graph_.locations.push_back(std::move(location));
   }
 
   void read_root(Line &line, std::vector<NodeId> &roots) {
@@ -199,6 +236,8 @@ private:
   Graph graph_;
   NodeTable table_;
   std::vector<NodeId> named_; // the node behind %k
+  std::vector<LocationId> locations_;
+  bool located_ = false;
   bool headed_ = false;
 };
 

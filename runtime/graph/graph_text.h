@@ -7,12 +7,16 @@
 //   output "tau" [2]
 //   frozen "g" at "arm.cpp" 3 1 = 9.81                                   state that is baked in
 //   executed mul 36                                                      what the program did, for reports
+//   location 0 at "arm.cpp" 12 9 at "LLT.h" 300 7                        the user's place, then those further in
+//   location 1 stack 4711 815                                            not resolved yet: return addresses
 //   %0 = input 0                                                         slots are numbered through all objects
 //   %1 = parameter 0
 //   %2 = sin %0
 //   %3 = mul %2 10                                                       constants stand where they are used
+//   %4 = lt %2 %3 @0                                                     recorded at location 0
 //   result 0 %3                                                          output slot 0
 //   result 1 0
+//   guard 0 %4 @0 "sin(q[0]) < 10"                                       must not be 0, or the path was another
 //   precomputed 0 %1                                                     slot of `constants`, after pass preprocess
 //
 // A line may end in a comment, from ';' on. Numbers read back to the same bits.

@@ -33,6 +33,14 @@ static void write_objects(std::ostream &out, char const *role, std::vector<Objec
   }
 }
 
+static void write_location(std::ostream &out, std::size_t id, Location const &location) {
+  out << "location " << id;
+  for (Place const &place : location.places) write_place(out, place);
+  if (!location.addresses.empty()) out << " stack";
+  for (std::uint64_t address : location.addresses) out << ' ' << address;
+  out << '\n';
+}
+
 void write_graph(std::ostream &out, Graph const &graph) {
   out << "symreal-graph 1\nkernel " << quoted(graph.kernel) << '\n';
   write_objects(out, "input", graph.inputs, &graph.input_values);
@@ -45,6 +53,7 @@ void write_graph(std::ostream &out, Graph const &graph) {
     for (double value : frozen.values) out << ' ' << shortest(value);
     out << '\n';
   }
+  for (std::size_t id = 0; id < graph.locations.size(); ++id) write_location(out, id, graph.locations[id]);
   for (OperationInfo const &operation : operations())
     if (std::size_t count = graph.executed[operation.op]) out << "executed " << operation.name << ' ' << count << '\n';
 
@@ -67,10 +76,17 @@ void write_graph(std::ostream &out, Graph const &graph) {
     out << info(node.op).name;
     for (NodeId operand : node.operand)
       if (operand != no_node) out << ' ' << spell(operand);
+    if (!graph.node_location.empty() && graph.node_location[id] != no_location) out << " @" << graph.node_location[id];
     out << '\n';
   }
   for (std::size_t slot = 0; slot < graph.results.size(); ++slot)
     out << "result " << slot << ' ' << spell(graph.results[slot]) << '\n';
+  for (std::size_t k = 0; k < graph.guards.size(); ++k) {
+    Guard const &guard = graph.guards[k];
+    out << "guard " << k << ' ' << spell(guard.condition);
+    if (guard.location != no_location) out << " @" << guard.location;
+    out << ' ' << quoted(guard.text) << '\n';
+  }
   for (std::size_t slot = 0; slot < graph.precomputed.size(); ++slot)
     out << "precomputed " << slot << ' ' << spell(graph.precomputed[slot]) << '\n';
 }

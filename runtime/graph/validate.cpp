@@ -42,6 +42,16 @@ std::string find_violation(Graph const &graph) {
   for (auto const *roots : {&graph.results, &graph.precomputed})
     for (NodeId root : *roots)
       if (root >= graph.nodes.size()) return "a result names a node that does not exist";
+  for (Guard const &guard : graph.guards) {
+    if (guard.condition >= graph.nodes.size()) return "a guard names a node that does not exist";
+    if (guard.location != no_location && guard.location >= graph.locations.size())
+      return "a guard names a location that does not exist";
+  }
+  if (!graph.node_location.empty() && graph.node_location.size() != graph.nodes.size())
+    return "the number of nodes' locations differs";
+  for (LocationId location : graph.node_location)
+    if (location != no_location && location >= graph.locations.size())
+      return "a node names a location that does not exist";
   for (NodeId stored : graph.precomputed)
     if (graph.nodes[stored].attribute != Attribute::parametric) return "a precomputed node is not parametric";
   for (std::size_t id = 0; id < graph.nodes.size(); ++id)

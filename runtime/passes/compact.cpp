@@ -14,7 +14,7 @@ Graph compact(Graph const &graph, std::vector<char> const &keep) {
     now[id] = static_cast<NodeId>(result.nodes.size());
     result.nodes.push_back(node);
   }
-  move_roots(graph, now, result);
+  carry_over(graph, now, result);
   return result;
 }
 

@@ -16,8 +16,7 @@ Graph pass_negations(Graph const &graph, FloatingPoint mode) {
     for (NodeId operand : node.operand)
       if (operand != no_node) ++uses[operand];
   }
-  for (NodeId root : graph.results) ++uses[root];
-  for (NodeId root : graph.precomputed) ++uses[root];
+  for_each_root(graph, [&](NodeId root) { ++uses[root]; });
 
   // The negative of `node` as one operation, or nothing. b - a for -(a - b) differs in the sign of zero.
   NodeTable table;
@@ -53,8 +52,8 @@ Graph pass_negations(Graph const &graph, FloatingPoint mode) {
     now[id] = table.intern(direct.value_or(node));
   }
   Graph result = without_nodes(graph);
-  move_roots(graph, now, result);
   result.nodes = table.release();
+  carry_over(graph, now, result);
   return compact(result, live_nodes(result));
 }
 

@@ -16,6 +16,8 @@ Graph pass_preprocess(Graph const &graph, FloatingPoint) {
   }
   for (NodeId root : graph.results)
     if (is_parametric(root)) stored[root] = 1;
+  for (Guard const &guard : graph.guards)
+    if (is_parametric(guard.condition)) stored[guard.condition] = 1;
   Graph result = graph;
   result.precomputed.clear();
   for (std::size_t id = 0; id < stored.size(); ++id)

@@ -26,8 +26,8 @@ public:
       now[id] = make(node.op, operand);
     }
     Graph result = without_nodes(graph);
-    move_roots(graph, now, result);
     result.nodes = table_.release();
+    carry_over(graph, now, result);
     return result;
   }
 

@@ -1,8 +1,16 @@
-// Where a program leaves the real numbers: branches and conversions. The program goes on with its carried value; the
-// place is reported, and the driver makes an error of it, so that nothing is baked in silently.
+// Where a program leaves the real numbers: branches and conversions. The program goes on with its carried value. By
+// policy the outcome becomes a guard of the kernel, or the place is reported and the driver makes an error of it, so
+// that nothing is baked in silently.
 #include "trace/describe.h"
 #include "trace/events.h"
+#include "trace/guards.h"
+#include "trace/policy.h"
 #include "trace/pool.h"
+
+#include <symreal/real_math.h>
+
+#include <cmath>
+#include <limits>
 
 namespace symreal::detail {
 
@@ -14,18 +22,54 @@ static void require_value(double value, std::string const &what) {
   trace::give_up();
 }
 
-bool decide(Op op, RealNumber x, RealNumber y, bool outcome) noexcept {
-  std::string condition = trace::describe(op, x, y);
-  Pool &pool = Pool::current();
-  require_value(pool.carried_value(x), "the decision on " + condition);
-  require_value(pool.carried_value(y), "the decision on " + condition);
-  trace::report_decision(condition);
-  return outcome;
-}
-
 double needed_value(RealNumber x) noexcept {
   double value = Pool::current().carried_value(x);
   if (trace::is_missing(value)) require_value(value, "the value of " + trace::describe(x));
+  return value;
+}
+
+// Premise P1 of mode finite: every value is finite. A program whose own values are not is outside of it and decides.
+static bool is_settled(RealNumber x) {
+  if (trace::floating_point() == FloatingPoint::strict) return false;
+  double value = Pool::current().carried_value(x);
+  return trace::is_missing(value) || std::isfinite(value);
+}
+
+RealNumber compare(Op op, RealNumber x, RealNumber y) noexcept {
+  if (x.to_bits() == y.to_bits() && is_settled(x)) {
+    trace::report_settled(trace::describe(op, x, y));
+    return RealNumber(evaluate(op, 0, 0, 0));
+  }
+  return Pool::current().record(op, x, y, 0.0, __builtin_return_address(0));
+}
+
+RealNumber compare_finite(RealNumber x) noexcept {
+  if (is_settled(x)) {
+    trace::report_settled("isfinite(" + trace::describe(x) + ")");
+    return 1.0;
+  }
+  void const *caller = __builtin_return_address(0);
+  Pool &pool = Pool::current();
+  RealNumber magnitude = pool.record(Op::abs, x, 0.0, 0.0, caller);
+  return pool.record(Op::le, magnitude, std::numeric_limits<double>::max(), 0.0, caller);
+}
+
+bool decide(RealNumber condition) noexcept {
+  double value = Pool::current().carried_value(condition);
+  if (trace::is_missing(value)) require_value(value, "the decision on " + trace::describe(condition));
+  if (decisions() == Decisions::guard)
+    trace::Guards::current().add(SymbolicBool::from_condition(condition), value != 0);
+  else
+    trace::report_decision(trace::describe(condition));
+  return value != 0;
+}
+
+double convert_to_integer(RealNumber x) noexcept {
+  double value = needed_value(x);
+  if (decisions() == Decisions::guard)
+    trace::Guards::current().add(trunc(x) == RealNumber(std::trunc(value)), true);
+  else
+    trace::report_decision("the conversion of " + trace::describe(x));
   return value;
 }
 

@@ -15,15 +15,33 @@ namespace symreal::trace {
 
 namespace {
 
-struct Decision {
-  std::size_t count = 0;
-  std::string condition;
+// What is met at a place, counted, in the order of the first meetings.
+class Meetings {
+public:
+  // Whether this is the first.
+  bool add(std::string const &condition, std::vector<std::uintptr_t> const &stack) {
+    auto [found, is_new] = at_.try_emplace(stack);
+    if (found->second.count++ != 0) return false;
+    found->second.condition = condition;
+    order_.push_back(found->first);
+    return true;
+  }
+  template <class Print> void for_each(Print const &print) const {
+    for (auto const &stack : order_) print(at_.at(stack).count, at_.at(stack).condition, stack);
+  }
+
+private:
+  struct Meeting {
+    std::size_t count = 0;
+    std::string condition;
+  };
+  std::map<std::vector<std::uintptr_t>, Meeting> at_;
+  std::vector<std::vector<std::uintptr_t>> order_;
 };
 
 struct Log {
   std::vector<std::string> lines;
-  std::map<std::vector<std::uintptr_t>, Decision> decisions;
-  std::vector<std::vector<std::uintptr_t>> decision_order;
+  Meetings decisions, settled;
   bool wrong = false;
 };
 
@@ -94,16 +112,12 @@ void report_here(DiagnosticId id, std::string const &message) {
 }
 
 void report_decision(std::string const &condition) {
-  std::vector<std::uintptr_t> stack = call_stack();
-  auto [found, is_new] = log().decisions.try_emplace(stack);
-  if (found->second.count++ == 0) {
-    found->second.condition = condition;
-    log().decision_order.push_back(stack);
-    if (record_directory().empty())
-      std::cerr << "symreal: a decision on " << condition << "; symreal generate tells where\n";
-  }
+  if (log().decisions.add(condition, call_stack()) && record_directory().empty())
+    std::cerr << "symreal: a decision on " << condition << "; symreal generate tells where\n";
   log().wrong = true;
 }
+
+void report_settled(std::string const &condition) { log().settled.add(condition, call_stack()); }
 
 bool anything_wrong() { return log().wrong; }
 
@@ -111,10 +125,13 @@ void flush_events() {
   if (record_directory().empty()) return;
   std::string text;
   for (std::string const &line : log().lines) text += line + '\n';
-  for (auto const &stack : log().decision_order) {
-    Decision const &decision = log().decisions[stack];
-    text += joined({"decision", std::to_string(decision.count), decision.condition, hexadecimal(stack)}) + '\n';
-  }
+  auto append = [&text](char const *kind, Meetings const &meetings) {
+    meetings.for_each([&](std::size_t count, std::string const &condition, auto const &stack) {
+      text += joined({kind, std::to_string(count), condition, hexadecimal(stack)}) + '\n';
+    });
+  };
+  append("decision", log().decisions);
+  append("settled", log().settled);
   try {
     write_if_changed(record_directory() + "/events", text);
   } catch (DiagnosticError const &error) {

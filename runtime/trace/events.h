@@ -7,6 +7,7 @@
 //   diagnostic  SYM0nn  file  line  column  message
 //   located     SYM0nn  message  address,address,...    the place is where the program stood: innermost first,
 //   decision    count  condition  address,address,...   hexadecimal, relative to where the executable is loaded
+//   settled     count  condition  address,address,...   a condition that a premise of the floating-point mode settles
 //   frozen      kernel  name  place  value
 #pragma once
 
@@ -28,6 +29,8 @@ void report(Diagnostic const &diagnostic);
 void report_here(DiagnosticId id, std::string const &message);
 // A decision on a symbolic value at the caller's place; repetitions are counted.
 void report_decision(std::string const &condition);
+// A condition at the caller's place that needs no decision: the driver remarks on it.
+void report_settled(std::string const &condition);
 bool anything_wrong();
 
 void flush_events();

@@ -5,6 +5,10 @@
 #include <atomic>
 #include <bit>
 #include <cmath>
+#include <cstdlib>
+#include <limits>
+
+extern "C" char const __ehdr_start; // the linker's name for where this executable is loaded
 
 namespace symreal {
 
@@ -16,6 +20,12 @@ double missing_value() noexcept { return std::bit_cast<double>(missing_bits); }
 
 namespace trace {
 
+// Code of the executable; anything else is too far away.
+static std::uint32_t relative_address(void const *address) {
+  auto offset = reinterpret_cast<std::uintptr_t>(address) - reinterpret_cast<std::uintptr_t>(&__ehdr_start);
+  return offset <= std::numeric_limits<std::uint32_t>::max() ? static_cast<std::uint32_t>(offset) : 0;
+}
+
 bool is_missing(double value) { return std::bit_cast<std::uint64_t>(value) == missing_bits; }
 
 Pool &Pool::current() {
@@ -24,12 +34,22 @@ Pool &Pool::current() {
   return *pool;
 }
 
-void Pool::begin() {
+Pool::Columns Pool::wanted_columns() {
+  auto has = [](char const *name, bool otherwise) {
+    char const *text = std::getenv(name);
+    return text ? *text != '0' : otherwise;
+  };
+  return {has("SYMREAL_VALUES", true), has("SYMREAL_PLACES", false)};
+}
+
+void Pool::begin(Columns columns) {
   static std::atomic<std::uint8_t> last_generation = 0;
   generation_ = ++last_generation;
   recording_ = true;
   table_.clear();
   values_.clear();
+  places_.clear();
+  columns_ = columns;
 }
 
 std::vector<Node> Pool::end() {
@@ -44,7 +64,7 @@ RealNumber Pool::number(NodeId id) const {
 
 RealNumber Pool::leaf(Node const &node, double value) {
   NodeId id = table_.intern(node);
-  if (id == values_.size()) values_.push_back(value);
+  fill(id, value, nullptr);
   return number(id);
 }
 
@@ -66,30 +86,41 @@ NodeId Pool::node(RealNumber number) {
     give_up();
   }
   NodeId id = table_.constant(number.plain());
-  if (id == values_.size()) values_.push_back(number.plain());
+  fill(id, number.plain(), nullptr);
   return id;
+}
+
+double Pool::value(NodeId id) const {
+  if (columns_.values) return values_[id];
+  return table_[id].is_constant() ? table_[id].value() : missing_value();
+}
+
+void Pool::fill(NodeId id, double value, void const *caller) {
+  if (columns_.values && id == values_.size()) values_.push_back(value);
+  if (columns_.places && id == places_.size()) places_.push_back(relative_address(caller));
 }
 
 double Pool::value_of(Node const &node) const {
   double operand[3] = {0, 0, 0};
   for (unsigned i = 0; i < arity(node.op); ++i) {
-    operand[i] = values_[node.operand[i]];
+    operand[i] = value(node.operand[i]);
     if (is_missing(operand[i])) return missing_value();
   }
   return evaluate(node.op, operand[0], operand[1], operand[2]);
 }
 
-RealNumber Pool::record(Op op, RealNumber x, RealNumber y, RealNumber z) {
+RealNumber Pool::record(Op op, RealNumber x, RealNumber y, RealNumber z, void const *caller) {
   unsigned operands = arity(op);
   NodeId a = node(x), b = operands > 1 ? node(y) : no_node, c = operands > 2 ? node(z) : no_node;
   NodeId id = table_.intern(table_.operation(op, a, b, c));
-  if (id == values_.size()) values_.push_back(value_of(table_[id]));
+  if (id + 1 == table_.size()) // most likely new
+    fill(id, columns_.values && id == values_.size() ? value_of(table_[id]) : 0, caller);
   return number(id);
 }
 
 double Pool::carried_value(RealNumber number) {
   if (!number.is_node()) return number.plain();
-  return values_[checked(number)];
+  return value(checked(number));
 }
 
 } // namespace trace
@@ -99,7 +130,7 @@ namespace detail {
 using trace::Pool;
 
 RealNumber record(Op op, RealNumber x, RealNumber y, RealNumber z) noexcept {
-  return Pool::current().record(op, x, y, z);
+  return Pool::current().record(op, x, y, z, __builtin_return_address(0));
 }
 
 double carried_value(RealNumber x) noexcept { return Pool::current().carried_value(x); }

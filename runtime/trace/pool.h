@@ -1,4 +1,5 @@
-// The pool of one thread: the graph that is being recorded, and the carried values of its nodes.
+// The pool of one thread: the graph that is being recorded, and what its nodes carry: their values, and on request the
+// return addresses of the code that recorded them.
 //
 // One pool per thread rather than one behind a mutex: kernels recorded by several threads do not meet, and the
 // generation in each node tells one pool's nodes from another's.
@@ -21,32 +22,47 @@ public:
   // Constant-initialised, made on first use, never destroyed: numbers with static storage outlive it otherwise.
   static Pool &current();
 
+  struct Columns {
+    bool values = true;  // without: whatever decides, prints or converts is an error
+    bool places = false; // 4 bytes a node
+  };
+  // As $SYMREAL_VALUES and $SYMREAL_PLACES ask for.
+  static Columns wanted_columns();
+
   // Begins a recording with a generation of its own.
-  void begin();
+  void begin(Columns columns = wanted_columns());
   // Ends it: what is left are the nodes, handed over. Numbers that still hold one are stale from now on.
   std::vector<Node> end();
   bool is_recording() const { return recording_; }
 
   RealNumber leaf(Node const &node, double value);
-  RealNumber record(Op op, RealNumber x, RealNumber y, RealNumber z);
+  // `caller`: the return address of the code that asks.
+  RealNumber record(Op op, RealNumber x, RealNumber y, RealNumber z, void const *caller = nullptr);
 
   // The node behind a number; a constant is interned. Leaks and stale nodes end the program with a diagnostic.
   NodeId node(RealNumber number);
   double carried_value(RealNumber number);
   bool owns(RealNumber number) const { return number.is_node() && generation_of(number) == generation_; }
   // What a number becomes when its kernel ends.
-  double final_value(RealNumber number) const { return values_[static_cast<NodeId>(number.to_bits())]; }
+  double final_value(RealNumber number) const { return value(static_cast<NodeId>(number.to_bits())); }
 
   NodeTable const &nodes() const { return table_; }
+  // Per node, relative to the load base; 0 where unknown; empty where places are not kept.
+  std::vector<std::uint32_t> const &places() const { return places_; }
 
 private:
   static std::uint8_t generation_of(RealNumber number) { return static_cast<std::uint8_t>(number.to_bits() >> 32); }
   RealNumber number(NodeId id) const;
+  double value(NodeId id) const;
   double value_of(Node const &node) const;
   NodeId checked(RealNumber number) const;
+  // Fills the columns for a node if it is new.
+  void fill(NodeId id, double value, void const *caller);
 
   NodeTable table_;
+  Columns columns_;
   std::vector<double> values_; // the carried value of each node
+  std::vector<std::uint32_t> places_;
   std::uint8_t generation_ = 0;
   bool recording_ = false;
 };

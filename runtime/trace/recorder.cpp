@@ -2,12 +2,14 @@
 // annotated number becomes an ordinary one again.
 #include "trace/deliver.h"
 #include "trace/events.h"
+#include "trace/guards.h"
 #include "trace/kernel.h"
 #include "trace/pool.h"
 #include "trace/state.h"
 
 #include <algorithm>
 #include <numeric>
+#include <unordered_map>
 
 namespace symreal {
 
@@ -25,6 +27,7 @@ public:
     flush_events();
     Pool::current().begin();
     State::current().begin();
+    Guards::current().begin();
     std::copy(std::begin(detail::executed), std::end(detail::executed), executed_before_.by_op.begin());
   }
 
@@ -91,6 +94,8 @@ public:
     graph_.frozen = State::current().end();
     for (RealNumber *number : written_)
       if (pool.owns(*number)) *number = pool.final_value(*number);
+    Guards::current().end(graph_);
+    locate_nodes(pool.places());
     graph_.nodes = pool.end();
     deliver(graph_, output_file);
   }
@@ -110,6 +115,21 @@ private:
             "an element of '" + object_.label + "' already belongs to '" + found->second.first + "' (" +
                 to_string(found->second.second) + ")"});
     give_up();
+  }
+
+  // Nodes of the same code share a location.
+  void locate_nodes(std::vector<std::uint32_t> const &addresses) {
+    std::unordered_map<std::uint32_t, LocationId> known;
+    graph_.node_location.reserve(addresses.size());
+    for (std::uint32_t address : addresses) {
+      if (address == 0) {
+        graph_.node_location.push_back(no_location);
+        continue;
+      }
+      auto [found, is_new] = known.try_emplace(address, static_cast<LocationId>(graph_.locations.size()));
+      if (is_new) graph_.locations.push_back({{}, {address}});
+      graph_.node_location.push_back(found->second);
+    }
   }
 
   void check_outputs(Place const &end) {

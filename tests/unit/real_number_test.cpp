@@ -1,7 +1,10 @@
 #include <symreal/annotate.h>
 #include <symreal/symbolic.h>
 
+#include "trace/guards.h"
 #include "trace/pool.h"
+
+#include <symreal/decisions.h>
 
 #include <bit>
 #include <cmath>
@@ -125,6 +128,64 @@ TEST(RealNumberLimits, AreDoubles) {
   EXPECT_EQ(std::numeric_limits<RealNumber>::epsilon().plain(), std::numeric_limits<double>::epsilon());
   EXPECT_EQ(std::numeric_limits<RealNumber>::max().plain(), std::numeric_limits<double>::max());
   EXPECT_TRUE(std::numeric_limits<RealNumber>::is_specialized);
+}
+
+// Conditions combine without deciding; a side that is no node disappears.
+TEST_F(Recording, ConditionsAreNodes) {
+  SymbolicBool const both = (x < y) & (y < 3.0);
+  ASSERT_TRUE(both.is_symbolic());
+  Node const &node = Pool::current().nodes()[Pool::current().node(both.condition())];
+  EXPECT_EQ(node.op, Op::logical_and);
+  EXPECT_EQ((SymbolicBool(true) & (x < y)).condition().to_bits(), (x < y).condition().to_bits());
+  EXPECT_FALSE((SymbolicBool(true) | (x < y)).is_symbolic());
+  EXPECT_EQ(Pool::current().nodes()[Pool::current().node((!both).condition())].op, Op::logical_not);
+}
+
+// The premise that every value is finite settles these.
+TEST_F(Recording, FiniteTestsAreSettled) {
+  EXPECT_FALSE(isnan(x).is_symbolic());
+  EXPECT_FALSE(isnan(x));
+  EXPECT_TRUE(isfinite(x));
+  EXPECT_FALSE(isinf(x * y));
+  EXPECT_TRUE(x == x);
+  EXPECT_FALSE((x == x).is_symbolic());
+  EXPECT_TRUE((x == y).is_symbolic());
+}
+
+TEST_F(Recording, GuardPolicyRecordsThePath) {
+  trace::Guards &guards = trace::Guards::current();
+  guards.begin();
+  {
+    DecisionScope const scope(Decisions::guard);
+    EXPECT_EQ(static_cast<bool>(x < y), value(x) < value(y));
+    EXPECT_EQ(static_cast<bool>(x < y), value(x) < value(y)); // again: nothing new
+    EXPECT_EQ(static_cast<int>(y), static_cast<int>(value(y)));
+    PathScope const path(x < 100.0);
+    EXPECT_TRUE(y < 50.0);
+  }
+  Graph graph;
+  guards.end(graph);
+  ASSERT_EQ(graph.guards.size(), 3u);
+  auto op = [&](std::size_t guard) { return Pool::current().nodes()[graph.guards[guard].condition].op; };
+  EXPECT_EQ(op(1), Op::eq);
+  EXPECT_EQ(op(2), Op::logical_or); // where the path is not taken, it need not hold
+  EXPECT_EQ(graph.locations.size(), 3u);
+  EXPECT_FALSE(graph.locations[0].addresses.empty());
+}
+
+TEST(Columns, CostNothingWhenUnused) {
+  Pool &pool = Pool::current();
+  pool.begin({.values = true, .places = false});
+  RealNumber const x = pool.leaf(Node::input(0), 2.0);
+  (void)(x * x);
+  EXPECT_TRUE(pool.places().empty());
+  pool.begin({.values = false, .places = true});
+  RealNumber const y = pool.leaf(Node::input(0), 2.0);
+  RealNumber const square = y * y;
+  EXPECT_EQ(pool.places().size(), pool.nodes().size());
+  EXPECT_NE(pool.places().back(), 0u);
+  EXPECT_TRUE(trace::is_missing(pool.carried_value(square)));
+  pool.end();
 }
 
 using RecordingDeathTest = Recording;

@@ -54,10 +54,15 @@ template <class> inline constexpr bool always_false = false;
 #ifdef MBD_REPLAY
 inline constexpr Program program = Program::replay;
 template <class T> inline constexpr bool is_number = std::is_same_v<T, double>;
+using ProgramNumber = double;
 #else
 inline constexpr Program program = Program::symbolic;
 template <class T> inline constexpr bool is_number = std::is_same_v<T, RealNumber>;
+using ProgramNumber = RealNumber;
 #endif
+// What a function that returns a number makes of a returned expression: `return 0;` converts.
+template <class T> using Returned =
+    std::conditional_t<std::is_arithmetic_v<std::decay_t<T>>, ProgramNumber, std::decay_t<T>>;
 
 // Visits the numbers of an object; the extents of the outermost visit are appended to `extents`.
 template <class T> void walk(T &object, bool is_temporary, std::vector<std::size_t> *extents) {
@@ -176,8 +181,8 @@ public:
 
   // The returned value as an output; the caller gets an ordinary number. Stands before the other outputs: it is met
   // first.
-  template <class T> std::decay_t<T> returned(char const *label, SourcePlace place, T &&result) {
-    std::decay_t<T> copy = std::forward<T>(result);
+  template <class T> detail::Returned<T> returned(char const *label, SourcePlace place, T &&result) {
+    detail::Returned<T> copy = std::forward<T>(result);
     if (active_) {
       begin_outputs();
       annotate(Kind::output, label, place, copy);

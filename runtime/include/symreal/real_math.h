@@ -14,14 +14,14 @@ namespace symreal {
 #define SYMREAL_FORM_select(...)
 #define SYMREAL_FORM_call(id, arity, evaluate) SYMREAL_CALL_##arity(id, evaluate)
 #define SYMREAL_CALL_1(id, evaluate)                                                                                   \
-  inline RealNumber id(RealNumber real_x) noexcept {                                                                   \
+  [[gnu::always_inline]] inline RealNumber id(RealNumber real_x) noexcept {                                            \
     ++detail::executed[static_cast<unsigned>(Op::id)];                                                                 \
     if (real_x.is_node()) return detail::record(Op::id, real_x, 0.0, 0.0);                                             \
     double x = real_x.plain();                                                                                         \
     return evaluate;                                                                                                   \
   }
 #define SYMREAL_CALL_2(id, evaluate)                                                                                   \
-  inline RealNumber id(RealNumber real_x, RealNumber real_y) noexcept {                                                \
+  [[gnu::always_inline]] inline RealNumber id(RealNumber real_x, RealNumber real_y) noexcept {                         \
     ++detail::executed[static_cast<unsigned>(Op::id)];                                                                 \
     if (real_x.is_node() || real_y.is_node()) return detail::record(Op::id, real_x, real_y, 0.0);                      \
     double x = real_x.plain(), y = real_y.plain();                                                                     \
@@ -34,7 +34,7 @@ namespace symreal {
     return id(RealNumber(x), y);                                                                                       \
   }
 #define SYMREAL_CALL_3(id, evaluate)                                                                                   \
-  inline RealNumber id(RealNumber real_x, RealNumber real_y, RealNumber real_z) noexcept {                             \
+  [[gnu::always_inline]] inline RealNumber id(RealNumber real_x, RealNumber real_y, RealNumber real_z) noexcept {      \
     ++detail::executed[static_cast<unsigned>(Op::id)];                                                                 \
     if (real_x.is_node() || real_y.is_node() || real_z.is_node())                                                      \
       return detail::record(Op::id, real_x, real_y, real_z);                                                           \
@@ -67,24 +67,32 @@ inline void sincos(RealNumber x, RealNumber *sine, RealNumber *cosine) noexcept 
 inline RealNumber max(RealNumber a, RealNumber b) noexcept { return select(a < b, b, a); }
 inline RealNumber min(RealNumber a, RealNumber b) noexcept { return select(b < a, b, a); }
 
-// Results that are no real numbers are conversions: decided on the carried value and reported.
+// Rounding to an integer type is rounding and a conversion.
+inline long lround(RealNumber x) noexcept { return static_cast<long>(round(x)); }
+inline long long llround(RealNumber x) noexcept { return static_cast<long long>(round(x)); }
+inline long lrint(RealNumber x) noexcept { return static_cast<long>(rint(x)); }
+inline long long llrint(RealNumber x) noexcept { return static_cast<long long>(rint(x)); }
+
+// Other results that are no real numbers: decided on the carried value and reported.
 inline RealNumber frexp(RealNumber x, int *exponent) noexcept { return std::frexp(static_cast<double>(x), exponent); }
 inline int ilogb(RealNumber x) noexcept { return std::ilogb(static_cast<double>(x)); }
-inline long lround(RealNumber x) noexcept { return std::lround(static_cast<double>(x)); }
-inline long long llround(RealNumber x) noexcept { return std::llround(static_cast<double>(x)); }
-inline long lrint(RealNumber x) noexcept { return std::lrint(static_cast<double>(x)); }
-inline long long llrint(RealNumber x) noexcept { return std::llrint(static_cast<double>(x)); }
-inline bool signbit(RealNumber x) noexcept { return std::signbit(static_cast<double>(x)); }
 inline bool isnormal(RealNumber x) noexcept { return std::isnormal(static_cast<double>(x)); }
 inline int fpclassify(RealNumber x) noexcept { return std::fpclassify(static_cast<double>(x)); }
 
-// Under the premise of `finite` mode these are constants; elsewhere the decision is reported.
-inline bool isnan(RealNumber x) noexcept { return static_cast<bool>(x != x); }
-inline bool isinf(RealNumber x) noexcept {
-  return x.is_node() ? std::isinf(static_cast<double>(x)) : std::isinf(x.plain());
+// Conditions like any comparison. Under the premise of mode finite the first three are constants.
+inline SymbolicBool isnan(RealNumber x) noexcept {
+  return SymbolicBool::from_condition(x.is_node() ? detail::compare(Op::ne, x, x) : RealNumber(std::isnan(x.plain())));
 }
-inline bool isfinite(RealNumber x) noexcept {
-  return x.is_node() ? std::isfinite(static_cast<double>(x)) : std::isfinite(x.plain());
+inline SymbolicBool isfinite(RealNumber x) noexcept {
+  return SymbolicBool::from_condition(x.is_node() ? detail::compare_finite(x) : RealNumber(std::isfinite(x.plain())));
+}
+inline SymbolicBool isinf(RealNumber x) noexcept {
+  if (!x.is_node()) return std::isinf(x.plain());
+  return (!isfinite(x)) & (!isnan(x));
+}
+inline SymbolicBool signbit(RealNumber x) noexcept {
+  if (!x.is_node()) return std::signbit(x.plain());
+  return copysign(RealNumber(1.0), x) < RealNumber(0.0);
 }
 
 } // namespace symreal

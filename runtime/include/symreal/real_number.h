@@ -35,8 +35,14 @@ extern __thread std::uint64_t executed[static_cast<unsigned>(Op::count)];
 [[gnu::noinline]] double carried_value(RealNumber x) noexcept;
 // As carried_value, for something that needs it: an input without a value is an error here.
 [[gnu::noinline]] double needed_value(RealNumber x) noexcept;
-// A comparison, a conversion: the program goes on with the carried value, and the place is reported.
-[[gnu::noinline]] bool decide(Op op, RealNumber x, RealNumber y, bool outcome) noexcept;
+// The node of a comparison; where the premise of the floating-point mode settles it (x != x), the truth value.
+[[gnu::noinline]] RealNumber compare(Op op, RealNumber x, RealNumber y) noexcept;
+// Whether x is finite, as a comparison; settled like one.
+[[gnu::noinline]] RealNumber compare_finite(RealNumber x) noexcept;
+// A decision on a condition, a conversion: the program goes on with the carried value. By policy the decision becomes
+// a guard of the kernel, or its place is reported.
+[[gnu::noinline]] bool decide(RealNumber condition) noexcept;
+[[gnu::noinline]] double convert_to_integer(RealNumber x) noexcept;
 [[gnu::noinline]] double convert(RealNumber x) noexcept;
 
 } // namespace detail
@@ -63,32 +69,34 @@ public:
   constexpr double plain() const noexcept { return value_; }
 
   template <class T, class = std::enable_if_t<std::is_arithmetic_v<T> && !std::is_same_v<T, bool>>>
-  explicit constexpr operator T() const noexcept {
-    return static_cast<T>(is_node() ? detail::convert(*this) : value_);
+  [[gnu::always_inline]] explicit constexpr operator T() const noexcept {
+    if (!is_node()) return static_cast<T>(value_);
+    return static_cast<T>(std::is_integral_v<T> ? detail::convert_to_integer(*this) : detail::convert(*this));
   }
   [[gnu::always_inline]] explicit constexpr operator bool() const noexcept {
-    return is_node() ? detail::decide(Op::ne, *this, RealNumber(0.0), detail::carried_value(*this) != 0) : value_ != 0;
+    return is_node() ? detail::decide(detail::compare(Op::ne, *this, RealNumber(0.0))) : value_ != 0;
   }
 
-  constexpr RealNumber &operator+=(RealNumber other) noexcept { return *this = *this + other; }
-  constexpr RealNumber &operator-=(RealNumber other) noexcept { return *this = *this - other; }
-  constexpr RealNumber &operator*=(RealNumber other) noexcept { return *this = *this * other; }
-  constexpr RealNumber &operator/=(RealNumber other) noexcept { return *this = *this / other; }
-  constexpr RealNumber &operator++() noexcept { return *this = *this + RealNumber(1.0); }
-  constexpr RealNumber &operator--() noexcept { return *this = *this - RealNumber(1.0); }
-  constexpr RealNumber operator++(int) noexcept {
+  // Always inline, here and below: the return address that `record` sees is then the user's line.
+  [[gnu::always_inline]] constexpr RealNumber &operator+=(RealNumber other) noexcept { return *this = *this + other; }
+  [[gnu::always_inline]] constexpr RealNumber &operator-=(RealNumber other) noexcept { return *this = *this - other; }
+  [[gnu::always_inline]] constexpr RealNumber &operator*=(RealNumber other) noexcept { return *this = *this * other; }
+  [[gnu::always_inline]] constexpr RealNumber &operator/=(RealNumber other) noexcept { return *this = *this / other; }
+  [[gnu::always_inline]] constexpr RealNumber &operator++() noexcept { return *this = *this + RealNumber(1.0); }
+  [[gnu::always_inline]] constexpr RealNumber &operator--() noexcept { return *this = *this - RealNumber(1.0); }
+  [[gnu::always_inline]] constexpr RealNumber operator++(int) noexcept {
     RealNumber old = *this;
     ++*this;
     return old;
   }
-  constexpr RealNumber operator--(int) noexcept {
+  [[gnu::always_inline]] constexpr RealNumber operator--(int) noexcept {
     RealNumber old = *this;
     --*this;
     return old;
   }
 
   friend constexpr RealNumber operator+(RealNumber x) noexcept { return x; }
-  friend constexpr RealNumber operator-(RealNumber x) noexcept {
+  [[gnu::always_inline]] friend constexpr RealNumber operator-(RealNumber x) noexcept {
     if (!__builtin_is_constant_evaluated()) {
       ++detail::executed[static_cast<unsigned>(Op::neg)];
       if (x.is_node()) return detail::record(Op::neg, x, 0.0, 0.0);
@@ -96,7 +104,7 @@ public:
     return -x.value_;
   }
 #define SYMREAL_ARITHMETIC(op, id)                                                                                     \
-  friend constexpr RealNumber operator op(RealNumber x, RealNumber y) noexcept {                                       \
+  [[gnu::always_inline]] friend constexpr RealNumber operator op(RealNumber x, RealNumber y) noexcept {                \
     if (!__builtin_is_constant_evaluated()) {                                                                          \
       ++detail::executed[static_cast<unsigned>(Op::id)];                                                               \
       if (x.is_node() || y.is_node()) return detail::record(Op::id, x, y, 0.0);                                        \
@@ -115,32 +123,29 @@ static_assert(std::is_trivially_copyable_v<RealNumber> && std::is_trivially_defa
 
 class SymbolicBool {
 public:
-  constexpr SymbolicBool(bool value) noexcept : value_(value) {}
-  constexpr SymbolicBool(Op op, RealNumber x, RealNumber y, bool value) noexcept
-      : x_(x),
-        y_(y),
-        op_(op),
-        value_(value),
-        symbolic_(true) {}
+  constexpr SymbolicBool(bool value) noexcept : condition_(value) {}
+  // From a comparison's node, or from 0 or 1.
+  static constexpr SymbolicBool from_condition(RealNumber condition) noexcept {
+    SymbolicBool result(false);
+    result.condition_ = condition;
+    return result;
+  }
 
   [[gnu::always_inline]] constexpr operator bool() const noexcept {
-    return symbolic_ ? detail::decide(op_, x_, y_, value_) : value_;
+    return condition_.is_node() ? detail::decide(condition_) : condition_.plain() != 0;
   }
-  // The comparison as a number for select: a node where it is symbolic.
-  RealNumber condition() const noexcept { return symbolic_ ? detail::record(op_, x_, y_, 0.0) : RealNumber(value_); }
-  bool is_symbolic() const noexcept { return symbolic_; }
+  constexpr bool is_symbolic() const noexcept { return condition_.is_node(); }
+  // As a number: a node where it is symbolic, else 0 or 1.
+  constexpr RealNumber condition() const noexcept { return condition_; }
 
 private:
-  RealNumber x_{0.0}, y_{0.0};
-  Op op_ = Op::constant;
-  bool value_;
-  bool symbolic_ = false;
+  RealNumber condition_;
 };
 
 #define SYMREAL_COMPARISON(op, id)                                                                                     \
   [[gnu::always_inline]] inline constexpr SymbolicBool operator op(RealNumber x, RealNumber y) noexcept {              \
     if (__builtin_is_constant_evaluated() || (!x.is_node() && !y.is_node())) return x.plain() op y.plain();            \
-    return {Op::id, x, y, detail::carried_value(x) op detail::carried_value(y)};                                       \
+    return SymbolicBool::from_condition(detail::compare(Op::id, x, y));                                                \
   }
 SYMREAL_COMPARISON(<, lt)
 SYMREAL_COMPARISON(<=, le)
@@ -149,6 +154,22 @@ SYMREAL_COMPARISON(>=, ge)
 SYMREAL_COMPARISON(==, eq)
 SYMREAL_COMPARISON(!=, ne)
 #undef SYMREAL_COMPARISON
+
+// Conditions combined without deciding: both sides are evaluated. (&& and || decide each side, as the language has it.)
+[[gnu::always_inline]] inline SymbolicBool operator&(SymbolicBool x, SymbolicBool y) noexcept {
+  if (!x.is_symbolic()) return x.condition().plain() != 0 ? y : x;
+  if (!y.is_symbolic()) return y.condition().plain() != 0 ? x : y;
+  return SymbolicBool::from_condition(detail::record(Op::logical_and, x.condition(), y.condition(), 0.0));
+}
+[[gnu::always_inline]] inline SymbolicBool operator|(SymbolicBool x, SymbolicBool y) noexcept {
+  if (!x.is_symbolic()) return x.condition().plain() != 0 ? x : y;
+  if (!y.is_symbolic()) return y.condition().plain() != 0 ? y : x;
+  return SymbolicBool::from_condition(detail::record(Op::logical_or, x.condition(), y.condition(), 0.0));
+}
+[[gnu::always_inline]] inline SymbolicBool operator!(SymbolicBool x) noexcept {
+  if (!x.is_symbolic()) return x.condition().plain() == 0;
+  return SymbolicBool::from_condition(detail::record(Op::logical_not, x.condition(), 0.0, 0.0));
+}
 
 // i += x for an arithmetic i: what the original did, a conversion back included.
 #define SYMREAL_COMPOUND(op)                                                                                           \
@@ -167,8 +188,9 @@ inline double value(RealNumber x) noexcept { return x.is_node() ? detail::needed
 template <class T, class = std::enable_if_t<std::is_arithmetic_v<T>>> constexpr T value(T x) noexcept { return x; }
 
 // y where the condition holds, else z; both are computed.
-inline RealNumber select(SymbolicBool condition, RealNumber y, RealNumber z) noexcept {
-  return condition.is_symbolic() ? detail::record(Op::select, condition.condition(), y, z) : condition ? y : z;
+[[gnu::always_inline]] inline RealNumber select(SymbolicBool condition, RealNumber y, RealNumber z) noexcept {
+  if (condition.is_symbolic()) return detail::record(Op::select, condition.condition(), y, z);
+  return condition.condition().plain() != 0 ? y : z;
 }
 
 } // namespace symreal

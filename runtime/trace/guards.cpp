@@ -1,0 +1,37 @@
+#include "trace/guards.h"
+
+#include "trace/describe.h"
+#include "trace/events.h"
+#include "trace/policy.h"
+#include "trace/pool.h"
+
+namespace symreal::trace {
+
+Guards &Guards::current() {
+  static constinit thread_local Guards *guards = nullptr;
+  if (!guards) guards = new Guards;
+  return *guards;
+}
+
+void Guards::begin() {
+  recorded_.clear();
+  conditions_.clear();
+}
+
+void Guards::add(SymbolicBool condition, bool outcome) {
+  if (!outcome) condition = !condition;
+  SymbolicBool const guard = (!SymbolicBool::from_condition(current_path())) | condition;
+  if (!guard.is_symbolic()) return; // nothing to check: it holds on every run
+  NodeId id = Pool::current().node(guard.condition());
+  if (conditions_.insert(id).second) recorded_.push_back({id, describe(guard.condition()), call_stack()});
+}
+
+void Guards::end(Graph &graph) {
+  for (Recorded &guard : recorded_) {
+    auto location = static_cast<LocationId>(graph.locations.size());
+    graph.locations.push_back({{}, {guard.stack.begin(), guard.stack.end()}});
+    graph.guards.push_back({guard.condition, location, std::move(guard.text)});
+  }
+}
+
+} // namespace symreal::trace
