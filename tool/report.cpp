@@ -2,6 +2,7 @@
 
 #include "graph/statistics.h"
 #include "support/number.h"
+#include "tool/source_lines.h"
 
 #include <fmt/format.h>
 #include <fmt/ostream.h>
@@ -98,6 +99,7 @@ void print_table(std::ostream &out, KernelReport const &report, bool details) {
     print_objects(out, "input", recorded.inputs);
     print_objects(out, "parameter", recorded.parameters);
     print_objects(out, "output", recorded.outputs);
+    print_lines(out, operations_by_line(recorded, optimised));
   }
   for (Frozen const &state : recorded.frozen)
     fmt::print(out, "  baked in        {} = {}  ({})\n", state.name, value_list(state.values), to_string(state.place));
@@ -119,6 +121,7 @@ Json to_json(KernelReport const &report) {
   json["passes"] = Json::array();
   for (Stage const &stage : report.stages)
     json["passes"].push_back({{"after", stage.name}, {"live", to_json(stage.live)}});
+  if (auto lines = operations_by_line(recorded, *report.optimised); !lines.empty()) json["lines"] = to_json(lines);
   json["frozen"] = Json::array();
   for (Frozen const &state : recorded.frozen)
     json["frozen"].push_back({{"name", state.name}, {"place", to_string(state.place)}, {"values", state.values}});

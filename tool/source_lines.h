@@ -1,0 +1,24 @@
+// Operations by the source line that they come from: where the work of a kernel stands.
+#pragma once
+
+#include "graph/graph.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <ostream>
+#include <vector>
+
+namespace symreal::tool {
+
+struct LineCount {
+  Place place; // column 0
+  std::size_t recorded = 0, generated = 0;
+};
+
+// The most generated operations first. Empty where the graph has no places.
+std::vector<LineCount> operations_by_line(Graph const &recorded, Graph const &optimised);
+
+void print_lines(std::ostream &out, std::vector<LineCount> const &lines);
+nlohmann::ordered_json to_json(std::vector<LineCount> const &lines);
+
+} // namespace symreal::tool
