@@ -30,6 +30,8 @@ constexpr Dropped dropped[] = {
     {"-ffinite-math-only", Why::numbers},
     {"-fno-signed-zeros", Why::numbers},
     {"-fno-trapping-math", Why::numbers},
+    {"-ffp-exception-behavior*", Why::numbers},
+    {"-ffp-model*", Why::numbers},
     {"-ffp-contract*", Why::numbers},
     {"-fbuiltin", Why::numbers},
     {"-fopenmp*", Why::serial},

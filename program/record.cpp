@@ -8,6 +8,7 @@
 #include <csignal>
 #include <cstring>
 #include <fmt/format.h>
+#include <sstream>
 
 namespace symreal::program {
 namespace {
@@ -36,6 +37,19 @@ Diagnostic locate(Located const &located, Symbolizer &symbolizer) {
     diagnostic.notes.push_back({frame->place, (frame < own ? "here, in " : "called from ") + frame->function});
   }
   return diagnostic;
+}
+
+std::string text(Diagnostic const &diagnostic) {
+  std::ostringstream out;
+  print(out, diagnostic);
+  return out.str();
+}
+
+// Two instructions of one expression are one place.
+void add_once(std::vector<Diagnostic> &diagnostics, Diagnostic const &diagnostic) {
+  bool const is_known = std::any_of(diagnostics.begin(), diagnostics.end(),
+                                    [&](Diagnostic const &met) { return text(met) == text(diagnostic); });
+  if (!is_known) diagnostics.push_back(diagnostic);
 }
 
 Diagnostic explain(Decision const &decision, Symbolizer &symbolizer) {
@@ -124,7 +138,7 @@ Recording record(std::string const &executable, RunOptions const &options, std::
   Events events = read_events(directory + "/events");
   recording.diagnostics = events.diagnostics;
   Symbolizer symbolizer(executable, overlay);
-  for (Located const &located : events.located) recording.diagnostics.push_back(locate(located, symbolizer));
+  for (Located const &located : events.located) add_once(recording.diagnostics, locate(located, symbolizer));
   for (Decision const &decision : events.decisions) recording.diagnostics.push_back(explain(decision, symbolizer));
   for (Decision const &settled : events.settled) recording.diagnostics.push_back(remark(settled, symbolizer));
   bool explained = has_error(recording.diagnostics);

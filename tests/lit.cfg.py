@@ -2,6 +2,7 @@
 # %source the repository, %inputs the example programs, %runtime_include the public headers, %runtime the directory of the runtime,
 # %tools helper scripts, %version the tool's version, %cxx %cc %clang compilers.
 import os
+import platform
 
 import lit.formats
 
@@ -12,6 +13,10 @@ config.suffixes = [".test", ".cpp", ".c", ".graph", ".txt"]
 config.excludes = ["unit", "tools", "Inputs", "CMakeLists.txt"]
 config.test_source_root = os.path.join(config.source_dir, "tests")
 config.test_exec_root = os.path.join(config.binary_dir, "tests")
+
+# Leaks into foreign code are trapped there.
+if platform.system() == "Linux" and platform.machine() == "x86_64":
+    config.available_features.add("x86_64-linux")
 
 config.substitutions += [
     (r"%symreal\b", os.path.join(config.binary_dir, "tool", "symreal")),

@@ -1,15 +1,13 @@
 #include "trace/events.h"
 
 #include "support/files.h"
+#include "trace/call_stack.h"
 
 #include <cstdio>
 #include <cstdlib>
 #include <iostream>
 #include <map>
 #include <unistd.h>
-#include <unwind.h>
-
-extern "C" char const __ehdr_start; // the linker's name for where this executable is loaded
 
 namespace symreal::trace {
 
@@ -42,6 +40,7 @@ private:
 struct Log {
   std::vector<std::string> lines;
   Meetings decisions, settled;
+  std::map<DiagnosticId, Meetings> interrupted;
   bool wrong = false;
 };
 
@@ -83,19 +82,6 @@ std::string const &record_directory() {
   return *directory;
 }
 
-std::vector<std::uintptr_t> call_stack() {
-  constexpr std::size_t most_frames = 48;
-  std::vector<std::uintptr_t> addresses;
-  _Unwind_Backtrace(
-      [](_Unwind_Context *context, void *list) {
-        auto &found = *static_cast<std::vector<std::uintptr_t> *>(list);
-        found.push_back(_Unwind_GetIP(context) - reinterpret_cast<std::uintptr_t>(&__ehdr_start));
-        return found.size() < most_frames ? _URC_NO_REASON : _URC_END_OF_STACK;
-      },
-      &addresses);
-  return addresses;
-}
-
 void event(std::initializer_list<std::string> fields) { log().lines.push_back(joined(fields)); }
 
 void report(Diagnostic const &diagnostic) {
@@ -109,6 +95,12 @@ void report_here(DiagnosticId id, std::string const &message) {
   log().wrong = true;
   event({"located", code(id), message, hexadecimal(call_stack())});
   if (record_directory().empty()) print(std::cerr, {id, Severity::error, {}, message});
+}
+
+void report_interrupted(DiagnosticId id, std::string const &message, std::uintptr_t delayed) {
+  log().wrong = true;
+  if (log().interrupted[id].add(message, interrupted_stack(delayed)) && record_directory().empty())
+    print(std::cerr, {id, Severity::error, {}, message});
 }
 
 void report_decision(std::string const &condition) {
@@ -132,6 +124,11 @@ void flush_events() {
   };
   append("decision", log().decisions);
   append("settled", log().settled);
+  for (auto const &[id, meetings] : log().interrupted)
+    meetings.for_each([&text, id = id](std::size_t count, std::string const &message, auto const &stack) {
+      std::string const times = std::to_string(count) + (count == 1 ? " time)" : " times)");
+      text += joined({"located", code(id), message + " (met " + times, hexadecimal(stack)}) + '\n';
+    });
   try {
     write_if_changed(record_directory() + "/events", text);
   } catch (DiagnosticError const &error) {

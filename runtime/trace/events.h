@@ -20,13 +20,12 @@
 
 namespace symreal::trace {
 
-// Return addresses of the callers, innermost first, relative to the load base. The driver leaves the recorder's own
-// out.
-std::vector<std::uintptr_t> call_stack();
-
 void event(std::initializer_list<std::string> fields);
 void report(Diagnostic const &diagnostic);
 void report_here(DiagnosticId id, std::string const &message);
+// From a signal handler: at the interrupted instruction, or, if that tells of it late, at instruction `delayed`.
+// Repetitions are counted.
+void report_interrupted(DiagnosticId id, std::string const &message, std::uintptr_t delayed = 0);
 // A decision on a symbolic value at the caller's place; repetitions are counted.
 void report_decision(std::string const &condition);
 // A condition at the caller's place that needs no decision: the driver remarks on it.

@@ -1,7 +1,7 @@
 #include "trace/guards.h"
 
+#include "trace/call_stack.h"
 #include "trace/describe.h"
-#include "trace/events.h"
 #include "trace/policy.h"
 #include "trace/pool.h"
 

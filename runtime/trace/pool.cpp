@@ -79,9 +79,7 @@ NodeId Pool::checked(RealNumber number) const {
 
 NodeId Pool::node(RealNumber number) {
   if (number.is_node()) return checked(number);
-  // A node that went through uninstrumented arithmetic is quiet, through fabs or negation without its sign.
-  constexpr std::uint64_t left_alone = ~(std::uint64_t{1} << 63 | std::uint64_t{1} << 51);
-  if (std::isnan(number.plain()) && (number.to_bits() & left_alone) >> 40 == (detail::node_tag & left_alone >> 40)) {
+  if (Pool::is_tagged(number.to_bits())) {
     report_here(DiagnosticId::leak, "a symbolic value came back from code that was not rewritten");
     give_up();
   }

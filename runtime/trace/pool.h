@@ -42,6 +42,12 @@ public:
   // The node behind a number; a constant is interned. Leaks and stale nodes end the program with a diagnostic.
   NodeId node(RealNumber number);
   double carried_value(RealNumber number);
+  // Bits of a node, also where code that was not rewritten made it quiet or changed its sign.
+  static bool is_tagged(std::uint64_t bits) { return (bits & ~marks) >> 40 == (detail::node_tag & ~marks >> 40); }
+  // The node behind tagged bits.
+  static RealNumber underlying(std::uint64_t bits) {
+    return RealNumber::from_bits((bits & ~marks) | detail::node_tag << 40);
+  }
   bool owns(RealNumber number) const { return number.is_node() && generation_of(number) == generation_; }
   // What a number becomes when its kernel ends.
   double final_value(RealNumber number) const { return value(static_cast<NodeId>(number.to_bits())); }
@@ -51,6 +57,7 @@ public:
   std::vector<std::uint32_t> const &places() const { return places_; }
 
 private:
+  static constexpr std::uint64_t marks = std::uint64_t{1} << 63 | std::uint64_t{1} << 51;
   static std::uint8_t generation_of(RealNumber number) { return static_cast<std::uint8_t>(number.to_bits() >> 32); }
   RealNumber number(NodeId id) const;
   double value(NodeId id) const;

@@ -6,6 +6,7 @@
 #include "trace/kernel.h"
 #include "trace/pool.h"
 #include "trace/state.h"
+#include "trace/trap.h"
 
 #include <algorithm>
 #include <numeric>
@@ -29,6 +30,7 @@ public:
     State::current().begin();
     Guards::current().begin();
     std::copy(std::begin(detail::executed), std::end(detail::executed), executed_before_.by_op.begin());
+    enable_trap();
   }
 
   void begin_object(Kind kind, std::string const &label, Place const &place) override {
@@ -86,6 +88,9 @@ public:
   }
 
   void end(std::string const &name, std::string const &output_file, Place const &place) override {
+    if (!disable_trap())
+      report({DiagnosticId::trap_lost, Severity::error, place,
+              "kernel '" + name + "' changes the floating-point environment or the handler of SIGFPE or SIGTRAP"});
     Pool &pool = Pool::current();
     graph_.kernel = name;
     for (std::size_t op = 0; op < graph_.executed.by_op.size(); ++op)
