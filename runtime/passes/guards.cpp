@@ -1,0 +1,202 @@
+// A guard that earlier guards imply is dropped.
+//
+// What is known after some guards: for a pair of operands which outcomes of comparing them are possible; for an operand
+// that is compared with constants also an interval; for any other condition its truth. A conjunction is two facts.
+#include "passes/compact.h"
+#include "passes/pass.h"
+
+#include <cmath>
+#include <limits>
+#include <unordered_map>
+
+namespace symreal {
+
+namespace {
+
+// How two numbers may compare: a set of these.
+enum Outcome : unsigned { less = 1, equal = 2, greater = 4, unordered = 8, any = 15 };
+
+unsigned outcomes(Op op) {
+  switch (op) {
+  case Op::lt: return less;
+  case Op::le: return less | equal;
+  case Op::gt: return greater;
+  case Op::ge: return greater | equal;
+  case Op::eq: return equal;
+  case Op::ne: return less | greater | unordered;
+  default: return 0;
+  }
+}
+
+unsigned with_operands_exchanged(unsigned set) {
+  return (set & (equal | unordered)) | (set & less ? greater : 0u) | (set & greater ? less : 0u);
+}
+
+// Numbers between two bounds, which belong to it. x > c is x >= the double after c.
+struct Interval {
+  double low, high;
+  bool nan;
+
+  bool empty() const { return !(low <= high) && !nan; }
+  bool within(Interval const &other) const {
+    return (!(low <= high) || (low >= other.low && high <= other.high)) && (!nan || other.nan);
+  }
+};
+
+struct Literal {
+  NodeId condition;
+  bool holds;
+};
+
+class Knowledge {
+public:
+  Knowledge(Graph const &graph, FloatingPoint mode) : graph_(graph), strict_(mode == FloatingPoint::strict) {}
+
+  // Whether the literal follows from what was learnt.
+  bool implies(Literal const &literal) const {
+    Comparison const comparison = view(literal);
+    if (!comparison.set) {
+      auto known = truth_.find(literal.condition);
+      return known != truth_.end() && known->second == literal.holds;
+    }
+    unsigned const possible = possible_outcomes(comparison);
+    if ((possible & ~comparison.set) == 0) return true;
+    if (!comparison.constant) return false;
+    Interval const known = interval(comparison.x);
+    if (is_point_excluded(comparison)) return *comparison.constant < known.low || *comparison.constant > known.high;
+    return known.within(allowed(comparison));
+  }
+
+  // False when nothing can satisfy both the literal and what was learnt before.
+  bool learn(Literal const &literal) {
+    Comparison const comparison = view(literal);
+    if (!comparison.set) return truth_.emplace(literal.condition, literal.holds).first->second == literal.holds;
+    unsigned const possible = possible_outcomes(comparison) & comparison.set;
+    outcomes_[key(comparison)] = possible;
+    if (!comparison.constant) return possible != 0;
+    Interval known = interval(comparison.x);
+    if (is_point_excluded(comparison)) {
+      if (known.low == *comparison.constant) known.low = after(known.low);
+      if (known.high == *comparison.constant) known.high = before(known.high);
+    } else {
+      Interval const other = allowed(comparison);
+      known = {std::max(known.low, other.low), std::min(known.high, other.high), known.nan && other.nan};
+    }
+    intervals_[comparison.x] = known;
+    return possible != 0 && !known.empty();
+  }
+
+private:
+  // x compared with y, x being the older node, or with a constant; an empty set for what is no comparison.
+  struct Comparison {
+    NodeId x, y;
+    unsigned set;
+    std::optional<double> constant;
+  };
+
+  Comparison view(Literal const &literal) const {
+    Node const &node = graph_.nodes[literal.condition];
+    unsigned set = is_leaf(node.op) ? 0 : outcomes(node.op);
+    if (set == 0) return {no_node, no_node, 0, {}};
+    if (!literal.holds) set = any & ~set;
+    NodeId x = node.operand[0], y = node.operand[1];
+    bool const x_is_constant = graph_.nodes[x].is_constant();
+    if (x_is_constant || (x > y && !graph_.nodes[y].is_constant())) {
+      std::swap(x, y);
+      set = with_operands_exchanged(set);
+    }
+    Comparison result{x, y, set, {}};
+    Node const &other = graph_.nodes[y];
+    if (other.is_constant() && std::isfinite(other.value())) result.constant = other.value();
+    return result;
+  }
+
+  static std::uint64_t key(Comparison const &comparison) { return std::uint64_t{comparison.x} << 32 | comparison.y; }
+
+  unsigned possible_outcomes(Comparison const &comparison) const {
+    auto known = outcomes_.find(key(comparison));
+    if (known != outcomes_.end()) return known->second;
+    return strict_ ? any : any & ~unordered; // the others presume that no value is a NaN
+  }
+
+  Interval interval(NodeId x) const {
+    auto known = intervals_.find(x);
+    if (known != intervals_.end()) return known->second;
+    constexpr double infinity = std::numeric_limits<double>::infinity(), largest = std::numeric_limits<double>::max();
+    return strict_ ? Interval{-infinity, infinity, true} : Interval{-largest, largest, false};
+  }
+
+  static double after(double x) { return std::nextafter(x, std::numeric_limits<double>::infinity()); }
+  static double before(double x) { return std::nextafter(x, -std::numeric_limits<double>::infinity()); }
+
+  // Less or greater than the constant: no interval.
+  static bool is_point_excluded(Comparison const &comparison) {
+    return (comparison.set & any & ~unordered) == (less | greater);
+  }
+
+  static Interval allowed(Comparison const &comparison) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    double const c = *comparison.constant;
+    bool const with_equal = comparison.set & equal;
+    Interval result{with_equal ? c : after(c), with_equal ? c : before(c), (comparison.set & unordered) != 0};
+    if (comparison.set & less) result.low = -infinity;
+    if (comparison.set & greater) result.high = infinity;
+    return result;
+  }
+
+  Graph const &graph_;
+  bool strict_;
+  std::unordered_map<std::uint64_t, unsigned> outcomes_;
+  std::unordered_map<NodeId, Interval> intervals_;
+  std::unordered_map<NodeId, bool> truth_;
+};
+
+// What holds with the condition, none of it a conjunction.
+std::vector<Literal> facts(Graph const &graph, NodeId condition) {
+  std::vector<Literal> result, stack = {{condition, true}};
+  while (!stack.empty()) {
+    Literal const literal = stack.back();
+    stack.pop_back();
+    Node const &node = graph.nodes[literal.condition];
+    if (node.op == Op::logical_not) {
+      stack.push_back({node.operand[0], !literal.holds});
+    } else if (node.op == (literal.holds ? Op::logical_and : Op::logical_or)) {
+      stack.push_back({node.operand[1], literal.holds});
+      stack.push_back({node.operand[0], literal.holds});
+    } else {
+      result.push_back(literal);
+    }
+  }
+  return result;
+}
+
+[[noreturn]] void report(Graph const &graph, Guard const &guard, FloatingPoint mode) {
+  Place place;
+  if (guard.location != no_location && !graph.locations[guard.location].places.empty())
+    place = graph.locations[guard.location].places.front();
+  fail(DiagnosticId::contradictory_guard, place,
+       "the guard " + guard.text + " can never hold together with those before it in mode " +
+           std::string(to_string(mode)));
+}
+
+} // namespace
+
+Graph pass_guards(Graph const &graph, FloatingPoint mode) {
+  if (graph.guards.empty()) return graph;
+  Knowledge knowledge(graph, mode);
+  Graph result = graph;
+  result.guards.clear();
+  for (Guard const &guard : graph.guards) {
+    bool follows = true;
+    for (Literal const &fact : facts(graph, guard.condition)) {
+      Node const &node = graph.nodes[fact.condition];
+      if (node.is_constant() ? (node.value() != 0) == fact.holds : knowledge.implies(fact)) continue;
+      follows = false;
+      if (node.is_constant() || !knowledge.learn(fact)) report(graph, guard, mode);
+    }
+    if (!follows) result.guards.push_back(guard);
+  }
+  return compact(result, live_nodes(result));
+}
+
+} // namespace symreal
