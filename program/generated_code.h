@@ -15,7 +15,8 @@ namespace symreal::program {
 struct Banner {
   std::string kernel, prefix, version;
   FloatingPoint mode = FloatingPoint::finite;
-  std::size_t inputs = 0, parameters = 0, constants = 0, outputs = 0;
+  std::size_t inputs = 0, parameters = 0, constants = 0, outputs = 0, guards = 0;
+  std::string decisions = "error"; // the policy under which the kernel was recorded
 };
 // Throws foreign_file for a file that this version of the tool did not generate.
 Banner read_banner(std::string const &path);
@@ -28,16 +29,27 @@ public:
   GeneratedCode(GeneratedCode const &) = delete;
   GeneratedCode &operator=(GeneratedCode const &) = delete;
 
-  std::vector<double> run(std::span<double const> inputs, std::span<double const> parameters);
+  struct Result {
+    int failed;                  // 0, or the number of a guard
+    std::vector<double> outputs; // what the code does not set is `untouched`
+  };
+  static constexpr std::uint64_t untouched = 0x7ff4'dead'beef'dead; // the bits of a NaN that no computation yields
+  Result run(std::span<double const> inputs, std::span<double const> parameters);
+
+  // What the file says of guard `number`.
+  std::string guard_text(std::size_t number) const;
 
 private:
   using Preprocess = void (*)(double const *, double *);
   using Compute = void (*)(double const *, double const *, double *);
+  using GuardedCompute = int (*)(double const *, double const *, double *);
+  using GuardText = char const *(*)(int);
 
   Banner banner_;
   void *library_ = nullptr;
   Preprocess preprocess_ = nullptr;
-  Compute compute_ = nullptr;
+  void *compute_ = nullptr; // a Compute, with guards a GuardedCompute
+  GuardText guard_text_ = nullptr;
 };
 
 } // namespace symreal::program

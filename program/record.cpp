@@ -149,6 +149,7 @@ Recording record(std::string const &executable, RunOptions const &options, std::
       std::string file = directory + "/" + found->graph_file;
       Graph graph = read_graph(read_file(file), file);
       resolve(graph, symbolizer);
+      graph.decisions = options.decisions;
       recording.kernels.push_back({std::move(graph), kernel, found->output_file, found->begun_as});
     } else if (!explained) {
       bool begun = is_begun(kernel, events.started);

@@ -1,6 +1,7 @@
 #include "program/verification.h"
 
 #include "graph/evaluate.h"
+#include "program/guard_verification.h"
 #include "program/replay.h"
 
 #include <algorithm>
@@ -40,15 +41,24 @@ Verification verify(Front const &front, RunOptions const &run, Recorded const &r
   Verification result;
   result.mode = banner.mode;
   result.outputs.resize(graph.output_count());
+  for (std::size_t number = 1; number <= banner.guards; ++number)
+    result.guards.push_back({code.guard_text(number), 0, {}});
   if (own_flags) result.own_flags_ulp.resize(graph.output_count());
 
   for (std::size_t k = 0; k < options.samples; ++k) {
     Sample sample = source.next();
-    std::vector<double> original = replay.run(sample);
-    std::vector<double> generated = code.run(sample.inputs, sample.parameters);
     std::vector<double> values = evaluate(graph, sample.inputs, sample.parameters);
+    GeneratedCode::Result computed = code.run(sample.inputs, sample.parameters);
+    std::vector<double> const &generated = computed.outputs;
     Premises premises = check_premises(graph, values);
     bool inside = banner.mode == FloatingPoint::strict || premises.hold();
+    if (!inside) ++(premises.finite ? result.zero_sign : result.not_finite);
+    std::size_t failing = first_failing_guard(graph, values);
+    result.samples.push_back(sample);
+    if (inside) check_guards(graph, failing, computed, k, result);
+    // Beyond a guard the original goes where the recording has not been, and nothing is promised.
+    if (failing < graph.guards.size() || computed.failed != 0) continue;
+    std::vector<double> original = replay.run(sample);
     bool graph_same = true, outside_same = true;
     for (std::size_t slot = 0; slot < original.size(); ++slot) {
       if (inside) {
@@ -64,10 +74,8 @@ Verification verify(Front const &front, RunOptions const &run, Recorded const &r
         result.own_flags_ulp[slot] = std::max(result.own_flags_ulp[slot], ulp_distance(own[slot], generated[slot]));
     }
     result.inside += inside;
-    if (!inside) ++(premises.finite ? result.zero_sign : result.not_finite);
     result.outside_different += !outside_same;
     result.graph_different += !graph_same;
-    result.samples.push_back(std::move(sample));
   }
   return result;
 }

@@ -14,15 +14,33 @@ struct VerificationOptions {
   double tolerance = 1e-9; // mode fast
 };
 
+// A guard of the generated code.
+struct GuardCheck {
+  std::string text;
+  std::size_t failed = 0;            // samples on which it is the first that does not hold
+  std::optional<std::size_t> origin; // the guard of the recorded graph, once a sample has told
+};
+
+// A sample on which the generated code returned another guard than the original's decisions ask for.
+struct GuardMismatch {
+  std::size_t sample;
+  std::string expected, found;
+};
+
 struct Verification {
   FloatingPoint mode = FloatingPoint::finite;
-  std::size_t inside = 0;                    // samples that satisfy the premises of the mode
+  std::size_t inside = 0;                    // samples that satisfy the premises of the mode and all guards
   std::size_t not_finite = 0, zero_sign = 0; // and those that do not, by premise
   std::vector<OutputComparison> outputs;     // per slot, over the samples inside
   std::vector<std::uint64_t> own_flags_ulp;  // per slot, against the original with the user's own flags; may be empty
   std::size_t outside_different = 0;         // samples outside that differ in some output, not an error
   std::size_t graph_different = 0; // samples inside on which the recorded graph itself differs from the original
   std::vector<Sample> samples;     // all that were drawn
+
+  std::vector<GuardCheck> guards;              // of the generated code, in order
+  std::size_t refused = 0;                     // samples within the premises on which one does not hold
+  std::size_t guards_different = 0;            // samples on which the code decided otherwise than it should
+  std::optional<GuardMismatch> guard_mismatch; // the first of them
 
   std::size_t different() const; // outputs that differ
 };

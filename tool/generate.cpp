@@ -46,7 +46,7 @@ std::string place_output(std::string const &option, std::string const &name, boo
 void require_sense(Options const &options) {
   require_one_of("--lang", options.language, "c");
   require_one_of("--frozen", options.frozen, "error|warn|allow");
-  require_one_of("--decisions", options.decisions, "error");
+  require_one_of("--decisions", options.decisions, "error|guard|select");
   (void)options.passes.floating_point();
   (void)options.passes.names();
 }
@@ -136,7 +136,9 @@ void add_generate(CLI::App &app, Session &session) {
   options->passes.add_to(*command);
   options->emitter.add_to(*command);
   command->add_flag("--wrapper", options->wrapper, "Also emit a function with the signature of the original");
-  command->add_option("--decisions", options->decisions, "What becomes of a decision on a symbolic value: error")
+  command
+      ->add_option("--decisions", options->decisions,
+                   "What becomes of a decision on a symbolic value: error, guard or select")
       ->capture_default_str();
   command->add_option("--frozen", options->frozen, "State that would be baked in: error, warn or allow")
       ->capture_default_str();

@@ -1,9 +1,11 @@
 #include "tool/report.h"
 
+#include "emit/emit.h"
 #include "graph/statistics.h"
 #include "support/number.h"
 #include "tool/source_lines.h"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <fmt/ostream.h>
 #include <nlohmann/json.hpp>
@@ -69,6 +71,26 @@ void print_objects(std::ostream &out, char const *role, std::vector<Object> cons
                extents(object));
 }
 
+// Numbered as `compute` returns them.
+void print_guards(std::ostream &out, Graph const &graph, bool details) {
+  constexpr std::size_t most = 10;
+  std::size_t const count = graph.guards.size(), shown = details ? count : std::min(count, most);
+  for (std::size_t k = 0; k < shown; ++k)
+    fmt::print(out, "  guard {:<9} {}\n", k + 1, guard_text(graph, graph.guards[k]));
+  if (shown < count) fmt::print(out, "  ... {} guards in all; --stats lists them\n", count);
+}
+
+Json guards_to_json(Graph const &graph) {
+  Json json = Json::array();
+  for (Guard const &guard : graph.guards) {
+    json.push_back({{"condition", guard.text}, {"places", Json::array()}});
+    if (guard.location == no_location) continue;
+    for (Place const &place : graph.locations[guard.location].places)
+      json.back()["places"].push_back({{"file", place.file}, {"line", place.line}, {"column", place.column}});
+  }
+  return json;
+}
+
 Json to_json(OperationCounts const &counts) {
   Json json = Json::object();
   for (OperationInfo const &operation : operations())
@@ -101,6 +123,7 @@ void print_table(std::ostream &out, KernelReport const &report, bool details) {
     print_objects(out, "output", recorded.outputs);
     print_lines(out, operations_by_line(recorded, optimised));
   }
+  print_guards(out, optimised, details);
   for (Frozen const &state : recorded.frozen)
     fmt::print(out, "  baked in        {} = {}  ({})\n", state.name, value_list(state.values), to_string(state.place));
   std::string times;
@@ -117,6 +140,7 @@ Json to_json(KernelReport const &report) {
                {"parameters", to_json(recorded.parameters)},
                {"outputs", to_json(recorded.outputs)},
                {"constants", report.optimised->precomputed.size()}};
+  if (!report.optimised->guards.empty()) json["guards"] = guards_to_json(*report.optimised);
   for (Column const &column : columns(report)) json["operations"][column.name] = to_json(column.counts);
   json["passes"] = Json::array();
   for (Stage const &stage : report.stages)

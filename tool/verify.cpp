@@ -31,6 +31,8 @@ int run(Options const &options, Session const &session) {
   Console console;
   program::FrontRequest request = source.request(session.flags);
   request.replay = true;
+  request.run.decisions = banner.decisions;
+  request.run.floating_point = to_string(banner.mode);
   auto front = program::run_front(request, console.talk());
   if (!front) return error;
   if (request.keep) console.note("the build directory is " + front->workspace->path());

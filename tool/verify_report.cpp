@@ -63,6 +63,23 @@ std::string first_difference(Graph const &graph, program::Verification const &ve
   return {};
 }
 
+void print_guards(std::ostream &out, program::Verification const &verification) {
+  fmt::print(out, "  refused by a guard: {}\n  {:<8}{:>10}   {}\n", verification.refused, "guard", "samples",
+             "condition");
+  for (std::size_t k = 0; k < verification.guards.size(); ++k)
+    fmt::print(out, "  {:<8}{:>10}   {}\n", k + 1, verification.guards[k].failed, verification.guards[k].text);
+  if (verification.mode == FloatingPoint::fast && verification.guards_different != 0)
+    fmt::print(out, "  rounding decides {} samples otherwise\n", verification.guards_different);
+}
+
+std::string guard_difference(program::Verification const &verification) {
+  program::GuardMismatch const &mismatch = *verification.guard_mismatch;
+  return fmt::format("the original {}, the code returned {}, inputs {}",
+                     mismatch.expected.empty() ? "decides as it did while it was recorded"
+                                               : "does not satisfy the guard " + mismatch.expected,
+                     mismatch.found, list(verification.samples[mismatch.sample].inputs));
+}
+
 } // namespace
 
 void print_verification(std::ostream &out, Graph const &graph, program::Verification const &verification) {
@@ -73,6 +90,7 @@ void print_verification(std::ostream &out, Graph const &graph, program::Verifica
                "  outside: {} with a value that is not finite, {} where the sign of a zero is seen; {} of them "
                "differ\n",
                verification.not_finite, verification.zero_sign, verification.outside_different);
+  if (!verification.guards.empty()) print_guards(out, verification);
   bool own_flags = !verification.own_flags_ulp.empty();
   fmt::print(out, "  {:<28}{:>10}{:>22}{:>12}{}\n", "output", "elements", "worst ULP", "different",
              own_flags ? fmt::format("{:>22}", "ULP, own flags") : "");
@@ -106,6 +124,9 @@ Json to_json(Graph const &graph, program::Verification const &verification) {
       if (!verification.own_flags_ulp.empty())
         json["outputs"].back()["own_flags_ulp"] = verification.own_flags_ulp[object.first + element];
     }
+  if (!verification.guards.empty()) json["refused"] = verification.refused;
+  for (program::GuardCheck const &guard : verification.guards)
+    json["guards"].push_back({{"text", guard.text}, {"failed", guard.failed}});
   return json;
 }
 
@@ -122,6 +143,13 @@ std::optional<Diagnostic> verification_failure(Graph const &graph, program::Veri
                                               verification.graph_different)});
     return diagnostic;
   }
+  if (verification.guards_different != 0 && verification.mode != FloatingPoint::fast)
+    return Diagnostic{DiagnosticId::verification_mismatch,
+                      Severity::error,
+                      {file},
+                      fmt::format("on {} samples the code does not return the guard that does not hold",
+                                  verification.guards_different),
+                      {{{}, guard_difference(verification)}}};
   if (verification.inside < std::min(options.min_samples, options.samples))
     return Diagnostic{DiagnosticId::too_few_samples,
                       Severity::error,

@@ -69,6 +69,9 @@ OutputFile wrapper_file(rewrite::Kernel const &kernel, Graph const &graph, Emitt
   if (!kernel.is_function)
     fail(DiagnosticId::option_without_effect, kernel.place,
          "--wrapper needs a function: kernel '" + kernel.name + "' is a stretch of code without a signature");
+  if (!graph.guards.empty())
+    fail(DiagnosticId::option_without_effect, kernel.place,
+         "--wrapper cannot take the place of '" + kernel.name + "', whose code has guards");
   std::string prefix = options.prefix.empty() ? "" : options.prefix + "_";
   auto array = [](std::string_view name, std::size_t count) {
     return fmt::format("  double symreal_{}[{}];\n", name, std::max<std::size_t>(count, 1));

@@ -6,7 +6,7 @@
 
 namespace symreal {
 
-static std::string guard(EmitOptions const &options) {
+static std::string include_guard(EmitOptions const &options) {
   std::string name = prefixed(options, options.base_name) + "_H";
   for (char &c : name) c = std::isalnum(static_cast<unsigned char>(c)) ? static_cast<char>(std::toupper(c)) : '_';
   return std::isdigit(static_cast<unsigned char>(name[0])) ? "H_" + name : name;
@@ -33,7 +33,8 @@ static std::string describe(EmitOptions const &options, std::string const &role,
 std::string c_header(Program const &program, EmitOptions const &options) {
   Graph const &graph = *program.graph;
   std::string out = c_banner(program, options);
-  out += fmt::format("#ifndef {0}\n#define {0}\n\n#ifdef __cplusplus\nextern \"C\" {{\n#endif\n\n", guard(options));
+  out += fmt::format("#ifndef {0}\n#define {0}\n\n#ifdef __cplusplus\nextern \"C\" {{\n#endif\n\n",
+                     include_guard(options));
   out += fmt::format("enum {{ {} = {}, {} = {}, {} = {}, {} = {} }};\n\n", prefixed(options, "input_count"),
                      graph.input_count(), prefixed(options, "parameter_count"), graph.parameter_count(),
                      prefixed(options, "constant_count"), program.constant_count, prefixed(options, "output_count"),
@@ -44,8 +45,9 @@ std::string c_header(Program const &program, EmitOptions const &options) {
   out += "/* Once, and again whenever a parameter changes. */\n";
   out += fmt::format("void {}(double const *parameters, double *constants);\n\n", prefixed(options, "preprocess"));
   out += "/* The arrays may overlap: all inputs are read before an output is written. */\n";
-  out += fmt::format("void {}(double const *input, double const *constants, double *output);\n\n",
-                     prefixed(options, "compute"));
+  out += fmt::format("{} {}(double const *input, double const *constants, double *output);\n\n",
+                     graph.guards.empty() ? "void" : "int", prefixed(options, "compute"));
+  if (!graph.guards.empty()) out += c_guard_list(program, options);
   out += "#ifdef __cplusplus\n}\n#endif\n\n#endif\n";
   return out;
 }

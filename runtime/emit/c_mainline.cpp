@@ -45,8 +45,13 @@ std::string c_mainline(Program const &program, EmitOptions const &options) {
                   "    if (i <= {0}) input[i - 1] = value;\n    else if (i <= {1}) parameters[i - 1 - {0}] = value;\n"
                   "  }}\n",
                   graph.input_count(), graph.input_count() + graph.parameter_count());
-  out += fmt::format("  {}(parameters, constants);\n  {}(input, constants, output);\n", prefixed(options, "preprocess"),
-                     prefixed(options, "compute"));
+  out += fmt::format("  {}(parameters, constants);\n", prefixed(options, "preprocess"));
+  std::string const call = prefixed(options, "compute") + "(input, constants, output);\n";
+  out += graph.guards.empty() ? "  " + call
+                              : fmt::format("  i = {}  if (i != 0) {{\n"
+                                            "    fprintf(stderr, \"guard %d does not hold: %s\\n\", i, {}(i));\n"
+                                            "    return 1;\n  }}\n",
+                                            call, prefixed(options, "guard_text"));
   out += fmt::format("  for (i = 0; i < {}; ++i) printf(\"%s = %.17g\\n\", name[i], output[i]);\n  return 0;\n}}\n",
                      graph.output_count());
   return out;

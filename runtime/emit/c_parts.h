@@ -14,6 +14,10 @@ std::string c_source(Program const &program, EmitOptions const &options);
 std::string c_header(Program const &program, EmitOptions const &options);
 std::string c_mainline(Program const &program, EmitOptions const &options);
 
+// With guards only: the list of them, for the header, and the function that gives their texts.
+std::string c_guard_list(Program const &program, EmitOptions const &options);
+std::string c_guard_text(Program const &program, EmitOptions const &options);
+
 // "arm_" + name, or the bare name.
 std::string prefixed(EmitOptions const &options, std::string const &name);
 

@@ -38,18 +38,25 @@ public:
         kept_(program.graph->nodes.size(), no_slot) {}
 
   std::string print() {
+    bool const may_fail = !body_.checks.empty();
+    std::string const end = may_fail ? "  return 0;\n" : "", head = (may_fail ? "int " : "void ") + name_;
     if (chunks_.size() == 1) {
       std::string text = statements(0);
-      return function("void " + name_, target(), text + results());
+      return function(head, target(), text + results() + end);
     }
-    std::string out, calls;
+    std::string out, calls = fmt::format("  double v[{}];\n", chunks_.spill_count);
+    if (may_fail) calls += "  int failed = 0;\n";
     for (std::size_t chunk = 0; chunk < chunks_.size(); ++chunk) {
       std::string const name = fmt::format("{}_{}", name_, chunk + 1);
-      out += function("static void " + name, "v", statements(chunk)) + "\n";
-      calls += fmt::format("  {}({}, v);\n", name, is_compute_ ? "input, constants" : "parameters");
+      std::string const call = fmt::format("{}({}, v)", name, is_compute_ ? "input, constants" : "parameters");
+      std::size_t const check = check_;
+      std::string const text = statements(chunk);
+      bool const checks = check_ != check;
+      out += function((checks ? "static int " : "static void ") + name, "v", text + (checks ? end : "")) + "\n";
+      calls += checks ? fmt::format("  failed = {};\n  if (failed != 0) return failed;\n", call)
+                      : fmt::format("  {};\n", call);
     }
-    return out + function("void " + name_, target(),
-                          fmt::format("  double v[{}];\n", chunks_.spill_count) + calls + results());
+    return out + function(head, target(), calls + results() + end);
   }
 
 private:
@@ -60,6 +67,7 @@ private:
     FunctionContext const context{is_compute_, &variable_, &kept_};
     std::size_t const first = chunks_.begin[chunk], end = chunks_.begin[chunk + 1];
     for (std::size_t k = first; k < end; ++k) {
+      append_checks(out, context, chunk, k);
       NodeId const id = body_.variables[k];
       Node const &node = program_.graph->nodes[id];
       bool truth = !is_leaf(node.op) && info(node.op).has(flag::BOOLEAN);
@@ -68,12 +76,22 @@ private:
       variable_[id] = static_cast<std::uint32_t>(k);
       if (chunks_.spill_slot[id] != no_slot) out += fmt::format("  v[{}] = t{};\n", chunks_.spill_slot[id], k);
     }
+    append_checks(out, context, chunk, end);
     if (chunks_.size() == 1) return out;
     for (std::size_t k = first; k < end; ++k) { // what this chunk called tk, later ones find in v
       variable_[body_.variables[k]] = no_slot;
       kept_[body_.variables[k]] = chunks_.spill_slot[body_.variables[k]];
     }
     return out;
+  }
+
+  // Those that stand before statement k, in its chunk.
+  void append_checks(std::string &out, FunctionContext const &context, std::size_t chunk, std::size_t k) {
+    for (; check_ < body_.checks.size(); ++check_) {
+      Check const &check = body_.checks[check_];
+      if (check.before != k || chunks_.of_check(check) != chunk) return;
+      append_wrapped(out, fmt::format("if ({}) return {};", c_failure(program_, context, check.condition), check_ + 1));
+    }
   }
 
   std::string results() {
@@ -103,13 +121,17 @@ private:
   std::string name_;
   Chunks chunks_;
   std::vector<std::uint32_t> variable_, kept_;
+  std::size_t check_ = 0; // the next to be printed
 };
 
 } // namespace
 
 std::string c_source(Program const &program, EmitOptions const &options) {
-  return c_banner(program, options) + fmt::format("#include \"{}.h\"\n\n#include <math.h>\n\n", options.base_name) +
-         FunctionPrinter(program, options, false).print() + "\n" + FunctionPrinter(program, options, true).print();
+  std::string text =
+      c_banner(program, options) + fmt::format("#include \"{}.h\"\n\n#include <math.h>\n\n", options.base_name) +
+      FunctionPrinter(program, options, false).print() + "\n" + FunctionPrinter(program, options, true).print();
+  if (!program.graph->guards.empty()) text += "\n" + c_guard_text(program, options);
+  return text;
 }
 
 } // namespace symreal

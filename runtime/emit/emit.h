@@ -25,6 +25,13 @@ struct EmittedFile {
 //   void preprocess(double const *parameters, double *constants);
 //   void compute(double const *input, double const *constants, double *output);
 // All inputs are read before an output is written, so the arrays may overlap. Nothing is allocated, no state is kept.
+// With guards compute is an int: 0, or k + 1 for the first guard, k, that does not hold; output is untouched then. Then
+// there also are
+//   enum { guard_count = n };
+//   char const *guard_text(int guard);
 std::vector<EmittedFile> emit_c(Graph const &graph, EmitOptions const &options);
+
+// The condition of a guard in words, and its places: the user's own first, then those further in.
+std::string guard_text(Graph const &graph, Guard const &guard);
 
 } // namespace symreal

@@ -32,7 +32,35 @@ public:
 
   // An explicit stack instead of recursion; pieces are pushed last first.
   std::string print(NodeId root, bool spelled_out) {
-    stack_.push_back({.text = {}, .node = root, .binding = loosest, .spelled_out = spelled_out});
+    return print({.text = {}, .node = root, .binding = loosest, .spelled_out = spelled_out});
+  }
+
+  std::string print_failure(NodeId id) {
+    bool wanted = false;
+    while (spelled_out(id) && node(id).op == Op::logical_not) {
+      id = node(id).operand[0];
+      wanted = !wanted;
+    }
+    bool is_truth = is_variable(id) || spelled_out(id);
+    if (is_leaf(node(id).op) || !info(node(id).op).has(flag::BOOLEAN) || !is_truth)
+      return print({.text = {}, .node = id, .binding = additive}) + (wanted ? " != 0.0" : " == 0.0");
+    Node negated = node(id);
+    if (!wanted && spelled_out(id) && (negated.op == Op::eq || negated.op == Op::ne)) {
+      negated.op = negated.op == Op::eq ? Op::ne : Op::eq;
+      print_operation(negated, loosest);
+      return finish();
+    }
+    if (!wanted) text_ = "!";
+    return print({.text = {}, .node = id, .binding = wanted ? loosest : prefix_operand, .as_truth = true});
+  }
+
+private:
+  std::string print(Piece piece) {
+    stack_.push_back(std::move(piece));
+    return finish();
+  }
+
+  std::string finish() {
     while (!stack_.empty()) {
       Piece piece = std::move(stack_.back());
       stack_.pop_back();
@@ -44,7 +72,15 @@ public:
     return std::move(text_);
   }
 
-private:
+  Node const &node(NodeId id) const { return program_.graph->nodes[id]; }
+  bool is_variable(NodeId id) const { return (*context_.name)[id] != no_slot; }
+  // Neither a variable nor an element of an array.
+  bool spelled_out(NodeId id) const {
+    bool in_array = (context_.kept && (*context_.kept)[id] != no_slot) ||
+                    (context_.in_compute && program_.constant_slot[id] != no_slot);
+    return !is_leaf(node(id).op) && !is_variable(id) && !in_array;
+  }
+
   void print_node(Piece const &piece) {
     Node const &node = program_.graph->nodes[piece.node];
     bool is_kept = is_kept_value(piece);
@@ -144,6 +180,10 @@ private:
 
 std::string c_expression(Program const &program, FunctionContext const &context, NodeId root) {
   return Printer(program, context).print(root, true);
+}
+
+std::string c_failure(Program const &program, FunctionContext const &context, NodeId node) {
+  return Printer(program, context).print_failure(node);
 }
 
 std::string c_use(Program const &program, FunctionContext const &context, NodeId node) {

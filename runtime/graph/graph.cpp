@@ -12,6 +12,7 @@ Graph without_nodes(Graph const &graph) {
   rest.parameter_values = graph.parameter_values;
   rest.frozen = graph.frozen;
   rest.executed = graph.executed;
+  rest.decisions = graph.decisions;
   rest.locations = graph.locations;
   return rest;
 }

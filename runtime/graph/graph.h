@@ -57,6 +57,7 @@ struct Graph {
   std::vector<NodeId> results;     // per output slot
   std::vector<NodeId> precomputed; // what `preprocess` stores: slot k of `constants` holds the value of precomputed[k]
   std::vector<Guard> guards;       // in the order of recording: compute returns k + 1 for the first, k, that fails
+  std::string decisions = "error"; // the policy while recording, as --decisions spells it
   std::vector<Location> locations;
   std::vector<LocationId> node_location; // per node, or empty: places were not asked for
   std::vector<double> input_values;      // per input slot: the value it had while recording

@@ -102,6 +102,8 @@ private:
       headed_ = true;
     } else if (head == "kernel")
       graph_.kernel = line.string("the kernel's name");
+    else if (head == "decisions")
+      graph_.decisions = line.word("a policy");
     else if (head == "input")
       read_object(line, graph_.inputs, &graph_.input_values);
     else if (head == "parameter")

@@ -43,6 +43,7 @@ static void write_location(std::ostream &out, std::size_t id, Location const &lo
 
 void write_graph(std::ostream &out, Graph const &graph) {
   out << "symreal-graph 1\nkernel " << quoted(graph.kernel) << '\n';
+  if (graph.decisions != "error") out << "decisions " << graph.decisions << '\n';
   write_objects(out, "input", graph.inputs, &graph.input_values);
   write_objects(out, "parameter", graph.parameters, &graph.parameter_values);
   write_objects(out, "output", graph.outputs, nullptr);

@@ -31,6 +31,7 @@ public:
         chunk_[id] = static_cast<std::uint32_t>(chunk);
         note_reads(id, chunk);
       }
+    for (Check const &check : body_.checks) note_use(check.condition, chunks.of_check(check));
     for (NodeId result : body_.results)
       if (chunk_[result] != no_slot) last_reader_[result] = static_cast<std::uint32_t>(chunks.size());
     assign_slots(chunks);
@@ -45,14 +46,23 @@ private:
       Node const &node = program_.graph->nodes[stack_.back()];
       stack_.pop_back();
       if (is_leaf(node.op)) continue;
-      for (NodeId operand : node.operand) {
-        if (operand == no_node || (in_compute_ && program_.constant_slot[operand] != no_slot)) continue;
-        if (chunk_[operand] != no_slot)
-          last_reader_[operand] = static_cast<std::uint32_t>(chunk);
-        else
-          stack_.push_back(operand);
-      }
+      for (NodeId operand : node.operand)
+        if (operand != no_node) note_read(operand, chunk);
     }
+  }
+
+  void note_use(NodeId id, std::size_t chunk) {
+    stack_.clear();
+    note_read(id, chunk);
+    if (!stack_.empty()) note_reads(id, chunk);
+  }
+
+  void note_read(NodeId id, std::size_t chunk) {
+    if (in_compute_ && program_.constant_slot[id] != no_slot) return;
+    if (chunk_[id] != no_slot)
+      last_reader_[id] = std::max(last_reader_[id], static_cast<std::uint32_t>(chunk));
+    else
+      stack_.push_back(id);
   }
 
   void assign_slots(Chunks &chunks) {
@@ -80,6 +90,11 @@ private:
 };
 
 } // namespace
+
+std::size_t Chunks::of_check(Check const &check) const {
+  auto after = std::lower_bound(begin.begin() + 1, begin.end(), check.before);
+  return static_cast<std::size_t>(after - begin.begin()) - 1;
+}
 
 Chunks cut(Program const &program, FunctionBody const &body, bool in_compute) {
   return Cutter(program, body, in_compute).cut();

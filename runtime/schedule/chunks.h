@@ -14,6 +14,8 @@ struct Chunks {
   std::size_t spill_count = 0;           // size of the array; slots are used again when their value is dead
 
   std::size_t size() const { return begin.size() - 1; }
+  // Where a check belongs: with the statements before it, whose variables it can read.
+  std::size_t of_check(Check const &check) const;
 };
 
 // The results are read after the last chunk.

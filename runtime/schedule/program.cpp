@@ -34,13 +34,24 @@ Reach reach(Graph const &graph, std::vector<NodeId> const &roots, std::vector<st
   return result;
 }
 
+// Statements stand in the order of their nodes, and a condition is younger than what it is computed from.
+void place_checks(FunctionBody &body, std::vector<NodeId> const &conditions) {
+  std::size_t before = 0;
+  for (NodeId condition : conditions) {
+    while (before < body.variables.size() && body.variables[before] <= condition) ++before;
+    body.checks.push_back({condition, before});
+  }
+}
+
 // All inputs are read before an output is written, since the arrays may overlap; so what an output holds
 // must be in a variable by then.
-FunctionBody lay_out(Graph const &graph, std::vector<NodeId> const &roots,
+FunctionBody lay_out(Graph const &graph, std::vector<NodeId> const &results, std::vector<NodeId> const &conditions,
                      std::vector<std::uint32_t> const *constant_slot) {
+  std::vector<NodeId> roots = results;
+  roots.insert(roots.end(), conditions.begin(), conditions.end());
   Reach const needs = reach(graph, roots, constant_slot);
-  std::vector<char> is_root(graph.nodes.size(), 0);
-  for (NodeId root : roots) is_root[root] = 1;
+  std::vector<char> is_result(graph.nodes.size(), 0);
+  for (NodeId result : results) is_result[result] = 1;
   std::vector<std::uint8_t> operations(graph.nodes.size(), 0), depth(graph.nodes.size(), 0); // of nested expressions
   FunctionBody body;
   for (std::size_t id = 0; id < graph.nodes.size(); ++id) {
@@ -55,7 +66,7 @@ FunctionBody lay_out(Graph const &graph, std::vector<NodeId> const &roots,
         height = std::max<unsigned>(height, depth[operand]);
       }
     bool nests = is_read || (needs.uses[id] == 1 && size <= most_nested_operations && height < most_nested_depth);
-    if (is_root[id] && !node.is_constant()) nests = false;
+    if (is_result[id] && !node.is_constant()) nests = false;
     if (!nests)
       body.variables.push_back(static_cast<NodeId>(id));
     else if (!is_read) {
@@ -63,7 +74,8 @@ FunctionBody lay_out(Graph const &graph, std::vector<NodeId> const &roots,
       depth[id] = static_cast<std::uint8_t>(height + 1);
     }
   }
-  body.results = roots;
+  body.results = results;
+  place_checks(body, conditions);
   return body;
 }
 
@@ -75,15 +87,18 @@ Program schedule(Graph const &graph) {
   for (std::size_t slot = 0; slot < stored.size(); ++slot)
     program.constant_slot[stored[slot]] = static_cast<std::uint32_t>(slot);
   // Without pass preprocess `compute` still sees no parameters: those that it needs are handed through `constants`.
-  Reach const needs = reach(graph, graph.results, &program.constant_slot);
+  std::vector<NodeId> conditions, roots = graph.results;
+  for (Guard const &guard : graph.guards) conditions.push_back(guard.condition);
+  roots.insert(roots.end(), conditions.begin(), conditions.end());
+  Reach const needs = reach(graph, roots, &program.constant_slot);
   for (std::size_t id = 0; id < graph.nodes.size(); ++id)
     if (needs.needed[id] && graph.nodes[id].op == Op::parameter && program.constant_slot[id] == no_slot) {
       program.constant_slot[id] = static_cast<std::uint32_t>(stored.size());
       stored.push_back(static_cast<NodeId>(id));
     }
   program.constant_count = stored.size();
-  program.preprocess = lay_out(graph, stored, nullptr);
-  program.compute = lay_out(graph, graph.results, &program.constant_slot);
+  program.preprocess = lay_out(graph, stored, {}, nullptr);
+  program.compute = lay_out(graph, graph.results, conditions, &program.constant_slot);
   return program;
 }
 

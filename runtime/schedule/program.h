@@ -7,10 +7,18 @@
 
 namespace symreal {
 
+// Stands before statement `before`: the function returns unless `condition` holds.
+struct Check {
+  NodeId condition;
+  std::size_t before;
+};
+
 // A function body: `variables` are computed in this order, one statement each; every other operation is used once and
-// is nested in its user's expression. `results` are stored at the end, result k to slot k.
+// is nested in its user's expression. `results` are stored at the end, result k to slot k. Check k is that of guard k;
+// it stands as early as its condition can be computed and not before that of an earlier guard.
 struct FunctionBody {
   std::vector<NodeId> variables;
+  std::vector<Check> checks;
   std::vector<NodeId> results;
 };
 

@@ -1,0 +1,76 @@
+// What generated code says of its guards: a list in the header, a function that gives the text of one.
+#include "emit/c_parts.h"
+
+#include <filesystem>
+#include <fmt/format.h>
+
+namespace symreal {
+
+namespace {
+
+constexpr std::size_t most_places = 6;
+
+// A file outside of the project (Eigen, std) stands somewhere else on every machine.
+std::string portable(Place place) {
+  std::filesystem::path const file = place.file;
+  if (file.is_absolute()) place.file = file.filename().string();
+  return to_string(place);
+}
+
+// Neither the end of a comment nor its beginning.
+std::string in_comment(std::string const &text) {
+  std::string result;
+  for (char c : text) {
+    if (c == '\n') c = ' ';
+    if (!result.empty() && ((result.back() == '*' && c == '/') || (result.back() == '/' && c == '*'))) result += ' ';
+    result += c;
+  }
+  return result;
+}
+
+// Two question marks could begin a trigraph.
+std::string in_quotes(std::string const &text) {
+  std::string result = "\"";
+  for (char c : text) {
+    if (c == '\n') c = ' ';
+    if (c == '"' || c == '\\' || (c == '?' && result.back() == '?')) result += '\\';
+    result += c;
+  }
+  return result + '"';
+}
+
+} // namespace
+
+std::string guard_text(Graph const &graph, Guard const &guard) {
+  std::string places;
+  if (guard.location != no_location) {
+    std::vector<Place> const &known = graph.locations[guard.location].places;
+    for (std::size_t i = 0; i < known.size() && i < most_places; ++i)
+      places += (i == 0 ? "" : ", ") + portable(known[i]);
+    if (known.size() > most_places) places += ", ...";
+  }
+  return places.empty() ? guard.text : guard.text + " (" + places + ")";
+}
+
+std::string c_guard_list(Program const &program, EmitOptions const &options) {
+  Graph const &graph = *program.graph;
+  std::string out =
+      "/* compute returns 0, or the number of the first guard that does not hold; output is left untouched "
+      "then.\n   The code is right where the original decides as it did while it was recorded:\n";
+  for (std::size_t k = 0; k < graph.guards.size(); ++k)
+    out += fmt::format("   {:>3}  {}\n", k + 1, in_comment(guard_text(graph, graph.guards[k])));
+  return out + fmt::format("*/\nenum {{ {} = {} }};\n/* The condition of a guard and its places in the source. */\n"
+                           "char const *{}(int guard);\n\n",
+                           prefixed(options, "guard_count"), graph.guards.size(), prefixed(options, "guard_text"));
+}
+
+std::string c_guard_text(Program const &program, EmitOptions const &options) {
+  Graph const &graph = *program.graph;
+  std::string list;
+  for (Guard const &guard : graph.guards) list += "      " + in_quotes(guard_text(graph, guard)) + ",\n";
+  return fmt::format("char const *{}(int guard) {{\n  static char const *const text[] = {{\n{}  }};\n"
+                     "  return guard > 0 && guard <= {} ? text[guard - 1] : \"\";\n}}\n",
+                     prefixed(options, "guard_text"), list, graph.guards.size());
+}
+
+} // namespace symreal
