@@ -76,7 +76,7 @@ std::optional<Front> run_front(FrontRequest const &request, Talk const &talk) {
   // Which kernel comes first is not known before the run, so one among several is waited for to the program's end.
   run.run_on |= wanted.size() < rewritten.kernels.size();
   Recording recording =
-      record(front.symbolic_program, run, wanted, *front.overlay, *front.workspace, talk.program_output);
+      record(front.symbolic_program, run, rewritten, wanted, *front.overlay, *front.workspace, talk.program_output);
   front.run_seconds = watch.lap();
   if (!report_all(recording.diagnostics, talk)) return {};
   front.kernels = std::move(recording.kernels);

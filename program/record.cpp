@@ -1,6 +1,7 @@
 #include "program/record.h"
 
 #include "graph/graph_text.h"
+#include "program/name_nodes.h"
 #include "program/symbolize.h"
 #include "support/files.h"
 
@@ -8,6 +9,7 @@
 #include <csignal>
 #include <cstring>
 #include <fmt/format.h>
+#include <map>
 #include <sstream>
 
 namespace symreal::program {
@@ -67,6 +69,28 @@ Diagnostic remark(Decision const &settled, Symbolizer &symbolizer) {
   return diagnostic;
 }
 
+std::string key(Location const &location) {
+  std::string text;
+  for (Place const &place : location.places) text += to_string(place) + '\n';
+  return text;
+}
+
+// Several pieces of code may stand for one place.
+void merge_equal_locations(Graph &graph) {
+  std::vector<Location> merged;
+  std::vector<LocationId> now;
+  std::map<std::string, LocationId> known;
+  for (Location &location : graph.locations) {
+    auto [found, is_new] = known.try_emplace(key(location), static_cast<LocationId>(merged.size()));
+    now.push_back(found->second);
+    if (is_new) merged.push_back(std::move(location));
+  }
+  graph.locations = std::move(merged);
+  auto move = [&](LocationId &id) { id = id == no_location ? id : now[id]; };
+  for (LocationId &id : graph.node_location) move(id);
+  for (Guard &guard : graph.guards) move(guard.location);
+}
+
 // The innermost place in a rewritten file comes first: it is where the user can act.
 void resolve(Graph &graph, Symbolizer &symbolizer) {
   for (Location &location : graph.locations) {
@@ -76,6 +100,7 @@ void resolve(Graph &graph, Symbolizer &symbolizer) {
     for (auto frame = frames.begin(); frame != own; ++frame) location.places.push_back(frame->place);
     location.addresses.clear();
   }
+  merge_equal_locations(graph);
 }
 
 // Why a kernel that was asked for is missing, from how the program ended.
@@ -123,8 +148,9 @@ Command command(std::string const &executable, RunOptions const &options) {
 
 } // namespace
 
-Recording record(std::string const &executable, RunOptions const &options, std::vector<rewrite::Kernel> const &wanted,
-                 Overlay const &overlay, Workspace const &workspace, LineSink const &sink) {
+Recording record(std::string const &executable, RunOptions const &options, rewrite::Result const &rewritten,
+                 std::vector<rewrite::Kernel> const &wanted, Overlay const &overlay, Workspace const &workspace,
+                 LineSink const &sink) {
   std::string directory = workspace.directory("recording");
   Command program = command(executable, options);
   program.environment = {"SYMREAL_RECORD=" + directory, "SYMREAL_DECISIONS=" + options.decisions,
@@ -150,6 +176,7 @@ Recording record(std::string const &executable, RunOptions const &options, std::
       Graph graph = read_graph(read_file(file), file);
       resolve(graph, symbolizer);
       graph.decisions = options.decisions;
+      name_nodes(graph, rewritten.names);
       recording.kernels.push_back({std::move(graph), kernel, found->output_file, found->begun_as});
     } else if (!explained) {
       bool begun = is_begun(kernel, events.started);

@@ -29,8 +29,13 @@ Symbolizer::Symbolizer(std::string executable, Overlay const &overlay)
       engine_(std::make_unique<Engine>()) {}
 Symbolizer::~Symbolizer() = default;
 
-// The frames of RealNumber and of the recorder lead to the user's place and say nothing themselves.
-static bool is_runtime(std::string_view function) { return function.starts_with("symreal::"); }
+// The frames of RealNumber and of the recorder lead to the user's place and say nothing themselves. What is inlined
+// there goes by a short name, so files count, too.
+static bool is_runtime(llvm::DILineInfo const &info) {
+  std::string_view const file = info.FileName;
+  return info.FunctionName.starts_with("symreal::") || file.find("/runtime/trace/") != file.npos ||
+         file.find("/include/symreal/") != file.npos;
+}
 
 std::vector<Frame> Symbolizer::frames(std::vector<std::uint64_t> const &return_addresses) {
   std::vector<Frame> frames;
@@ -46,7 +51,7 @@ std::vector<Frame> Symbolizer::frames(std::vector<std::uint64_t> const &return_a
     for (unsigned i = 0; i < found->getNumberOfFrames(); ++i) {
       llvm::DILineInfo const &info = found->getFrame(i);
       if (info.FileName == llvm::DILineInfo::BadString || info.Line == 0) continue;
-      if (is_runtime(info.FunctionName) && !overlay_.contains(info.FileName)) continue;
+      if (is_runtime(info) && !overlay_.contains(info.FileName)) continue;
       Place place{info.FileName, info.Line, info.Column};
       frames.push_back({info.FunctionName, overlay_.original(place), overlay_.contains(info.FileName)});
     }

@@ -104,12 +104,13 @@ struct Facts {
   std::set<TypeToken> types;
   std::set<Span> doubles; // every `double` that reached the parser, understood or not
   std::set<Wrap> wraps;
-  std::set<Span> quoted;                // arguments that a macro stringifies or pastes: their text is data
-  std::map<Span, PragmaFact> pragmas;   // by the span of the directive
-  std::set<std::string> number_readers; // variadic functions that read doubles themselves, by qualified name
-  std::vector<Kernel> by_hand;          // generate_code("...") in a symbolic main that was written by hand
-  std::set<std::string> definitions;    // mangled names of the functions that the sources define
-  std::map<std::string, UseFact> uses;  // by mangled name, the first use
+  std::set<Span> quoted;                       // arguments that a macro stringifies or pastes: their text is data
+  std::map<Span, PragmaFact> pragmas;          // by the span of the directive
+  std::set<std::string> number_readers;        // variadic functions that read doubles themselves, by qualified name
+  std::vector<Kernel> by_hand;                 // generate_code("...") in a symbolic main that was written by hand
+  std::set<std::string> definitions;           // mangled names of the functions that the sources define
+  std::map<std::string, UseFact> uses;         // by mangled name, the first use
+  std::map<std::string, NamedStatement> names; // by the place where they begin
   std::vector<std::string> include_dirs;
   std::vector<Diagnostic> diagnostics;
   bool broken = false; // a source does not compile

@@ -41,7 +41,13 @@ public:
   void state(clang::VarDecl const *variable, clang::Expr const *reference);
   void c_declaration(clang::NamedDecl const *declaration);
 
+  // What numbers are called (record_names.cpp).
+  void named_variable(clang::VarDecl const *variable);
+  void named_target(clang::BinaryOperator const *assignment);
+
 private:
+  void name(llvm::StringRef name, clang::SourceLocation begin, clang::SourceLocation end);
+
   using Arguments = llvm::ArrayRef<clang::Expr const *>;
   void arguments(clang::FunctionDecl const *function, Arguments arguments, bool overloaded);
   void literal_argument(clang::FunctionDecl const *function, unsigned index, clang::Expr const *argument,

@@ -74,11 +74,18 @@ struct Boundary {
   Place use;   // where it is called
 };
 
+// A declaration or assignment that gives a number its name in the source.
+struct NamedStatement {
+  Place begin, end; // of the value's first and last token; an assignment begins with its target
+  std::string name;
+};
+
 struct Result {
   std::vector<File> files; // sorted by path; empty when a source does not compile
   std::vector<Kernel> kernels;
   std::vector<std::string> include_dirs; // header search directories of the sources, in order, once each
   std::vector<Boundary> boundaries;      // each also has its diagnostic
+  std::vector<NamedStatement> names;     // by file, line and column
   std::vector<Diagnostic> diagnostics;
 };
 

@@ -132,6 +132,7 @@ public:
   }
   bool VisitVarDecl(VarDecl *variable) {
     if (!passive_) record_.deduced_variable(variable);
+    if (!passive_) record_.named_variable(variable);
     return true;
   }
   bool VisitNamedDecl(NamedDecl *declaration) {
@@ -170,6 +171,7 @@ public:
   bool VisitForStmt(ForStmt *statement) { return decide(statement->getCond()); }
   bool VisitUnaryOperator(UnaryOperator *unary) { return unary->getOpcode() != UO_LNot || decide(unary->getSubExpr()); }
   bool VisitBinaryOperator(BinaryOperator *binary) {
+    if (!passive_) record_.named_target(binary);
     return !binary->isLogicalOp() || (decide(binary->getLHS()) && decide(binary->getRHS()));
   }
 

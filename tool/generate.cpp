@@ -102,7 +102,7 @@ int run(Options const &options, Session const &session) {
   program::FrontRequest request = options.source.request(session.flags);
   request.run.decisions = options.decisions;
   request.run.floating_point = options.passes.mode;
-  request.run.places = options.statistics;
+  request.run.places = true;
   auto front = program::run_front(request, console.talk());
   if (front && options.source.front.keep) console.note("the build directory is " + front->workspace->path());
   if (!front || !report_frozen(front->kernels, options.frozen, console)) return error;

@@ -22,10 +22,15 @@ struct Options {
 
 void require_sense(Options const &options) {
   require_one_of("--lang", options.language, "graph|c");
-  if (options.language == "graph" && (options.emitter.mainline || !options.emitter.prefix.empty()))
-    fail(DiagnosticId::option_without_effect, {}, "--prefix and --mainline shape generated code: use --lang=c");
+  EmitterOptions const &emitter = options.emitter;
+  if (options.language == "graph" && (emitter.mainline || !emitter.prefix.empty() || emitter.trace_comments ||
+                                      emitter.check_values || !emitter.map_file.empty()))
+    fail(DiagnosticId::option_without_effect, {},
+         "--prefix, --mainline, --trace-comments, --map and --check-values shape generated code: use --lang=c");
   if (options.emitter.mainline && options.output.empty())
     fail(DiagnosticId::option_without_effect, {}, "--mainline makes a second file: name the first with -o");
+  if (!emitter.map_file.empty() && options.output.empty())
+    fail(DiagnosticId::option_without_effect, {}, "--map makes a second file: name the first with -o");
   if (options.json && options.output.empty())
     fail(DiagnosticId::option_without_effect, {}, "--json prints to standard output: name the result's file with -o");
 }

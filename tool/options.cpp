@@ -55,6 +55,11 @@ std::vector<std::string> PassOptions::names() const { return parse_passes(passes
 void EmitterOptions::add_to(CLI::App &app) {
   app.add_option("--prefix", prefix, "Begins every external name of the generated code: P gives P_compute");
   app.add_flag("--mainline", mainline, "Also emit a program that runs the generated code");
+  app.add_flag("--trace-comments", trace_comments, "Each statement says which source lines it comes from");
+  app.add_option("--map", map_file, "Also write a map from generated lines to source lines, as JSON")
+      ->type_name("FILE");
+  app.add_flag("--check-values", check_values,
+               "For debugging: the generated code reports the first NaN or infinity with its source line");
 }
 
 void require_one_of(std::string const &option, std::string const &value, std::string_view words) {

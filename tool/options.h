@@ -36,7 +36,8 @@ struct PassOptions {
 // The form of the generated code.
 struct EmitterOptions {
   std::string prefix;
-  bool mainline = false;
+  bool mainline = false, trace_comments = false, check_values = false;
+  std::string map_file;
 
   void add_to(CLI::App &app);
 };

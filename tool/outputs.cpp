@@ -3,6 +3,7 @@
 #include "diagnostics/diagnostic.h"
 #include "emit/emit.h"
 #include "support/files.h"
+#include "tool/line_map.h"
 
 #include <cerrno>
 #include <cstring>
@@ -17,10 +18,14 @@ namespace fs = std::filesystem;
 std::vector<OutputFile> emitted_files(Graph const &graph, EmitterOptions const &options, FloatingPoint mode,
                                       std::string const &path) {
   require_c_name(path);
-  EmitOptions emit{fs::path(path).stem().string(), options.prefix, mode, options.mainline};
+  EmitOptions emit{fs::path(path).stem().string(), options.prefix,      mode, options.mainline,
+                   options.trace_comments,         options.check_values};
   std::vector<OutputFile> files;
-  for (EmittedFile &file : emit_c(graph, emit))
+  for (EmittedFile &file : emit_c(graph, emit)) {
+    if (!options.map_file.empty() && files.empty()) files.push_back({options.map_file, line_map(file, graph)});
     files.push_back({(fs::path(path).parent_path() / file.name).string(), std::move(file.text)});
+  }
+  if (!options.map_file.empty()) std::swap(files[0], files[1]); // the source comes first
   return files;
 }
 

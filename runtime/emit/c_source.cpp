@@ -1,7 +1,10 @@
 #include "emit/c_parts.h"
 #include "emit/expression.h"
+#include "emit/trace.h"
+#include "emit/value_checks.h"
 #include "schedule/chunks.h"
 
+#include <algorithm>
 #include <fmt/format.h>
 
 namespace symreal {
@@ -25,6 +28,8 @@ static void append_wrapped(std::string &out, std::string_view statement) {
 
 namespace {
 
+bool is_truth(Node const &node) { return !is_leaf(node.op) && info(node.op).has(flag::BOOLEAN); }
+
 // One of the two functions, printed chunk by chunk: a long one becomes static functions that the last one calls.
 class FunctionPrinter {
 public:
@@ -33,7 +38,9 @@ public:
         body_(is_compute ? program.compute : program.preprocess),
         is_compute_(is_compute),
         name_(prefixed(options, is_compute ? "compute" : "preprocess")),
+        options_(options),
         chunks_(cut(program, body_, is_compute)),
+        spelling_(program, body_),
         variable_(program.graph->nodes.size(), no_slot),
         kept_(program.graph->nodes.size(), no_slot) {}
 
@@ -42,9 +49,9 @@ public:
     std::string const end = may_fail ? "  return 0;\n" : "", head = (may_fail ? "int " : "void ") + name_;
     if (chunks_.size() == 1) {
       std::string text = statements(0);
-      return function(head, target(), text + results() + end);
+      return function(head, target(), checks_begin() + text + results() + end);
     }
-    std::string out, calls = fmt::format("  double v[{}];\n", chunks_.spill_count);
+    std::string out, calls = fmt::format("  double v[{}];\n", chunks_.spill_count) + checks_begin();
     if (may_fail) calls += "  int failed = 0;\n";
     for (std::size_t chunk = 0; chunk < chunks_.size(); ++chunk) {
       std::string const name = fmt::format("{}_{}", name_, chunk + 1);
@@ -59,26 +66,37 @@ public:
     return out + function(head, target(), calls + results() + end);
   }
 
+  bool has_value_checks() const {
+    return options_.check_values && std::any_of(body_.variables.begin(), body_.variables.end(),
+                                                [this](NodeId id) { return !is_truth(program_.graph->nodes[id]); });
+  }
+
 private:
+  std::string checks_begin() const { return has_value_checks() ? value_check_begin() : ""; }
   std::string target() const { return is_compute_ ? "output" : "constants"; }
 
   std::string statements(std::size_t chunk) {
     std::string out;
-    FunctionContext const context{is_compute_, &variable_, &kept_};
+    std::vector<NodeId> spelled_out;
+    FunctionContext const context{is_compute_, &variable_, &spelling_, &kept_, &spelled_out};
     std::size_t const first = chunks_.begin[chunk], end = chunks_.begin[chunk + 1];
     for (std::size_t k = first; k < end; ++k) {
       append_checks(out, context, chunk, k);
       NodeId const id = body_.variables[k];
       Node const &node = program_.graph->nodes[id];
-      bool truth = !is_leaf(node.op) && info(node.op).has(flag::BOOLEAN);
-      append_wrapped(
-          out, fmt::format("{} const t{} = {};", truth ? "int" : "double", k, c_expression(program_, context, id)));
+      bool const truth = is_truth(node);
+      std::string const name = spelling_(k);
+      spelled_out.clear();
+      std::string const value = c_expression(program_, context, id);
+      append_wrapped(out, fmt::format("{} const {} = {};", truth ? "int" : "double", name, value) +
+                              trace_marker(*program_.graph, spelled_out));
+      if (options_.check_values && !truth) out += value_check(*program_.graph, name, id);
       variable_[id] = static_cast<std::uint32_t>(k);
-      if (chunks_.spill_slot[id] != no_slot) out += fmt::format("  v[{}] = t{};\n", chunks_.spill_slot[id], k);
+      if (chunks_.spill_slot[id] != no_slot) out += fmt::format("  v[{}] = {};\n", chunks_.spill_slot[id], name);
     }
     append_checks(out, context, chunk, end);
     if (chunks_.size() == 1) return out;
-    for (std::size_t k = first; k < end; ++k) { // what this chunk called tk, later ones find in v
+    for (std::size_t k = first; k < end; ++k) { // what this chunk has in a variable, later ones find in v
       variable_[body_.variables[k]] = no_slot;
       kept_[body_.variables[k]] = chunks_.spill_slot[body_.variables[k]];
     }
@@ -96,7 +114,7 @@ private:
 
   std::string results() {
     std::string out;
-    FunctionContext const context{is_compute_, &variable_, &kept_};
+    FunctionContext const context{is_compute_, &variable_, &spelling_, &kept_};
     for (std::size_t slot = 0; slot < body_.results.size(); ++slot)
       append_wrapped(out, fmt::format("{}[{}] = {};", target(), slot, c_use(program_, context, body_.results[slot])));
     return out;
@@ -109,7 +127,8 @@ private:
     for (std::string const &name :
          is_compute_ ? std::vector<std::string>{"input", "constants"} : std::vector<std::string>{"parameters"}) {
       parameters += "double const *" + name + ", ";
-      if (text.find(name) == std::string::npos) unused += "  (void)" + name + ";\n";
+      bool const used = text.find(name + "[") != text.npos || text.find(name + ",") != text.npos;
+      if (!used) unused += "  (void)" + name + ";\n";
     }
     if (text.find(last + "[") == std::string::npos) unused += "  (void)" + last + ";\n";
     return head + "(" + parameters + "double *" + last + ") {\n" + unused + text + "}\n";
@@ -119,7 +138,9 @@ private:
   FunctionBody const &body_;
   bool is_compute_;
   std::string name_;
+  EmitOptions const &options_;
   Chunks chunks_;
+  VariableNames spelling_;
   std::vector<std::uint32_t> variable_, kept_;
   std::size_t check_ = 0; // the next to be printed
 };
@@ -127,9 +148,12 @@ private:
 } // namespace
 
 std::string c_source(Program const &program, EmitOptions const &options) {
-  std::string text =
-      c_banner(program, options) + fmt::format("#include \"{}.h\"\n\n#include <math.h>\n\n", options.base_name) +
-      FunctionPrinter(program, options, false).print() + "\n" + FunctionPrinter(program, options, true).print();
+  FunctionPrinter preprocess(program, options, false), compute(program, options, true);
+  bool const checked = preprocess.has_value_checks() || compute.has_value_checks();
+  std::string text = c_banner(program, options) +
+                     fmt::format("#include \"{}.h\"\n\n#include <math.h>\n{}\n", options.base_name,
+                                 checked ? value_check_helper() : "") +
+                     preprocess.print() + "\n" + compute.print();
   if (!program.graph->guards.empty()) text += "\n" + c_guard_text(program, options);
   return text;
 }

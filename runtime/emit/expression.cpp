@@ -91,7 +91,7 @@ private:
     }
     if (node.is_constant()) return print_constant(node.value(), piece.binding);
     if (!piece.spelled_out && (*context_.name)[piece.node] != no_slot) {
-      text_ += "t" + std::to_string((*context_.name)[piece.node]);
+      text_ += (*context_.spelling)((*context_.name)[piece.node]);
       return;
     }
     if (is_kept) {
@@ -106,6 +106,7 @@ private:
       text_ += (node.op == Op::input ? "input[" : "parameters[") + std::to_string(node.slot()) + "]";
       return;
     }
+    if (context_.spelled_out) context_.spelled_out->push_back(piece.node);
     print_operation(node, piece.binding);
   }
 

@@ -1,7 +1,7 @@
 // Expressions in C: nested as far as the schedule nests them, parenthesised no more than needed.
 #pragma once
 
-#include "schedule/program.h"
+#include "emit/variable_names.h"
 
 #include <string>
 
@@ -13,8 +13,10 @@ std::string c_constant(double value);
 // How the nodes that stand in an array are spelled inside one function.
 struct FunctionContext {
   bool in_compute;                                  // reads input[] and constants[]; otherwise parameters[]
-  std::vector<std::uint32_t> const *name;           // per node: the number k of its variable tk, or no_slot
+  std::vector<std::uint32_t> const *name;           // per node: the number of its variable, or no_slot
+  VariableNames const *spelling;                    // of variables
   std::vector<std::uint32_t> const *kept = nullptr; // per node: the slot of v[] where an earlier chunk kept it
+  std::vector<NodeId> *spelled_out = nullptr;       // takes the operations that an expression holds
 };
 
 // The value of `root`, spelled out even where the node has a variable (it is the statement that sets it).

@@ -6,8 +6,7 @@
 
 namespace symreal {
 
-static bool is_keyword(std::string_view word) {
-  // Of C99 and C++ together: the header is for both.
+bool is_keyword(std::string_view word) {
   static std::set<std::string_view> const words = {
       "and",       "auto",     "bool",   "break",    "case",    "catch",   "char",      "class",  "const",
       "continue",  "default",  "delete", "do",       "double",  "else",    "enum",      "export", "extern",

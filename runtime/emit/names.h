@@ -4,6 +4,7 @@
 #include "graph/graph.h"
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace symreal {
@@ -11,6 +12,9 @@ namespace symreal {
 // One identifier per object, in order: the label without its array sections, other characters turned into '_', made
 // different from each other and from C's and C++'s keywords. "c[0:3][0]" becomes c, "arm.q" arm_q.
 std::vector<std::string> identifiers(std::vector<Object> const &objects);
+
+// Of C99 or C++: generated headers are for both.
+bool is_keyword(std::string_view word);
 
 // "q[2]", "m[1][0]", "x": how a person calls one element of an object.
 std::string element_name(std::string const &identifier, Object const &object, std::uint32_t element);

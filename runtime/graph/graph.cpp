@@ -14,20 +14,30 @@ Graph without_nodes(Graph const &graph) {
   rest.executed = graph.executed;
   rest.decisions = graph.decisions;
   rest.locations = graph.locations;
+  rest.names = graph.names;
   return rest;
+}
+
+// A column whose node `id` has become `now[id]`; the oldest of several that became one gives its entry.
+template <class Id>
+static std::vector<Id> moved(std::vector<Id> const &column, std::vector<NodeId> const &now, std::size_t size, Id none) {
+  std::vector<Id> result(size, none);
+  for (std::size_t id = 0; id < now.size(); ++id)
+    if (now[id] != no_node && result[now[id]] == none) result[now[id]] = column[id];
+  return result;
 }
 
 void carry_over(Graph const &graph, std::vector<NodeId> const &now, Graph &result) {
   for (NodeId root : graph.results) result.results.push_back(now[root]);
   for (NodeId root : graph.precomputed) result.precomputed.push_back(now[root]);
   for (Guard const &guard : graph.guards) result.guards.push_back({now[guard.condition], guard.location, guard.text});
-  if (graph.node_location.empty()) return;
-  std::vector<LocationId> &locations = result.node_location;
-  locations.assign(result.nodes.size(), no_location);
-  for (std::size_t id = 0; id < now.size(); ++id)
-    if (now[id] != no_node && locations[now[id]] == no_location) locations[now[id]] = graph.node_location[id];
-  for (std::size_t id = locations.size(); id-- > 1;)
-    if (locations[id - 1] == no_location && !is_leaf(result.nodes[id - 1].op)) locations[id - 1] = locations[id];
+  if (!graph.node_location.empty()) {
+    std::vector<LocationId> &locations = result.node_location;
+    locations = moved(graph.node_location, now, result.nodes.size(), no_location);
+    for (std::size_t id = locations.size(); id-- > 1;)
+      if (locations[id - 1] == no_location && !is_leaf(result.nodes[id - 1].op)) locations[id - 1] = locations[id];
+  }
+  if (!graph.node_name.empty()) result.node_name = moved(graph.node_name, now, result.nodes.size(), no_name);
 }
 
 std::vector<char> live_nodes(Graph const &graph) {

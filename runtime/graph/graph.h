@@ -42,6 +42,9 @@ struct Location {
 using LocationId = std::uint32_t;
 inline constexpr LocationId no_location = ~LocationId{0};
 
+using NameId = std::uint32_t;
+inline constexpr NameId no_name = ~NameId{0};
+
 // What the recorded path rests on: the program decided as it did because `condition` is not 0.
 struct Guard {
   NodeId condition;
@@ -60,6 +63,8 @@ struct Graph {
   std::string decisions = "error"; // the policy while recording, as --decisions spells it
   std::vector<Location> locations;
   std::vector<LocationId> node_location; // per node, or empty: places were not asked for
+  std::vector<std::string> names;        // what the source calls its numbers
+  std::vector<NameId> node_name;         // per node, or empty
   std::vector<double> input_values;      // per input slot: the value it had while recording
   std::vector<double> parameter_values;
   std::vector<Frozen> frozen;
@@ -79,7 +84,7 @@ private:
 Graph without_nodes(Graph const &graph);
 
 // Takes over what names the nodes of `graph`, where node `id` has become `now[id]` of `result`, or no_node: results,
-// precomputed, guards, and locations. A node that a pass made on the way to another has that one's location.
+// precomputed, guards, locations and names. A node that a pass made on the way to another has that one's location.
 void carry_over(Graph const &graph, std::vector<NodeId> const &now, Graph &result);
 
 // Calls `visit` with every node that a function of the program must compute: results, precomputed, guards.

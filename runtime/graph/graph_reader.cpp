@@ -5,6 +5,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <map>
 
 namespace symreal {
 
@@ -89,6 +90,10 @@ public:
     if (located_) {
       locations_.resize(graph_.nodes.size(), no_location);
       graph_.node_location = std::move(locations_);
+    }
+    if (named_nodes_) {
+      names_.resize(graph_.nodes.size(), no_name);
+      graph_.node_name = std::move(names_);
     }
     if (std::string violation = find_violation(graph_); !violation.empty()) end.error(violation);
     return std::move(graph_);
@@ -194,6 +199,17 @@ private:
       locations_.resize(table_.size(), no_location);
       locations_.back() = location;
     }
+    if (!line.done() && line.peek()[0] == '"') {
+      named_nodes_ = true;
+      names_.resize(table_.size(), no_name);
+      names_.back() = name_id(line.string("the name"));
+    }
+  }
+
+  NameId name_id(std::string const &name) {
+    auto [found, is_new] = name_ids_.try_emplace(name, static_cast<NameId>(graph_.names.size()));
+    if (is_new) graph_.names.push_back(name);
+    return found->second;
   }
 
   static LocationId read_location_use(Line &line) {
@@ -239,7 +255,9 @@ private:
   NodeTable table_;
   std::vector<NodeId> named_; // the node behind %k
   std::vector<LocationId> locations_;
-  bool located_ = false;
+  std::vector<NameId> names_;
+  std::map<std::string, NameId> name_ids_;
+  bool located_ = false, named_nodes_ = false;
   bool headed_ = false;
 };
 

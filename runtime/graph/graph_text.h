@@ -13,7 +13,7 @@
 //   %1 = parameter 0
 //   %2 = sin %0
 //   %3 = mul %2 10                                                       constants stand where they are used
-//   %4 = lt %2 %3 @0                                                     recorded at location 0
+//   %4 = lt %2 %3 @0 "below"                                             recorded at location 0, called `below` there
 //   result 0 %3                                                          output slot 0
 //   result 1 0
 //   guard 0 %4 @0 "sin(q[0]) < 10"                                       must not be 0, or the path was another

@@ -52,6 +52,8 @@ std::string find_violation(Graph const &graph) {
   for (LocationId location : graph.node_location)
     if (location != no_location && location >= graph.locations.size())
       return "a node names a location that does not exist";
+  if (!graph.node_name.empty() && graph.node_name.size() != graph.nodes.size())
+    return "the number of nodes' names differs";
   for (NodeId stored : graph.precomputed)
     if (graph.nodes[stored].attribute != Attribute::parametric) return "a precomputed node is not parametric";
   for (std::size_t id = 0; id < graph.nodes.size(); ++id)

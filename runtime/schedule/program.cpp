@@ -45,8 +45,8 @@ void place_checks(FunctionBody &body, std::vector<NodeId> const &conditions) {
 
 // All inputs are read before an output is written, since the arrays may overlap; so what an output holds
 // must be in a variable by then.
-FunctionBody lay_out(Graph const &graph, std::vector<NodeId> const &results, std::vector<NodeId> const &conditions,
-                     std::vector<std::uint32_t> const *constant_slot) {
+FunctionBody lay_out(Graph const &graph, std::vector<NodeId> const &results, Nesting nesting,
+                     std::vector<NodeId> const &conditions, std::vector<std::uint32_t> const *constant_slot) {
   std::vector<NodeId> roots = results;
   roots.insert(roots.end(), conditions.begin(), conditions.end());
   Reach const needs = reach(graph, roots, constant_slot);
@@ -65,7 +65,8 @@ FunctionBody lay_out(Graph const &graph, std::vector<NodeId> const &results, std
         size += operations[operand];
         height = std::max<unsigned>(height, depth[operand]);
       }
-    bool nests = is_read || (needs.uses[id] == 1 && size <= most_nested_operations && height < most_nested_depth);
+    bool nests = is_read || (nesting == Nesting::bounded && needs.uses[id] == 1 && size <= most_nested_operations &&
+                             height < most_nested_depth);
     if (is_result[id] && !node.is_constant()) nests = false;
     if (!nests)
       body.variables.push_back(static_cast<NodeId>(id));
@@ -81,7 +82,7 @@ FunctionBody lay_out(Graph const &graph, std::vector<NodeId> const &results, std
 
 } // namespace
 
-Program schedule(Graph const &graph) {
+Program schedule(Graph const &graph, Nesting nesting) {
   Program program{&graph, {}, {}, std::vector<std::uint32_t>(graph.nodes.size(), no_slot), 0};
   std::vector<NodeId> stored = graph.precomputed;
   for (std::size_t slot = 0; slot < stored.size(); ++slot)
@@ -97,8 +98,8 @@ Program schedule(Graph const &graph) {
       stored.push_back(static_cast<NodeId>(id));
     }
   program.constant_count = stored.size();
-  program.preprocess = lay_out(graph, stored, {}, nullptr);
-  program.compute = lay_out(graph, graph.results, conditions, &program.constant_slot);
+  program.preprocess = lay_out(graph, stored, nesting, {}, nullptr);
+  program.compute = lay_out(graph, graph.results, nesting, conditions, &program.constant_slot);
   return program;
 }
 

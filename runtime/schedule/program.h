@@ -31,8 +31,11 @@ struct Program {
   std::size_t constant_count = 0;
 };
 
+// Whether expressions nest, or every operation is a statement of its own.
+enum class Nesting { bounded, none };
+
 // The order of statements is the order of recording: measured against depth-first, Sethi-Ullman and kill-most orders it
 // keeps live ranges shortest. `graph` must outlive the program.
-Program schedule(Graph const &graph);
+Program schedule(Graph const &graph, Nesting nesting = Nesting::bounded);
 
 } // namespace symreal
