@@ -25,6 +25,8 @@ Decisions decisions() noexcept {
   return scoped_policy == as_the_program ? program_policy() : static_cast<Decisions>(scoped_policy);
 }
 
+bool detail::selects() noexcept { return decisions() == Decisions::select; }
+
 DecisionScope::DecisionScope(Decisions policy) noexcept : before_(scoped_policy) {
   scoped_policy = static_cast<int>(policy);
 }

@@ -183,12 +183,22 @@ public:
   // first.
   template <class T> detail::Returned<T> returned(char const *label, SourcePlace place, T &&result) {
     detail::Returned<T> copy = std::forward<T>(result);
-    if (active_) {
+    if (is_deferred_) {
+      label_ = label;
+      place_ = place;
+    } else if (active_) {
       begin_outputs();
       annotate(Kind::output, label, place, copy);
       make_plain(&copy, sizeof copy);
     }
     return copy;
+  }
+
+  // A function with selects among its `return`s knows what it returns at the last of them: until then each only says
+  // what the output is called.
+  void defer_returned(bool is_deferred) noexcept { is_deferred_ = is_deferred; }
+  template <class T> detail::Returned<T> deferred(T &&result) {
+    return label_ ? returned(label_, place_, std::forward<T>(result)) : detail::Returned<T>(std::forward<T>(result));
   }
 
 private:
@@ -198,6 +208,9 @@ private:
   static void make_plain(void *object, std::size_t size) noexcept;
 
   bool active_;
+  bool is_deferred_ = false;
+  char const *label_ = nullptr;
+  SourcePlace place_{};
 };
 
 } // namespace symreal

@@ -67,4 +67,60 @@
 #define SYMREAL_GENERATE(name, file, line, column) ::symreal::generate(name, {file, line, column});
 
 #endif
+
+#ifdef MBD_SYMBOLIC
+
+/* Both arms are executed, one after the other, and each target is selected (<symreal/branch.h>). */
+#define SYMREAL_TARGETS(targets) [&](::symreal::Targets &symreal_targets) { (void)(symreal_targets targets); }
+#define REAL_IF(targets, ...)                                                                                          \
+  for (::symreal::Branch symreal_branch((__VA_ARGS__), SYMREAL_TARGETS(targets)); symreal_branch.more();)              \
+    if (symreal_branch.arm())
+#define REAL_RETURN_IF(targets, ...)                                                                                   \
+  for (::symreal::Branch symreal_branch((__VA_ARGS__), SYMREAL_TARGETS(targets), &symreal_returns);                    \
+       symreal_branch.more();)                                                                                         \
+    if (symreal_branch.arm())
+#define REAL_COND(...) ::symreal::choose((__VA_ARGS__), [&] { return (
+#define REAL_THEN
+#define REAL_ELSE );                                                                                                   \
+  }                                                                                                                    \
+  , [&] { return (
+#define REAL_END );                                                                                                    \
+  })
+#define REAL_AND &
+#define REAL_OR |
+#define REAL_LOOP(limit, targets) if (::symreal::Loop symreal_loop(limit, SYMREAL_TARGETS(targets)); true)
+#define REAL_LATE_LOOP(limit, targets) if (::symreal::Loop symreal_loop(limit, SYMREAL_TARGETS(targets), true); true)
+#define REAL_TEST(...) symreal_loop.test([&] { return ::symreal::truth(__VA_ARGS__); })
+#define REAL_BREAK(...) if (symreal_loop.breaks((__VA_ARGS__)))
+#define REAL_RETURN(...)                                                                                               \
+  while (symreal_returns.leaves((__VA_ARGS__))) return symreal_returns.result()
+#define REAL_DECISIONS(policy) if (::symreal::DecisionScope symreal_decisions(::symreal::Decisions::policy); true)
+#define SYMREAL_DECISIONS(policy) ::symreal::DecisionScope symreal_decisions(::symreal::Decisions::policy);
+#define SYMREAL_RETURNS ::symreal::Returns symreal_returns;
+#define SYMREAL_RETURNS_OF(kernel) ::symreal::Returns symreal_returns(kernel);
+#define SYMREAL_RETURNS_END return symreal_returns.last();
+
+#else
+
+/* Decisions, in every mode but the symbolic one: what stood there. */
+#define REAL_IF(targets, ...) if (__VA_ARGS__)
+#define REAL_RETURN_IF(targets, ...) if (__VA_ARGS__)
+#define REAL_COND(...) __VA_ARGS__
+#define REAL_THEN ?
+#define REAL_ELSE :
+#define REAL_END
+#define REAL_AND &&
+#define REAL_OR ||
+#define REAL_LOOP(limit, targets)
+#define REAL_LATE_LOOP(limit, targets)
+#define REAL_TEST(...) __VA_ARGS__
+#define REAL_BREAK(...) if (__VA_ARGS__)
+#define REAL_RETURN(...) return __VA_ARGS__
+#define REAL_DECISIONS(policy)
+#define SYMREAL_DECISIONS(policy)
+#define SYMREAL_RETURNS
+#define SYMREAL_RETURNS_OF(kernel)
+#define SYMREAL_RETURNS_END
+
+#endif
 #endif

@@ -63,10 +63,6 @@ inline void sincos(RealNumber x, RealNumber *sine, RealNumber *cosine) noexcept 
   *cosine = cos(x);
 }
 
-// (a < b) ? b : a, as the templates of <algorithm> have it; not fmax, which treats NaN in another way.
-inline RealNumber max(RealNumber a, RealNumber b) noexcept { return select(a < b, b, a); }
-inline RealNumber min(RealNumber a, RealNumber b) noexcept { return select(b < a, b, a); }
-
 // Rounding to an integer type is rounding and a conversion.
 inline long lround(RealNumber x) noexcept { return static_cast<long>(round(x)); }
 inline long long llround(RealNumber x) noexcept { return static_cast<long long>(round(x)); }
@@ -129,8 +125,6 @@ using symreal::sincos;
 namespace std {
 #include <symreal/operations.def>
 SYMREAL_CALL_NAMES
-using symreal::max;
-using symreal::min;
 } // namespace std
 #undef SYMREAL_NAME
 #undef OPERATION

@@ -44,6 +44,8 @@ extern __thread std::uint64_t executed[static_cast<unsigned>(Op::count)];
 [[gnu::noinline]] bool decide(RealNumber condition) noexcept;
 [[gnu::noinline]] double convert_to_integer(RealNumber x) noexcept;
 [[gnu::noinline]] double convert(RealNumber x) noexcept;
+// Whether truth values become numbers without a decision.
+bool selects() noexcept;
 
 } // namespace detail
 
@@ -57,6 +59,9 @@ public:
   RealNumber() = default;
   template <class T, class = std::enable_if_t<std::is_arithmetic_v<T>>> constexpr RealNumber(T value) noexcept
       : value_(static_cast<double>(value)) {}
+
+  // 1 where the condition holds, else 0. Under policy `select` that stays symbolic, else it is a decision.
+  inline RealNumber(SymbolicBool condition) noexcept;
 
   static constexpr RealNumber from_bits(std::uint64_t bits) noexcept {
     RealNumber number(0.0);
@@ -132,8 +137,11 @@ public:
   }
 
   [[gnu::always_inline]] constexpr operator bool() const noexcept {
-    return condition_.is_node() ? detail::decide(condition_) : condition_.plain() != 0;
+    return condition_.is_node() ? detail::decide(condition_) : holds();
   }
+  // Of one that is not symbolic. By its bits: a compiler may compare numbers ahead of the test for a node, and
+  // comparing a node is an invalid operation.
+  constexpr bool holds() const noexcept { return condition_.to_bits() != 0; }
   constexpr bool is_symbolic() const noexcept { return condition_.is_node(); }
   // As a number: a node where it is symbolic, else 0 or 1.
   constexpr RealNumber condition() const noexcept { return condition_; }
@@ -157,17 +165,17 @@ SYMREAL_COMPARISON(!=, ne)
 
 // Conditions combined without deciding: both sides are evaluated. (&& and || decide each side, as the language has it.)
 [[gnu::always_inline]] inline SymbolicBool operator&(SymbolicBool x, SymbolicBool y) noexcept {
-  if (!x.is_symbolic()) return x.condition().plain() != 0 ? y : x;
-  if (!y.is_symbolic()) return y.condition().plain() != 0 ? x : y;
+  if (!x.is_symbolic()) return x.holds() ? y : x;
+  if (!y.is_symbolic()) return y.holds() ? x : y;
   return SymbolicBool::from_condition(detail::record(Op::logical_and, x.condition(), y.condition(), 0.0));
 }
 [[gnu::always_inline]] inline SymbolicBool operator|(SymbolicBool x, SymbolicBool y) noexcept {
-  if (!x.is_symbolic()) return x.condition().plain() != 0 ? x : y;
-  if (!y.is_symbolic()) return y.condition().plain() != 0 ? y : x;
+  if (!x.is_symbolic()) return x.holds() ? x : y;
+  if (!y.is_symbolic()) return y.holds() ? y : x;
   return SymbolicBool::from_condition(detail::record(Op::logical_or, x.condition(), y.condition(), 0.0));
 }
 [[gnu::always_inline]] inline SymbolicBool operator!(SymbolicBool x) noexcept {
-  if (!x.is_symbolic()) return x.condition().plain() == 0;
+  if (!x.is_symbolic()) return !x.holds();
   return SymbolicBool::from_condition(detail::record(Op::logical_not, x.condition(), 0.0, 0.0));
 }
 
@@ -190,7 +198,14 @@ template <class T, class = std::enable_if_t<std::is_arithmetic_v<T>>> constexpr 
 // y where the condition holds, else z; both are computed.
 [[gnu::always_inline]] inline RealNumber select(SymbolicBool condition, RealNumber y, RealNumber z) noexcept {
   if (condition.is_symbolic()) return detail::record(Op::select, condition.condition(), y, z);
-  return condition.condition().plain() != 0 ? y : z;
+  return condition.holds() ? y : z;
+}
+
+[[gnu::always_inline]] inline RealNumber::RealNumber(SymbolicBool condition) noexcept : value_(0) {
+  if (!condition.is_symbolic() || !detail::selects())
+    value_ = static_cast<bool>(condition) ? 1 : 0;
+  else
+    *this = select(condition, 1.0, 0.0);
 }
 
 } // namespace symreal

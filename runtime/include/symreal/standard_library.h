@@ -2,6 +2,7 @@
 // tolerance built on it.
 #pragma once
 
+#include <symreal/extremes.h>
 #include <symreal/real_math.h>
 
 #include <complex>

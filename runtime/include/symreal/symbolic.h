@@ -1,6 +1,7 @@
 // Everything that a symbolic program sees.
 #pragma once
 
+#include <symreal/branch.h>
 #include <symreal/eigen_traits.h>
 #include <symreal/standard_library.h>
 #include <symreal/symbolic_expr.h>

@@ -1,0 +1,237 @@
+// What the rewriter makes of decisions: REAL_IF, REAL_COND, REAL_LOOP and their like, which say what both arms are and
+// what they assign. Where the condition is symbolic and the policy is `select`, both arms are executed and what they
+// assign is selected; everywhere else they are the original's statements, and the decision is one like any other.
+#pragma once
+
+#include <symreal/annotate.h>
+#include <symreal/decisions.h>
+#include <symreal/truth.h>
+
+#include <optional>
+#include <vector>
+
+namespace symreal {
+
+// c ? yes() : no()
+template <class C, class Yes, class No>
+[[gnu::always_inline]] inline auto choose(C const &condition, Yes const &yes, No const &no) {
+  using Y = decltype(yes());
+  using N = decltype(no());
+  if constexpr (!is_symbolic_truth<C>) {
+    return condition ? yes() : no();
+  } else {
+    static_assert(is_number_or_truth<Y> && is_number_or_truth<N>, "symreal: only numbers can be chosen symbolically");
+    SymbolicBool chosen = truth(condition);
+    if (!chosen.is_symbolic() || decisions() != Decisions::select) {
+      if (chosen) return RealNumber(yes());
+      return RealNumber(no());
+    }
+    RealNumber y, n;
+    {
+      PathScope path(chosen);
+      y = yes();
+    }
+    {
+      PathScope path(!chosen);
+      n = no();
+    }
+    return select(chosen, y, n);
+  }
+}
+
+// The numbers that arms assign, and what they were before.
+class Targets {
+public:
+  // targets(x)(y)...
+  template <class T> Targets &operator()(T &object) {
+    if constexpr (std::is_same_v<T, RealNumber>)
+      numbers_.push_back(&object);
+    else if constexpr (std::is_array_v<T>)
+      for (auto &element : object) (*this)(element);
+    else if constexpr (detail::is_matrix<T>::value) {
+      for (decltype(object.rows()) i = 0; i < object.rows(); ++i)
+        for (decltype(object.cols()) j = 0; j < object.cols(); ++j) (*this)(object(i, j));
+    } else if constexpr (std::is_class_v<T>) { // it holds nothing but numbers: the rewriter has looked
+      static_assert(std::is_trivially_copyable_v<T> && sizeof(T) % sizeof(RealNumber) == 0);
+      for (std::size_t k = 0; k < sizeof(T) / sizeof(RealNumber); ++k)
+        numbers_.push_back(reinterpret_cast<RealNumber *>(&object) + k);
+    } else
+      has_others_ = true; // a template's instantiation on another type
+    return *this;
+  }
+
+  bool has_others() const noexcept { return has_others_; }
+  std::vector<RealNumber> values() const;
+  void restore(std::vector<RealNumber> const &values) const;
+  // Each becomes select(condition, yes, no).
+  [[gnu::always_inline]] void merge(SymbolicBool condition, std::vector<RealNumber> const &yes,
+                                    std::vector<RealNumber> const &no) const {
+    for (std::size_t k = 0; k < numbers_.size(); ++k)
+      *numbers_[k] = yes[k].to_bits() == no[k].to_bits() ? yes[k] : select(condition, yes[k], no[k]);
+  }
+
+private:
+  std::vector<RealNumber *> numbers_;
+  bool has_others_ = false;
+};
+
+// The statements of a function, or of one arm in it, of which some calls may have returned already.
+struct Level {
+  SymbolicBool path{true};      // under which they are executed, counted from the function's entry
+  SymbolicBool returned{false}; // under which a `return` among them was met
+  std::optional<PathScope> rest;
+
+  void has_returned(SymbolicBool condition);
+};
+
+// The returned value of a function whose `return`s depend on symbolic conditions: each `return` that is met in an arm
+// is noted with its path, and the last one makes a select of them all.
+class Returns {
+public:
+  Returns() = default;
+  explicit Returns(FunctionKernel &kernel) : kernel_(&kernel) { kernel.defer_returned(true); }
+  Returns(Returns const &) = delete;
+  Returns &operator=(Returns const &) = delete;
+
+  // `return value;`. True: result() is what the function returns.
+  [[gnu::always_inline]] bool leaves(RealNumber value) {
+    if (level_ != &body_) {
+      noted_.push_back({level_->path, value});
+      level_->returned = true;
+      return false;
+    }
+    fold(value);
+    return true;
+  }
+  RealNumber result();
+  // The function's end, met when every `return` was noted.
+  [[gnu::always_inline]] RealNumber last() {
+    fold(take_last());
+    return result();
+  }
+
+private:
+  friend class Branch;
+  struct Noted {
+    SymbolicBool path;
+    RealNumber value;
+  };
+  [[gnu::always_inline]] void fold(RealNumber value) {
+    for (std::size_t k = noted_.size(); k-- > 0;) value = select(noted_[k].path, noted_[k].value, value);
+    result_ = value;
+  }
+  RealNumber take_last();
+
+  FunctionKernel *kernel_ = nullptr;
+  Level body_;
+  Level *level_ = &body_;
+  std::vector<Noted> noted_;
+  RealNumber result_{0.0};
+};
+
+// for (Branch branch(condition, ...); branch.more();) if (branch.arm()) ... else ...
+class Branch {
+public:
+  template <class C, class Collect>
+  [[gnu::always_inline]] Branch(C const &condition, Collect collect, Returns *returns = nullptr) {
+    if constexpr (!is_symbolic_truth<C>) {
+      outcome_ = static_cast<bool>(condition);
+    } else {
+      condition_ = truth(condition);
+      is_select_ = condition_.is_symbolic() && decisions() == Decisions::select;
+      if (is_select_) collect(targets_);
+      is_select_ = is_select_ && !targets_.has_others();
+      if (!is_select_) outcome_ = static_cast<bool>(condition_);
+    }
+    if (is_select_) returns_ = returns;
+  }
+  Branch(Branch const &) = delete;
+  Branch &operator=(Branch const &) = delete;
+  ~Branch();
+
+  // Is there another arm to execute?
+  [[gnu::always_inline]] bool more() {
+    ++stage_;
+    if (!is_select_) return stage_ == 1;
+    if (stage_ < 3) {
+      stage_ == 1 ? begin_then() : begin_else();
+      return true;
+    }
+    end_else();
+    if (is_certain(then_returned_))
+      ; // what is there now is what the other arm left
+    else if (is_certain(else_returned_))
+      targets_.restore(then_values_);
+    else
+      targets_.merge(condition_, then_values_, targets_.values());
+    return false;
+  }
+  bool arm() const noexcept { return is_select_ ? stage_ == 1 : outcome_; }
+
+private:
+  static bool is_certain(SymbolicBool condition) noexcept { return !condition.is_symbolic() && condition.holds(); }
+  void begin_then();
+  void begin_else();
+  void end_else();
+  void enter(SymbolicBool condition);
+  SymbolicBool leave();
+
+  SymbolicBool condition_{false};
+  bool is_select_ = false, outcome_ = false;
+  int stage_ = 0;
+  Targets targets_;
+  std::vector<RealNumber> before_, then_values_;
+  std::optional<PathScope> path_;
+  Returns *returns_ = nullptr;
+  Level *outer_ = nullptr;
+  Level level_;
+  SymbolicBool then_returned_{false}, else_returned_{false};
+};
+
+// A loop that runs at most so many times. It goes on as long as its condition may hold; what it assigns keeps its value
+// once the condition no longer does.
+class Loop {
+public:
+  // `late`: the condition is tested after the body.
+  template <class Collect> Loop(unsigned limit, Collect collect, bool late = false) : limit_(limit), runs_(late) {
+    collect(targets_);
+    saved_ = targets_.values();
+  }
+  Loop(Loop const &) = delete;
+  Loop &operator=(Loop const &) = delete;
+  [[gnu::always_inline]] ~Loop() { settle(); }
+
+  // The loop's condition.
+  template <class Test> [[gnu::always_inline]] bool test(Test condition) {
+    settle();
+    narrow(truth(condition()));
+    if (is_over()) return false;
+    if (runs_++ < limit_) return true;
+    stop();
+    return false;
+  }
+  // `if (condition) break;`: true where the loop is certainly left.
+  template <class C> [[gnu::always_inline]] bool breaks(C const &condition) {
+    settle();
+    narrow(!SymbolicBool(truth(condition)));
+    return is_over();
+  }
+
+private:
+  [[gnu::always_inline]] void settle() {
+    if (active_.is_symbolic()) targets_.merge(active_, targets_.values(), saved_);
+    saved_ = targets_.values();
+  }
+  void narrow(SymbolicBool condition);
+  bool is_over() const noexcept { return !active_.is_symbolic() && !active_.holds(); }
+  // After the last run: the loop must have ended by then.
+  void stop();
+
+  unsigned limit_, runs_;
+  Targets targets_;
+  std::vector<RealNumber> saved_;
+  SymbolicBool active_{true};
+  std::optional<PathScope> path_;
+};
+
+} // namespace symreal

@@ -1,0 +1,111 @@
+// The parts of decisions that record nothing in the user's name.
+#include "trace/events.h"
+#include "trace/pool.h"
+
+#include <symreal/branch.h>
+#include <symreal/extremes.h>
+
+#include <deque>
+
+namespace symreal {
+
+std::vector<RealNumber> Targets::values() const {
+  std::vector<RealNumber> values;
+  values.reserve(numbers_.size());
+  for (RealNumber const *number : numbers_) values.push_back(*number);
+  return values;
+}
+
+void Targets::restore(std::vector<RealNumber> const &values) const {
+  for (std::size_t k = 0; k < numbers_.size(); ++k) *numbers_[k] = values[k];
+}
+
+void Level::has_returned(SymbolicBool condition) {
+  rest.reset(); // the condition is that of the level's own path
+  returned = returned | condition;
+  rest.emplace(!returned);
+}
+
+RealNumber Returns::result() {
+  body_.rest.reset();
+  if (!kernel_) return result_;
+  kernel_->defer_returned(false);
+  return kernel_->deferred(result_);
+}
+
+RealNumber Returns::take_last() {
+  internal_check(!noted_.empty()); // a function that ends without `return` has no value in the original either
+  RealNumber value = noted_.back().value;
+  noted_.pop_back();
+  return value;
+}
+
+Branch::~Branch() {
+  if (returns_ && outer_) returns_->level_ = outer_; // left by an exception
+}
+
+void Branch::enter(SymbolicBool condition) {
+  path_.emplace(condition);
+  if (!returns_) return;
+  outer_ = returns_->level_;
+  level_.path = outer_->path & condition;
+  level_.returned = false;
+  returns_->level_ = &level_;
+}
+
+// The condition, within the arm, under which it returned.
+SymbolicBool Branch::leave() {
+  level_.rest.reset();
+  path_.reset();
+  if (!returns_) return false;
+  returns_->level_ = outer_;
+  outer_ = nullptr;
+  return level_.returned;
+}
+
+void Branch::begin_then() {
+  before_ = targets_.values();
+  enter(condition_);
+}
+
+void Branch::begin_else() {
+  then_returned_ = leave();
+  then_values_ = targets_.values();
+  targets_.restore(before_);
+  enter(!condition_);
+}
+
+void Branch::end_else() {
+  else_returned_ = leave();
+  if (!returns_) return;
+  bool const some = then_returned_.is_symbolic() || else_returned_.is_symbolic() || is_certain(then_returned_) ||
+                    is_certain(else_returned_);
+  if (!some) return;
+  bool const all = is_certain(then_returned_) && is_certain(else_returned_);
+  returns_->level_->has_returned(all ? SymbolicBool(true)
+                                     : (condition_ & then_returned_) | ((!condition_) & else_returned_));
+}
+
+void Loop::narrow(SymbolicBool condition) {
+  path_.reset();
+  active_ = active_ & condition;
+  if (active_.is_symbolic()) path_.emplace(active_);
+}
+
+void Loop::stop() {
+  path_.reset();
+  bool const goes_on = !active_.is_symbolic() || detail::carried_value(active_.condition()) != 0;
+  if (goes_on)
+    trace::report_here(DiagnosticId::loop_exceeded,
+                       "the loop is bounded to " + std::to_string(limit_) + " runs and goes on in this run");
+  else
+    require(!active_);
+  active_ = false;
+}
+
+RealNumber const &detail::keep(RealNumber x) {
+  static thread_local std::deque<RealNumber> kept; // a deque does not move what it holds
+  return kept.emplace_back(x);
+}
+
+} // namespace symreal
