@@ -28,26 +28,6 @@ Rewording rewording(Wrap const &wrap) {
   internal_failure("a use has a macro", __FILE__, __LINE__);
 }
 
-// Do any of the sorted, disjoint spans overlap this one?
-bool meets(std::set<Span> const &spans, Span const &span) {
-  auto at = spans.upper_bound({span.file, span.end, 0});
-  while (at != spans.begin()) {
-    --at;
-    if (at->file != span.file) return false;
-    if (at->begin < span.end && at->end > span.begin) return true;
-    if (at->end <= span.begin) return false;
-  }
-  return false;
-}
-
-Place place_in(FileFact const &file, std::size_t offset) {
-  auto const end = file.text.begin() + static_cast<std::ptrdiff_t>(offset);
-  std::size_t const line_start = offset == 0 ? std::string::npos : file.text.rfind('\n', offset - 1);
-  auto const line = static_cast<unsigned>(std::count(file.text.begin(), end, '\n')) + 1;
-  return {file.display_path, line,
-          static_cast<unsigned>(offset - (line_start == std::string::npos ? 0 : line_start + 1)) + 1};
-}
-
 void add_types(Facts const &facts, std::set<Span> const &pragmas, ByFile &rewordings, Result &result) {
   for (TypeToken const &token : facts.types) {
     if (meets(pragmas, token.span)) continue;
@@ -119,6 +99,25 @@ bool has_error(Result const &result) {
 
 } // namespace
 
+bool meets(std::set<Span> const &spans, Span const &span) {
+  auto at = spans.upper_bound({span.file, span.end, 0});
+  while (at != spans.begin()) {
+    --at;
+    if (at->file != span.file) return false;
+    if (at->begin < span.end && at->end > span.begin) return true;
+    if (at->end <= span.begin) return false;
+  }
+  return false;
+}
+
+Place place_in(FileFact const &file, std::size_t offset) {
+  auto const end = file.text.begin() + static_cast<std::ptrdiff_t>(offset);
+  std::size_t const line_start = offset == 0 ? std::string::npos : file.text.rfind('\n', offset - 1);
+  auto const line = static_cast<unsigned>(std::count(file.text.begin(), end, '\n')) + 1;
+  return {file.display_path, line,
+          static_cast<unsigned>(offset - (line_start == std::string::npos ? 0 : line_start + 1)) + 1};
+}
+
 Result decide(Facts facts) {
   Result result;
   result.include_dirs = std::move(facts.include_dirs);
@@ -131,6 +130,7 @@ Result decide(Facts facts) {
   add_types(facts, pragmas, rewordings, result);
   add_unaccounted(facts, pragmas, rewordings, result);
   add_wraps(facts, pragmas, rewordings);
+  add_selects(facts, rewordings, result);
   collect_kernels(facts, result);
   if (!has_error(result)) add_pragmas(facts, rewordings);
   add_boundaries(facts, result);

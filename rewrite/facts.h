@@ -7,6 +7,7 @@
 #include "rewrite/rewrite.h"
 
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -82,6 +83,15 @@ struct PragmaFact {
   bool is_function = false;
   std::vector<ClauseFact> clauses;
   std::vector<FunctionFact> function; // at most one
+  // Of `loop(N)`, once its loop is known to be one that can be bounded.
+  std::optional<std::string> loop_targets; // (x)(y)
+  bool tests_late = false;                 // after the body
+
+  ClauseFact const *clause(std::string const &name) const {
+    for (ClauseFact const &one : clauses)
+      if (one.name == name) return &one;
+    return nullptr;
+  }
 };
 
 // A function that carries REAL, used from code that is compiled here, and not defined in the same source.
@@ -92,6 +102,26 @@ struct UseFact {
   Place declaration;
   Place place;
   Place source; // on the way to it, the last place in a source rather than a header
+};
+
+// One of the changes that make a select of a decision: `before` and `after` go around the characters, or `before`
+// replaces them.
+struct Alteration {
+  Span span;
+  std::string before;
+  std::string after;
+  bool replaces = false;
+  bool inside = false; // of other macros around the same characters
+  auto operator<=>(Alteration const &) const = default;
+};
+
+// A decision on REALs, or a function whose `return`s depend on one. The same source may be met several times, through
+// several headers, instantiations and expansions; only if none of them refuses the change is made.
+struct DecisionFact {
+  std::vector<Alteration> alterations; // none: nothing to change there
+  std::vector<Refusal> refusals;
+  std::vector<Refusal> uses; // where nothing is in the way: a refusal elsewhere is in theirs too
+  std::optional<Span> needs; // the decision without which this one cannot be changed
 };
 
 struct FileFact {
@@ -111,6 +141,7 @@ struct Facts {
   std::set<std::string> definitions;           // mangled names of the functions that the sources define
   std::map<std::string, UseFact> uses;         // by mangled name, the first use
   std::map<std::string, NamedStatement> names; // by the place where they begin
+  std::map<Span, DecisionFact> decisions;      // by the token `if`, `?`, `for`, `while`, `do`, or the function's brace
   std::vector<std::string> include_dirs;
   std::vector<Diagnostic> diagnostics;
   bool broken = false; // a source does not compile

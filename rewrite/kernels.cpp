@@ -1,5 +1,7 @@
 #include "rewrite/decide.h"
 
+#include <algorithm>
+
 namespace symreal::rewrite {
 namespace {
 
@@ -35,9 +37,35 @@ void check_returned_place(PragmaFact const &pragma, ClauseFact const &clause, Re
       report(result, DiagnosticId::pragma_item, item.place, "'return' belongs in a function pragma");
 }
 
+// decisions(...) and loop(N).
+bool is_directive(ClauseFact const &clause) { return clause.name == "decisions" || clause.name == "loop"; }
+
+bool only_directives(PragmaFact const &pragma) {
+  return std::all_of(pragma.clauses.begin(), pragma.clauses.end(), is_directive);
+}
+
+void check_directive(PragmaFact const &pragma, ClauseFact const &clause, Result &result) {
+  std::string const &argument = clause.argument;
+  if (clause.name == "decisions" && argument != "error" && argument != "guard" && argument != "select")
+    report(result, DiagnosticId::pragma_syntax, clause.place,
+           "decisions takes error, guard or select, not '" + argument + "'");
+  bool const is_number = argument.find_first_not_of("0123456789") == std::string::npos && argument.size() < 8 &&
+                         argument.find_first_not_of('0') != std::string::npos;
+  if (clause.name == "loop" && !is_number)
+    report(result, DiagnosticId::pragma_syntax, clause.place,
+           "loop(N) takes how often the loop runs at most, not '" + argument + "'");
+  if (!pragma.is_function && !only_directives(pragma))
+    report(result, DiagnosticId::pragma_syntax, clause.place,
+           "'" + clause.name + "' is about the next statement and stands in a pragma of its own");
+}
+
 void check(PragmaFact const &pragma, Result &result) {
   bool after_input = false;
   for (ClauseFact const &clause : pragma.clauses) {
+    if (is_directive(clause)) {
+      check_directive(pragma, clause, result);
+      continue;
+    }
     check_returned_place(pragma, clause, result);
     for (ItemFact const &item : clause.items) {
       if (!pragma.is_function && !item.seen) {
@@ -116,7 +144,7 @@ void collect_kernels(Facts const &facts, Result &result) {
       region(pragma, regions[span.file], result);
       continue;
     }
-    if (pragma.function.empty()) continue; // not attached, and reported
+    if (pragma.function.empty() || only_directives(pragma)) continue; // not attached, and reported; or no kernel
     if (!has_output(annotations(pragma)))
       report(result, DiagnosticId::kernel_incomplete, pragma.place, "this pragma has no output(...)");
     result.kernels.push_back({.name = pragma.function[0].name,

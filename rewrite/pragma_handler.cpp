@@ -42,6 +42,9 @@ public:
     }
     auto const &pragma = std::get<Pragma>(parsed);
     record(pragma, tokens, lexed, *span, introducer.Loc);
+    PragmaFact const &fact = facts_.pragmas[*span];
+    if (!pragma.is_function && (fact.clause("decisions") || fact.clause("loop")))
+      index_.statement_pragmas[*span] = introducer.Loc;
     if (pragma.is_function)
       index_.function_pragmas[*span] = introducer.Loc;
     else if (index_.ask_compiler)
@@ -70,7 +73,7 @@ private:
       for (PragmaItem const &item : clause.items) {
         clause_fact.items.push_back(item_fact(tokens, item));
         clause_fact.items.back().place = map_.place(lexed[item.tokens.begin].getLocation());
-        if (pragma.is_function && clause_fact.name != "call")
+        if (pragma.is_function && clause_fact.name != "call" && is_looked_up(clause, lexed))
           collect_names(tokens, lexed, item, {span, fact.clauses.size() - 1, clause_fact.items.size() - 1});
       }
     }
@@ -109,7 +112,7 @@ private:
   void inject(Preprocessor &preprocessor, Pragma const &pragma, std::vector<Token> const &lexed, Span const &span) {
     std::vector<Token> stream;
     for (std::size_t c = 0; c < pragma.clauses.size(); ++c)
-      for (std::size_t i = 0; i < pragma.clauses[c].items.size(); ++i) {
+      for (std::size_t i = 0; is_looked_up(pragma.clauses[c], lexed) && i < pragma.clauses[c].items.size(); ++i) {
         PragmaItem const &item = pragma.clauses[c].items[i];
         SourceLocation const at = lexed[item.tokens.begin].getLocation();
         index_.statements[at.getRawEncoding()] = {span, c, i};
@@ -131,10 +134,17 @@ private:
           close(stream, length);
         }
       }
+    if (stream.empty()) return;
     auto tokens = std::make_unique<Token[]>(stream.size());
     std::copy(stream.begin(), stream.end(), tokens.get());
     preprocessor.EnterTokenStream(std::move(tokens), static_cast<unsigned>(stream.size()),
                                   /*DisableMacroExpansion=*/false, /*IsReinject=*/false);
+  }
+
+  // The arguments of decisions(...) and loop(...) are words of ours.
+  static bool is_looked_up(PragmaClause const &clause, std::vector<Token> const &lexed) {
+    IdentifierInfo const *name = lexed[clause.name].getIdentifierInfo();
+    return !name || (!name->isStr("decisions") && !name->isStr("loop"));
   }
 
   static void append(std::vector<Token> &stream, std::vector<Token> const &lexed, TokenRange range) {

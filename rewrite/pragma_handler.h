@@ -35,6 +35,7 @@ struct PragmaIndex {
   };
   std::vector<Name> function_names;
   std::map<Span, clang::SourceLocation> function_pragmas;
+  std::map<Span, clang::SourceLocation> statement_pragmas; // decisions(...) and loop(...)
 };
 
 std::unique_ptr<clang::PragmaHandler> make_pragma_handler(SourceMap const &map, Facts &facts, PragmaIndex &index);

@@ -51,12 +51,13 @@ private:
   }
 
   void check_name(std::string const &name, bool is_function) const {
-    static constexpr std::array<std::string_view, 5> anywhere = {"input", "parameter", "constant", "output", "range"};
+    static constexpr std::array<std::string_view, 6> anywhere = {"input",  "parameter", "constant",
+                                                                 "output", "range",     "decisions"};
     if (std::find(anywhere.begin(), anywhere.end(), name) != anywhere.end()) return;
     if (name == "external") fail(at_, "external(...) is not available yet", DiagnosticId::pragma_not_available);
-    if (name == (is_function ? "call" : "generate")) return;
+    if (name == (is_function ? "call" : "generate") || (!is_function && name == "loop")) return;
     std::string const kind = is_function ? "a function pragma" : "a pragma in a block";
-    if (name == "call" || name == "generate") fail(at_, "'" + name + "' does not belong in " + kind);
+    if (name == "call" || name == "generate" || name == "loop") fail(at_, "'" + name + "' does not belong in " + kind);
     fail(at_, "unknown clause '" + name + "'", DiagnosticId::pragma_unknown_clause);
   }
 

@@ -40,10 +40,15 @@ std::string rebinding(ClauseFact const &clause, ItemFact const &item) {
          with_real(item.sections[0].length) + ") ";
 }
 
-std::string clause_text(ClauseFact const &clause) {
+std::string clause_text(PragmaFact const &pragma, ClauseFact const &clause) {
   if (clause.name == "generate")
     return "SYMREAL_GENERATE(" + clause.argument + ", " + quoted(clause.place.file) + ", " +
            std::to_string(clause.place.line) + ", " + std::to_string(clause.place.column) + ") ";
+  if (clause.name == "decisions")
+    return (pragma.is_function ? "SYMREAL_DECISIONS(" : "REAL_DECISIONS(") + clause.argument + ") ";
+  if (clause.name == "loop") // the loop it names has its own text; a refused one is an error
+    return (pragma.tests_late ? "REAL_LATE_LOOP(" : "REAL_LOOP(") + clause.argument + ", " +
+           pragma.loop_targets.value_or("") + ") ";
   if (clause.name == "range") return "SYMREAL_RANGE(" + with_real(clause.argument) + ") ";
   std::string text;
   for (ItemFact const &item : clause.items)
@@ -119,18 +124,21 @@ std::string with_real(std::string const &source) {
 
 std::string region_text(PragmaFact const &pragma) {
   std::string text;
-  for (ClauseFact const &clause : pragma.clauses) text += clause_text(clause);
+  for (ClauseFact const &clause : pragma.clauses) text += clause_text(pragma, clause);
   return trimmed(text);
 }
 
 std::string function_text(PragmaFact const &pragma) {
   std::string entry, exit, call;
+  bool is_kernel = false;
   for (ClauseFact const &clause : pragma.clauses) {
+    is_kernel = is_kernel || clause.name != "decisions";
     if (clause.name == "call")
       call = ", " + clause.argument;
     else
-      (clause.name == "output" ? exit : entry) += clause_text(clause);
+      (clause.name == "output" ? exit : entry) += clause_text(pragma, clause);
   }
+  if (!is_kernel) return trimmed(entry);
   std::string text = "SYMREAL_FUNCTION(" + place_arguments(pragma.function[0].name, pragma.place) + call + ") " + entry;
   // Also where `return` is the only output: it ends the annotations of the function's entry.
   return text + "SYMREAL_OUTPUTS_BEGIN " + exit + "SYMREAL_OUTPUTS_END";

@@ -105,6 +105,8 @@ void Recorder::compound_assignment(CompoundAssignOperator const *assignment) {
 
 void Recorder::choice(ConditionalOperator const *choice) {
   if (choice->isTypeDependent() || !Reals::is_double(choice->getType())) return;
+  // A macro's body is one text for all of its uses, and some may be on integers.
+  if (!map_.sources().getSLocEntry(map_.frame(choice->getQuestionLoc())).isFile()) return;
   Expr const *yes = choice->getTrueExpr(), *no = choice->getFalseExpr();
   bool const yes_stays = reals_.stays_double(yes), no_stays = reals_.stays_double(no);
   if (yes_stays == no_stays) return;

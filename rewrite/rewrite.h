@@ -80,12 +80,21 @@ struct NamedStatement {
   std::string name;
 };
 
+// An `if`, a `?:` or a loop on a condition of REALs that cannot become a select.
+struct Refusal {
+  Place condition;        // where the condition begins
+  unsigned last_line = 0; // of the condition
+  std::string reason;     // "because of ..."
+  Place token;            // what is in the way
+};
+
 struct Result {
   std::vector<File> files; // sorted by path; empty when a source does not compile
   std::vector<Kernel> kernels;
   std::vector<std::string> include_dirs; // header search directories of the sources, in order, once each
   std::vector<Boundary> boundaries;      // each also has its diagnostic
   std::vector<NamedStatement> names;     // by file, line and column
+  std::vector<Refusal> refusals;         // in the order of their places
   std::vector<Diagnostic> diagnostics;
 };
 

@@ -62,6 +62,39 @@ std::optional<Span> SourceMap::range(clang::SourceRange range) const {
   return characters(sources_.getSpellingLoc(range.getBegin()), last.getLocWithOffset(static_cast<int>(length)));
 }
 
+clang::FileID SourceMap::frame(clang::SourceLocation location) const {
+  while (sources_.isMacroArgExpansion(location)) location = sources_.getImmediateSpellingLoc(location);
+  return sources_.getFileID(location);
+}
+
+// The location in the frame that stands for this one, or an invalid one.
+clang::SourceLocation SourceMap::climb(clang::FileID frame, clang::SourceLocation location, Side side) const {
+  while (location.isMacroID() && sources_.getFileID(location) != frame) {
+    if (!sources_.isMacroArgExpansion(location)) return {};
+    clang::SourceLocation const written = climb(frame, sources_.getImmediateSpellingLoc(location), side);
+    if (written.isValid()) return written;
+    clang::CharSourceRange const parameter = sources_.getImmediateExpansionRange(location);
+    location = side == Side::begin ? parameter.getBegin() : parameter.getEnd();
+  }
+  return sources_.getFileID(location) == frame ? location : clang::SourceLocation();
+}
+
+std::optional<Span> SourceMap::range_in(clang::FileID frame, clang::SourceRange range) const {
+  if (range.isInvalid()) return std::nullopt;
+  bool const in_file = sources_.getSLocEntry(frame).isFile();
+  if (in_file) {
+    clang::CharSourceRange const written =
+        clang::Lexer::makeFileCharRange(clang::CharSourceRange::getTokenRange(range), sources_, language_);
+    return written.isValid() ? characters(written.getBegin(), written.getEnd()) : std::nullopt;
+  }
+  clang::SourceLocation const first = climb(frame, range.getBegin(), Side::begin);
+  clang::SourceLocation const last = climb(frame, range.getEnd(), Side::end);
+  if (first.isInvalid() || last.isInvalid()) return std::nullopt;
+  clang::SourceLocation const end = sources_.getSpellingLoc(last);
+  unsigned const length = clang::Lexer::MeasureTokenLength(end, sources_, language_);
+  return characters(sources_.getSpellingLoc(first), end.getLocWithOffset(static_cast<int>(length)));
+}
+
 Place SourceMap::place(clang::SourceLocation location) const {
   clang::PresumedLoc const presumed = sources_.getPresumedLoc(sources_.getExpansionLoc(location));
   if (presumed.isInvalid()) return {};
@@ -71,6 +104,11 @@ Place SourceMap::place(clang::SourceLocation location) const {
 std::string SourceMap::text(Span const &span, clang::SourceLocation inside) const {
   clang::FileID const file = sources_.getFileID(sources_.getSpellingLoc(inside));
   return sources_.getBufferData(file).substr(span.begin, span.end - span.begin).str();
+}
+
+std::string SourceMap::text_in(clang::FileID frame, Span const &span) const {
+  clang::SrcMgr::SLocEntry const &entry = sources_.getSLocEntry(frame);
+  return text(span, entry.isFile() ? sources_.getLocForStartOfFile(frame) : entry.getExpansion().getSpellingLoc());
 }
 
 void SourceMap::record_files(Facts &facts) const {

@@ -29,12 +29,20 @@ public:
   // when it straddles a macro's edge or lies outside the roots.
   std::optional<Span> range(clang::SourceRange range) const;
 
+  // Where a token is written: a file, or the expansion of the macro whose body holds it.
+  clang::FileID frame(clang::SourceLocation location) const;
+
+  // The characters of an expression as its frame spells it: in a macro's body an argument is its parameter's name.
+  // Nothing when the frame holds only a part of the expression.
+  std::optional<Span> range_in(clang::FileID frame, clang::SourceRange range) const;
+
   std::optional<Span> characters(clang::SourceLocation begin, clang::SourceLocation end) const;
 
   // As a compiler would print it, seen through macros.
   Place place(clang::SourceLocation location) const;
 
   std::string text(Span const &span, clang::SourceLocation inside) const;
+  std::string text_in(clang::FileID frame, Span const &span) const;
 
   // Adds the files of the roots that were read.
   void record_files(Facts &facts) const;
@@ -45,6 +53,8 @@ public:
 private:
   // Clang names what a source in the current directory includes "./header.h", gcc (and so __FILE__) "header.h".
   std::string display_path(llvm::StringRef name) const;
+  enum class Side { begin, end };
+  clang::SourceLocation climb(clang::FileID frame, clang::SourceLocation location, Side side) const;
   // The real path of a file within the roots, else empty.
   std::string const &path(clang::FileID file) const;
 

@@ -3,6 +3,7 @@
 #include "rewrite/boundaries.h"
 #include "rewrite/pragma_items.h"
 #include "rewrite/recorder.h"
+#include "rewrite/selects.h"
 
 namespace symreal::rewrite {
 namespace {
@@ -227,6 +228,7 @@ void record_tree(ASTContext &context, SourceMap const &map, PragmaIndex const &i
   Visitor visitor(context, map, reals, index, facts);
   visitor.TraverseDecl(context.getTranslationUnitDecl());
   attach_function_pragmas(visitor.definitions, map, reals, index, facts);
+  record_decisions(context, map, reals, index, facts);
   record_boundaries(context, visitor.definitions, map, reals, facts);
 }
 

@@ -1,5 +1,5 @@
-// Prints what the rewriter makes of its arguments: rewrite_dump [--diff] [--root DIR]... SOURCE... [-- FLAG...].
-// A tool of the tests: the library's result without a driver around it. Exits 1 when there is an error.
+// Prints what the rewriter makes of its arguments: rewrite_dump [--diff | --refusals] [--root DIR]... SOURCE... [--
+// FLAG...]. A tool of the tests: the library's result without a driver around it. Exits 1 when there is an error.
 #include "rewrite/rewrite.h"
 
 #include <algorithm>
@@ -33,7 +33,7 @@ static std::string without_checks(std::string const &text) {
 
 int main(int argc, char **argv) {
   rewrite::Request request;
-  bool diff = false, after = false, bare = false;
+  bool refusals = false, diff = false, after = false, bare = false;
   std::string out;
   for (int i = 1; i < argc; ++i) {
     std::string const word = argv[i];
@@ -43,6 +43,8 @@ int main(int argc, char **argv) {
       after = true;
     else if (word == "--diff")
       diff = true;
+    else if (word == "--refusals")
+      refusals = true;
     else if (word == "--text")
       bare = true;
     else if (word == "--root" && i + 1 < argc)
@@ -64,6 +66,11 @@ int main(int argc, char **argv) {
       for (std::string const &path : write_mirror(result.files, out)) std::cout << path << "\n";
       return 0;
     }
+    for (rewrite::Refusal const &one : result.refusals)
+      if (refusals)
+        std::cout << to_string(one.condition) << " to line " << one.last_line << ": " << one.reason << " at "
+                  << to_string(one.token) << "\n";
+    if (refusals) return 0;
     for (rewrite::File const &file : result.files)
       std::cout << (diff   ? unified_diff(file)
                     : bare ? without_checks(file.text)
