@@ -1,4 +1,5 @@
 #include "program/front.h"
+#include "program/refusals.h"
 
 #include <algorithm>
 #include <chrono>
@@ -78,6 +79,7 @@ std::optional<Front> run_front(FrontRequest const &request, Talk const &talk) {
   Recording recording =
       record(front.symbolic_program, run, rewritten, wanted, *front.overlay, *front.workspace, talk.program_output);
   front.run_seconds = watch.lap();
+  explain_refusals(recording.diagnostics, rewritten.refusals);
   if (!report_all(recording.diagnostics, talk)) return {};
   front.kernels = std::move(recording.kernels);
   return front;
