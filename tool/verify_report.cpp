@@ -68,6 +68,14 @@ void print_guards(std::ostream &out, program::Verification const &verification) 
              "condition");
   for (std::size_t k = 0; k < verification.guards.size(); ++k)
     fmt::print(out, "  {:<8}{:>10}   {}\n", k + 1, verification.guards[k].failed, verification.guards[k].text);
+  std::string never;
+  for (std::size_t k = 0; k < verification.guards.size(); ++k)
+    if (verification.guards[k].failed == 0) never += (never.empty() ? "" : ", ") + std::to_string(k + 1);
+  if (!never.empty())
+    fmt::print(out,
+               "  no sample failed guard {}: the code was not tried beyond; range(low, high) on an input says "
+               "where samples are drawn\n",
+               never);
   if (verification.mode == FloatingPoint::fast && verification.guards_different != 0)
     fmt::print(out, "  rounding decides {} samples otherwise\n", verification.guards_different);
 }

@@ -1,5 +1,5 @@
 // A function with the signature of the original that packs its arguments, calls the generated code and unpacks the
-// results, so that a user swaps one object file.
+// results, so that a user swaps one object file. Where a guard does not hold it calls the original under another name.
 #pragma once
 
 #include "rewrite/rewrite.h"

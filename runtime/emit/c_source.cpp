@@ -2,7 +2,7 @@
 #include "emit/expression.h"
 #include "emit/trace.h"
 #include "emit/value_checks.h"
-#include "schedule/chunks.h"
+#include "schedule/blocks.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -10,9 +10,8 @@
 namespace symreal {
 
 // Breaks a statement at blanks so that lines stay readable; the text has no string literals.
-static void append_wrapped(std::string &out, std::string_view statement) {
-  constexpr std::size_t width = 100;
-  std::size_t indent = 2;
+static void append_wrapped(std::string &out, std::size_t indent, std::string_view statement) {
+  std::size_t const width = std::max<std::size_t>(100, indent + 60), first_indent = indent;
   while (true) {
     out.append(indent, ' ');
     if (statement.size() + indent <= width) break;
@@ -21,14 +20,12 @@ static void append_wrapped(std::string &out, std::string_view statement) {
     if (cut == std::string_view::npos) break;
     out.append(statement.substr(0, cut)) += '\n';
     statement.remove_prefix(cut + 1);
-    indent = 6;
+    indent = first_indent + 4;
   }
   out.append(statement) += '\n';
 }
 
 namespace {
-
-bool is_truth(Node const &node) { return !is_leaf(node.op) && info(node.op).has(flag::BOOLEAN); }
 
 // One of the two functions, printed chunk by chunk: a long one becomes static functions that the last one calls.
 class FunctionPrinter {
@@ -41,8 +38,8 @@ public:
         options_(options),
         chunks_(cut(program, body_, is_compute)),
         spelling_(program, body_),
-        variable_(program.graph->nodes.size(), no_slot),
-        kept_(program.graph->nodes.size(), no_slot) {}
+        variable_(body_.regions.value_count(), no_slot),
+        kept_(body_.regions.value_count(), no_slot) {}
 
   std::string print() {
     bool const may_fail = !body_.checks.empty();
@@ -56,9 +53,9 @@ public:
     for (std::size_t chunk = 0; chunk < chunks_.size(); ++chunk) {
       std::string const name = fmt::format("{}_{}", name_, chunk + 1);
       std::string const call = fmt::format("{}({}, v)", name, is_compute_ ? "input, constants" : "parameters");
-      std::size_t const check = check_;
+      std::size_t const printed_before = checks_printed_;
       std::string const text = statements(chunk);
-      bool const checks = check_ != check;
+      bool const checks = checks_printed_ != printed_before;
       out += function((checks ? "static int " : "static void ") + name, "v", text + (checks ? end : "")) + "\n";
       calls += checks ? fmt::format("  failed = {};\n  if (failed != 0) return failed;\n", call)
                       : fmt::format("  {};\n", call);
@@ -67,8 +64,9 @@ public:
   }
 
   bool has_value_checks() const {
-    return options_.check_values && std::any_of(body_.variables.begin(), body_.variables.end(),
-                                                [this](NodeId id) { return !is_truth(program_.graph->nodes[id]); });
+    for (std::size_t k = 0; options_.check_values && k < body_.variables.size(); ++k)
+      if (!is_truth(k)) return true;
+    return false;
   }
 
 private:
@@ -77,46 +75,69 @@ private:
 
   std::string statements(std::size_t chunk) {
     std::string out;
-    std::vector<NodeId> spelled_out;
-    FunctionContext const context{is_compute_, &variable_, &spelling_, &kept_, &spelled_out};
-    std::size_t const first = chunks_.begin[chunk], end = chunks_.begin[chunk + 1];
-    for (std::size_t k = first; k < end; ++k) {
-      append_checks(out, context, chunk, k);
-      NodeId const id = body_.variables[k];
-      Node const &node = program_.graph->nodes[id];
-      bool const truth = is_truth(node);
-      std::string const name = spelling_(k);
-      spelled_out.clear();
-      std::string const value = c_expression(program_, context, id);
-      append_wrapped(out, fmt::format("{} const {} = {};", truth ? "int" : "double", name, value) +
-                              trace_marker(*program_.graph, spelled_out));
-      if (options_.check_values && !truth) out += value_check(*program_.graph, name, id);
-      variable_[id] = static_cast<std::uint32_t>(k);
-      if (chunks_.spill_slot[id] != no_slot) out += fmt::format("  v[{}] = {};\n", chunks_.spill_slot[id], name);
+    std::size_t indent = 2;
+    std::vector<Step> const steps = blocks(program_, body_, is_compute_, chunks_, chunk);
+    for (std::size_t k = chunks_.begin[chunk]; k < chunks_.begin[chunk + 1]; ++k)
+      variable_[body_.variables[k]] = static_cast<std::uint32_t>(k);
+    for (Step const &step : steps) {
+      if (step.kind == Step::Kind::close || step.kind == Step::Kind::otherwise) indent -= 2;
+      append_wrapped(out, indent, text(step));
+      bool const sets = step.kind == Step::Kind::set || step.kind == Step::Kind::set_const;
+      if (sets && options_.check_values && !is_truth(step.index))
+        out += std::string(indent - 2, ' ') +
+               value_check(*program_.graph, spelling_(step.index), body_.variables[step.index]);
+      if (step.kind == Step::Kind::open || step.kind == Step::Kind::otherwise) indent += 2;
     }
-    append_checks(out, context, chunk, end);
     if (chunks_.size() == 1) return out;
-    for (std::size_t k = first; k < end; ++k) { // what this chunk has in a variable, later ones find in v
-      variable_[body_.variables[k]] = no_slot;
+    for (std::size_t k = chunks_.begin[chunk]; k < chunks_.begin[chunk + 1]; ++k) {
+      variable_[body_.variables[k]] = no_slot; // what this chunk has in a variable, later ones find in v
       kept_[body_.variables[k]] = chunks_.spill_slot[body_.variables[k]];
     }
     return out;
   }
 
-  // Those that stand before statement k, in its chunk.
-  void append_checks(std::string &out, FunctionContext const &context, std::size_t chunk, std::size_t k) {
-    for (; check_ < body_.checks.size(); ++check_) {
-      Check const &check = body_.checks[check_];
-      if (check.before != k || chunks_.of_check(check) != chunk) return;
-      append_wrapped(out, fmt::format("if ({}) return {};", c_failure(program_, context, check.condition), check_ + 1));
+  std::string text(Step const &step) {
+    FunctionContext const context{is_compute_, &variable_, &spelling_, &kept_};
+    switch (step.kind) {
+    case Step::Kind::declare:
+      return fmt::format("{} {} = {};", type(step.index), spelling_(step.index), is_truth(step.index) ? "0" : "0.0");
+    case Step::Kind::open: return fmt::format("if ({}) {{", c_condition(program_, context, step.literal));
+    case Step::Kind::otherwise: return "} else {";
+    case Step::Kind::close: return "}";
+    case Step::Kind::set: return setting(step.index);
+    case Step::Kind::set_const: return std::string(type(step.index)) + " const " + setting(step.index);
+    case Step::Kind::keep:
+      return fmt::format("v[{}] = {};", chunks_.spill_slot[body_.variables[step.index]], spelling_(step.index));
+    case Step::Kind::check:
+      ++checks_printed_;
+      return fmt::format("if ({}) return {};",
+                         c_condition(program_, context, {body_.checks[step.index].condition, false}), step.index + 1);
     }
+    return {};
   }
+
+  std::string setting(std::size_t statement) const {
+    NodeId const id = body_.variables[statement];
+    std::vector<NodeId> spelled_out;
+    FunctionContext const context{is_compute_, &variable_, &spelling_, &kept_, &spelled_out};
+    std::string const value = body_.regions.is_gate(id) ? "1" : c_expression(program_, context, id);
+    return fmt::format("{} = {};", spelling_(statement), value) + trace_marker(*program_.graph, spelled_out);
+  }
+
+  bool is_truth(std::size_t statement) const {
+    NodeId const id = body_.variables[statement];
+    if (body_.regions.is_gate(id)) return true;
+    Op const op = program_.graph->nodes[id].op;
+    return !is_leaf(op) && info(op).has(flag::BOOLEAN);
+  }
+  char const *type(std::size_t statement) const { return is_truth(statement) ? "int" : "double"; }
 
   std::string results() {
     std::string out;
     FunctionContext const context{is_compute_, &variable_, &spelling_, &kept_};
     for (std::size_t slot = 0; slot < body_.results.size(); ++slot)
-      append_wrapped(out, fmt::format("{}[{}] = {};", target(), slot, c_use(program_, context, body_.results[slot])));
+      append_wrapped(out, 2,
+                     fmt::format("{}[{}] = {};", target(), slot, c_use(program_, context, body_.results[slot])));
     return out;
   }
 
@@ -142,7 +163,7 @@ private:
   Chunks chunks_;
   VariableNames spelling_;
   std::vector<std::uint32_t> variable_, kept_;
-  std::size_t check_ = 0; // the next to be printed
+  std::size_t checks_printed_ = 0;
 };
 
 } // namespace

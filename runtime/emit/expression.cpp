@@ -35,23 +35,23 @@ public:
     return print({.text = {}, .node = root, .binding = loosest, .spelled_out = spelled_out});
   }
 
-  std::string print_failure(NodeId id) {
-    bool wanted = false;
+  std::string print_condition(Literal literal) {
+    auto [id, wanted] = literal;
     while (spelled_out(id) && node(id).op == Op::logical_not) {
       id = node(id).operand[0];
       wanted = !wanted;
     }
-    bool is_truth = is_variable(id) || spelled_out(id);
-    if (is_leaf(node(id).op) || !info(node(id).op).has(flag::BOOLEAN) || !is_truth)
+    bool const is_truth = is_gate(id) || (!is_leaf(node(id).op) && info(node(id).op).has(flag::BOOLEAN));
+    if (!is_truth || !(is_variable(id) || spelled_out(id))) // a double
       return print({.text = {}, .node = id, .binding = additive}) + (wanted ? " != 0.0" : " == 0.0");
-    Node negated = node(id);
-    if (!wanted && spelled_out(id) && (negated.op == Op::eq || negated.op == Op::ne)) {
+    if (!wanted && spelled_out(id) && (node(id).op == Op::eq || node(id).op == Op::ne)) {
+      Node negated = node(id);
       negated.op = negated.op == Op::eq ? Op::ne : Op::eq;
       print_operation(negated, loosest);
       return finish();
     }
     if (!wanted) text_ = "!";
-    return print({.text = {}, .node = id, .binding = wanted ? loosest : prefix_operand, .as_truth = true});
+    return print({.text = {}, .node = id, .binding = wanted ? loosest : prefix_operand});
   }
 
 private:
@@ -73,15 +73,22 @@ private:
   }
 
   Node const &node(NodeId id) const { return program_.graph->nodes[id]; }
+  bool is_gate(NodeId id) const { return id >= program_.graph->nodes.size(); }
   bool is_variable(NodeId id) const { return (*context_.name)[id] != no_slot; }
   // Neither a variable nor an element of an array.
   bool spelled_out(NodeId id) const {
+    if (is_gate(id)) return false;
     bool in_array = (context_.kept && (*context_.kept)[id] != no_slot) ||
                     (context_.in_compute && program_.constant_slot[id] != no_slot);
     return !is_leaf(node(id).op) && !is_variable(id) && !in_array;
   }
 
   void print_node(Piece const &piece) {
+    if (is_gate(piece.node)) {
+      text_ += is_variable(piece.node) ? (*context_.spelling)((*context_.name)[piece.node])
+                                       : "v[" + std::to_string((*context_.kept)[piece.node]) + "]";
+      return;
+    }
     Node const &node = program_.graph->nodes[piece.node];
     bool is_kept = is_kept_value(piece);
     if (piece.as_truth && (is_leaf(node.op) || !info(node.op).has(flag::BOOLEAN) || is_kept)) {
@@ -183,8 +190,8 @@ std::string c_expression(Program const &program, FunctionContext const &context,
   return Printer(program, context).print(root, true);
 }
 
-std::string c_failure(Program const &program, FunctionContext const &context, NodeId node) {
-  return Printer(program, context).print_failure(node);
+std::string c_condition(Program const &program, FunctionContext const &context, Literal literal) {
+  return Printer(program, context).print_condition(literal);
 }
 
 std::string c_use(Program const &program, FunctionContext const &context, NodeId node) {

@@ -21,9 +21,9 @@ struct FunctionContext {
 
 // The value of `root`, spelled out even where the node has a variable (it is the statement that sets it).
 std::string c_expression(Program const &program, FunctionContext const &context, NodeId root);
-// A condition in C that holds where the truth value of the node is false. A comparison is negated, not turned round:
-// with a NaN both x < y and x >= y are false.
-std::string c_failure(Program const &program, FunctionContext const &context, NodeId node);
+// A condition in C that holds where the literal does. A comparison is negated, not turned round: with a NaN both x < y
+// and x >= y are false.
+std::string c_condition(Program const &program, FunctionContext const &context, Literal literal);
 // A use of the node: its variable, its array element or its constant; a nested expression is spelled out.
 std::string c_use(Program const &program, FunctionContext const &context, NodeId node);
 

@@ -38,7 +38,7 @@ VariableNames::VariableNames(Program const &program, FunctionBody const &body) {
   }
   std::vector<std::uint32_t> next(bases_.size(), 1);
   for (NodeId id : body.variables) {
-    NameId const name = graph.node_name[id];
+    NameId const name = body.regions.is_gate(id) ? no_name : graph.node_name[id];
     entries_.push_back({name, 0});
     if (name == no_name) continue;
     std::uint32_t number = next[name];

@@ -30,7 +30,7 @@ struct OperationInfo {
 };
 
 namespace flag {
-inline constexpr unsigned COMMUTATIVE = 1, ROUNDED = 2, ZERO_SIGN = 4, BOOLEAN = 8, LOGICAL = 16;
+inline constexpr unsigned COMMUTATIVE = 1, ROUNDED = 2, ZERO_SIGN = 4, BOOLEAN = 8, LOGICAL = 16, QUIET = 32;
 }
 
 // All operations in the order of the table.

@@ -21,11 +21,16 @@ bool is_newer(NodeId a, NodeId b, NodeTable const &table) {
   return a_constant != b_constant ? a_constant : a > b;
 }
 
+static bool is_truth(Node const &node) { return !is_leaf(node.op) && info(node.op).has(flag::BOOLEAN); }
+
 bool holds_for_value(Condition condition, double k) {
   switch (condition) {
   case Condition::always:
-  case Condition::x_newer: return true;
+  case Condition::x_newer:
+  case Condition::x_truth: return true;
   case Condition::k_negative: return k < 0;
+  case Condition::k_zero: return k == 0;
+  case Condition::k_nonzero: return k != 0;
   case Condition::k_has_exact_inverse: {
     int exponent = 0;
     return std::isnormal(k) && std::isnormal(1 / k) && std::fabs(std::frexp(k, &exponent)) == 0.5;
@@ -69,6 +74,7 @@ bool match(Rule const &rule, Node const &node, NodeTable const &table, Bindings 
       matched = match_term(rule.pattern.operands[i], rule.mode, operand[i], table, bindings);
     if (!matched) continue;
     if (rule.condition == Condition::x_newer && !is_newer(bindings['x'], bindings['y'], table)) continue;
+    if (rule.condition == Condition::x_truth && !is_truth(table[bindings['x']])) continue;
     double k = bindings['k'] == no_node ? 0 : table[bindings['k']].value();
     if (holds_for_value(rule.condition, k)) return true;
   }

@@ -12,7 +12,7 @@
 namespace symreal {
 
 enum class Topic : unsigned { identities = 1, signs = 2, algebra = 4 };
-enum class Condition { always, k_negative, k_has_exact_inverse, x_newer };
+enum class Condition { always, k_negative, k_zero, k_nonzero, k_has_exact_inverse, x_newer, x_truth };
 
 struct Rule {
   Topic topic;
@@ -34,7 +34,7 @@ struct Bindings {
 // Whether the rule applies to `node`, an operation on nodes of `table`. The rule's root operation must be the node's.
 bool match(Rule const &rule, Node const &node, NodeTable const &table, Bindings &bindings);
 
-// Whether the condition holds at a value of k; x_newer is a matter of order, not of values, and counts as true.
+// Whether the condition holds at a value of k; those on x are matters of its node, not of values, and count as true.
 bool holds_for_value(Condition condition, double k);
 
 // The canonical order of the operands of a commutative operation: old before young, constants last.

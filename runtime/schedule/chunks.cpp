@@ -1,5 +1,7 @@
 #include "schedule/chunks.h"
 
+#include "schedule/order.h"
+
 #include <algorithm>
 
 namespace symreal {
@@ -14,8 +16,8 @@ public:
       : program_(program),
         body_(body),
         in_compute_(in_compute),
-        chunk_(program.graph->nodes.size(), no_slot),
-        last_reader_(program.graph->nodes.size(), 0) {}
+        chunk_(body.regions.value_count(), no_slot),
+        last_reader_(body.regions.value_count(), 0) {}
 
   Chunks cut() {
     Chunks chunks{{}, std::vector<std::uint32_t>(chunk_.size(), no_slot), 0};
@@ -27,11 +29,10 @@ public:
 
     for (std::size_t chunk = 0; chunk < chunks.size(); ++chunk)
       for (std::size_t statement = chunks.begin[chunk]; statement < chunks.begin[chunk + 1]; ++statement) {
-        NodeId id = body_.variables[statement];
-        chunk_[id] = static_cast<std::uint32_t>(chunk);
-        note_reads(id, chunk);
+        chunk_[body_.variables[statement]] = static_cast<std::uint32_t>(chunk);
+        note_reads(statement, chunk);
       }
-    for (Check const &check : body_.checks) note_use(check.condition, chunks.of_check(check));
+    for (Check const &check : body_.checks) note_read(check.condition, chunks.of_check(check));
     for (NodeId result : body_.results)
       if (chunk_[result] != no_slot) last_reader_[result] = static_cast<std::uint32_t>(chunks.size());
     assign_slots(chunks);
@@ -39,30 +40,18 @@ public:
   }
 
 private:
-  // The variables that a statement reads, through the expressions nested in it.
-  void note_reads(NodeId statement, std::size_t chunk) {
-    stack_.assign(1, statement);
-    while (!stack_.empty()) {
-      Node const &node = program_.graph->nodes[stack_.back()];
-      stack_.pop_back();
-      if (is_leaf(node.op)) continue;
-      for (NodeId operand : node.operand)
-        if (operand != no_node) note_read(operand, chunk);
-    }
+  // The variables that a statement and the blocks around it read.
+  void note_reads(std::size_t statement, std::size_t chunk) {
+    for (Literal const &literal : body_.regions.literals(body_.region[statement])) note_read(literal.condition, chunk);
+    for_each_operand(program_, body_, in_compute_, body_.variables[statement],
+                     [&](NodeId operand) { note_read(operand, chunk); });
   }
 
-  void note_use(NodeId id, std::size_t chunk) {
-    stack_.clear();
-    note_read(id, chunk);
-    if (!stack_.empty()) note_reads(id, chunk);
-  }
-
-  void note_read(NodeId id, std::size_t chunk) {
-    if (in_compute_ && program_.constant_slot[id] != no_slot) return;
-    if (chunk_[id] != no_slot)
-      last_reader_[id] = std::max(last_reader_[id], static_cast<std::uint32_t>(chunk));
-    else
-      stack_.push_back(id);
+  void note_read(NodeId use, std::size_t chunk) {
+    for_each_read(
+        *program_.graph, use, [&](NodeId id) { return chunk_[id] != no_slot; },
+        [&](NodeId id) { return is_read(program_, in_compute_, id); },
+        [&](NodeId id) { last_reader_[id] = std::max(last_reader_[id], static_cast<std::uint32_t>(chunk)); });
   }
 
   void assign_slots(Chunks &chunks) {
@@ -84,9 +73,8 @@ private:
   Program const &program_;
   FunctionBody const &body_;
   bool in_compute_;
-  std::vector<std::uint32_t> chunk_;       // per node that is a variable: where it is set
+  std::vector<std::uint32_t> chunk_;       // per node that is a variable, and gate: where it is set
   std::vector<std::uint32_t> last_reader_; // and the last chunk that reads it
-  std::vector<NodeId> stack_;
 };
 
 } // namespace

@@ -1,6 +1,9 @@
 #include "schedule/program.h"
 
+#include "schedule/order.h"
+
 #include <algorithm>
+#include <utility>
 
 namespace symreal {
 
@@ -34,73 +37,132 @@ Reach reach(Graph const &graph, std::vector<NodeId> const &roots, std::vector<st
   return result;
 }
 
-// Statements stand in the order of their nodes, and a condition is younger than what it is computed from.
-void place_checks(FunctionBody &body, std::vector<NodeId> const &conditions) {
-  std::size_t before = 0;
-  for (NodeId condition : conditions) {
-    while (before < body.variables.size() && body.variables[before] <= condition) ++before;
-    body.checks.push_back({condition, before});
+class Layout {
+public:
+  Layout(Graph const &graph, std::vector<NodeId> const &results, std::vector<NodeId> const &conditions,
+         std::vector<std::uint32_t> const *constant_slot, Nesting nesting)
+      : graph_(graph),
+        nesting_(nesting),
+        results_(results),
+        conditions_(conditions),
+        needs_(reach(graph, roots(), constant_slot)),
+        is_read_(graph.nodes.size(), 0),
+        has_variable_(graph.nodes.size(), 0) {
+    for (std::size_t id = 0; id < graph.nodes.size(); ++id)
+      is_read_[id] = is_leaf(graph.nodes[id].op) || (constant_slot && (*constant_slot)[id] != no_slot);
+    // All inputs are read before an output is written, since the arrays may overlap; so what an output holds must be in
+    // a variable by then.
+    for (NodeId result : results)
+      if (!graph.nodes[result].is_constant()) has_variable_[result] = 1;
   }
-}
 
-// All inputs are read before an output is written, since the arrays may overlap; so what an output holds
-// must be in a variable by then.
-FunctionBody lay_out(Graph const &graph, std::vector<NodeId> const &results, Nesting nesting,
-                     std::vector<NodeId> const &conditions, std::vector<std::uint32_t> const *constant_slot) {
-  std::vector<NodeId> roots = results;
-  roots.insert(roots.end(), conditions.begin(), conditions.end());
-  Reach const needs = reach(graph, roots, constant_slot);
-  std::vector<char> is_result(graph.nodes.size(), 0);
-  for (NodeId result : results) is_result[result] = 1;
-  std::vector<std::uint8_t> operations(graph.nodes.size(), 0), depth(graph.nodes.size(), 0); // of nested expressions
-  FunctionBody body;
-  for (std::size_t id = 0; id < graph.nodes.size(); ++id) {
-    Node const &node = graph.nodes[id];
-    if (!needs.needed[id]) continue;
-    bool is_read = is_leaf(node.op) || (constant_slot && (*constant_slot)[id] != no_slot);
-    unsigned size = 1, height = 0;
-    if (!is_read)
-      for (NodeId operand : node.operand) {
-        if (operand == no_node) continue;
-        size += operations[operand];
-        height = std::max<unsigned>(height, depth[operand]);
+  FunctionBody run() {
+    Placement const placement = place(graph_, roots(), needs_.needed, is_read_);
+    std::vector<NodeId> variables = choose_variables();
+    if (placement.conditional()) {
+      give_variables_to_conditions(placement, variables);
+      variables = choose_variables();
+    }
+    FunctionBody body{std::move(variables), {}, placement.regions, {}, results_};
+    order(graph_, is_read_, placement, body);
+    place_checks(body);
+    return body;
+  }
+
+private:
+  std::vector<NodeId> roots() const {
+    std::vector<NodeId> roots = results_;
+    roots.insert(roots.end(), conditions_.begin(), conditions_.end());
+    return roots;
+  }
+
+  // What is used more than once, is too large to nest, or has been given one.
+  std::vector<NodeId> choose_variables() const {
+    std::vector<std::uint8_t> operations(graph_.nodes.size(), 0), depth(graph_.nodes.size(), 0); // of nested ones
+    std::vector<NodeId> variables;
+    for (std::size_t id = 0; id < graph_.nodes.size(); ++id) {
+      if (!needs_.needed[id]) continue;
+      unsigned size = 1, height = 0;
+      if (!is_read_[id])
+        for (NodeId operand : graph_.nodes[id].operand) {
+          if (operand == no_node) continue;
+          size += operations[operand];
+          height = std::max<unsigned>(height, depth[operand]);
+        }
+      bool const fits = is_read_[id] || (nesting_ == Nesting::bounded && needs_.uses[id] == 1 &&
+                                         size <= most_nested_operations && height < most_nested_depth);
+      if (!fits || has_variable_[id]) {
+        variables.push_back(static_cast<NodeId>(id));
+      } else if (!is_read_[id]) {
+        operations[id] = static_cast<std::uint8_t>(size);
+        depth[id] = static_cast<std::uint8_t>(height + 1);
       }
-    bool nests = is_read || (nesting == Nesting::bounded && needs.uses[id] == 1 && size <= most_nested_operations &&
-                             height < most_nested_depth);
-    if (is_result[id] && !node.is_constant()) nests = false;
-    if (!nests)
-      body.variables.push_back(static_cast<NodeId>(id));
-    else if (!is_read) {
-      operations[id] = static_cast<std::uint8_t>(size);
-      depth[id] = static_cast<std::uint8_t>(height + 1);
+    }
+    return variables;
+  }
+
+  // A block asks for its condition before anything in it is computed.
+  void give_variables_to_conditions(Placement const &placement, std::vector<NodeId> const &variables) {
+    Regions const &regions = placement.regions;
+    std::vector<RegionId> regions_to_see;
+    std::vector<char> seen;
+    auto see = [&](RegionId region) {
+      if (region >= seen.size()) seen.resize(region + std::size_t{1}, 0);
+      if (!std::exchange(seen[region], 1)) regions_to_see.push_back(region);
+    };
+    for (NodeId id : variables) see(placement.of_node[id]);
+    while (!regions_to_see.empty()) {
+      RegionId const region = regions_to_see.back();
+      regions_to_see.pop_back();
+      for (Literal const &literal : regions.literals(region)) {
+        if (regions.is_gate(literal.condition)) {
+          see(regions.of_gate(literal.condition));
+        } else {
+          if (!is_read_[literal.condition]) has_variable_[literal.condition] = 1;
+          see(placement.of_node[literal.condition]);
+        }
+      }
     }
   }
-  body.results = results;
-  place_checks(body, conditions);
-  return body;
-}
+
+  void place_checks(FunctionBody &body) const {
+    std::vector<std::size_t> after(body.regions.value_count(), 0); // the statement that sets a variable, from 1
+    for (std::size_t k = 0; k < body.variables.size(); ++k) after[body.variables[k]] = k + 1;
+    std::size_t before = 0;
+    for (NodeId condition : conditions_) {
+      for_each_read(
+          graph_, condition, [&](NodeId id) { return after[id] != 0; }, [&](NodeId id) { return is_read_[id] != 0; },
+          [&](NodeId id) { before = std::max(before, after[id]); });
+      body.checks.push_back({condition, before});
+    }
+  }
+
+  Graph const &graph_;
+  Nesting nesting_;
+  std::vector<NodeId> const &results_, &conditions_;
+  Reach const needs_;
+  std::vector<char> is_read_, has_variable_;
+};
 
 } // namespace
 
 Program schedule(Graph const &graph, Nesting nesting) {
-  Program program{&graph, {}, {}, std::vector<std::uint32_t>(graph.nodes.size(), no_slot), 0};
-  std::vector<NodeId> stored = graph.precomputed;
+  std::vector<NodeId> stored = graph.precomputed, conditions, roots = graph.results;
+  std::vector<std::uint32_t> constant_slot(graph.nodes.size(), no_slot);
   for (std::size_t slot = 0; slot < stored.size(); ++slot)
-    program.constant_slot[stored[slot]] = static_cast<std::uint32_t>(slot);
-  // Without pass preprocess `compute` still sees no parameters: those that it needs are handed through `constants`.
-  std::vector<NodeId> conditions, roots = graph.results;
+    constant_slot[stored[slot]] = static_cast<std::uint32_t>(slot);
   for (Guard const &guard : graph.guards) conditions.push_back(guard.condition);
   roots.insert(roots.end(), conditions.begin(), conditions.end());
-  Reach const needs = reach(graph, roots, &program.constant_slot);
+  // Without pass preprocess `compute` still sees no parameters: those that it needs are handed through `constants`.
+  Reach const needs = reach(graph, roots, &constant_slot);
   for (std::size_t id = 0; id < graph.nodes.size(); ++id)
-    if (needs.needed[id] && graph.nodes[id].op == Op::parameter && program.constant_slot[id] == no_slot) {
-      program.constant_slot[id] = static_cast<std::uint32_t>(stored.size());
+    if (needs.needed[id] && graph.nodes[id].op == Op::parameter && constant_slot[id] == no_slot) {
+      constant_slot[id] = static_cast<std::uint32_t>(stored.size());
       stored.push_back(static_cast<NodeId>(id));
     }
-  program.constant_count = stored.size();
-  program.preprocess = lay_out(graph, stored, nesting, {}, nullptr);
-  program.compute = lay_out(graph, graph.results, nesting, conditions, &program.constant_slot);
-  return program;
+  FunctionBody preprocess = Layout(graph, stored, {}, nullptr, nesting).run();
+  FunctionBody compute = Layout(graph, graph.results, conditions, &constant_slot, nesting).run();
+  return {&graph, std::move(preprocess), std::move(compute), std::move(constant_slot), stored.size()};
 }
 
 } // namespace symreal

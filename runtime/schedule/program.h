@@ -2,6 +2,7 @@
 #pragma once
 
 #include "graph/graph.h"
+#include "schedule/regions.h"
 
 #include <vector>
 
@@ -14,10 +15,13 @@ struct Check {
 };
 
 // A function body: `variables` are computed in this order, one statement each; every other operation is used once and
-// is nested in its user's expression. `results` are stored at the end, result k to slot k. Check k is that of guard k;
-// it stands as early as its condition can be computed and not before that of an earlier guard.
+// is nested in its user's expression. A variable with a region is computed only there; a gate is a variable too, which
+// is 1 in its region. `results` are stored at the end, result k to slot k. Check k is that of guard k; it stands as
+// early as its condition can be computed and not before that of an earlier guard.
 struct FunctionBody {
   std::vector<NodeId> variables;
+  std::vector<RegionId> region; // per variable
+  Regions regions;
   std::vector<Check> checks;
   std::vector<NodeId> results;
 };
@@ -35,7 +39,8 @@ struct Program {
 enum class Nesting { bounded, none };
 
 // The order of statements is the order of recording: measured against depth-first, Sethi-Ullman and kill-most orders it
-// keeps live ranges shortest. `graph` must outlive the program.
+// keeps live ranges shortest. What is computed under a condition waits for the condition. `graph` must outlive the
+// program.
 Program schedule(Graph const &graph, Nesting nesting = Nesting::bounded);
 
 } // namespace symreal

@@ -6,7 +6,7 @@
 
 namespace symreal {
 
-SampleSource::SampleSource(Graph const &graph, std::uint64_t seed) : state_(seed) {
+SampleSource::SampleSource(Graph const &graph, std::uint64_t seed) : guarded_(!graph.guards.empty()), state_(seed) {
   auto slots = [](std::vector<Object> const &objects, std::vector<double> const &recorded) {
     std::vector<Slot> result;
     for (Object const &object : objects)
@@ -24,6 +24,7 @@ Sample SampleSource::next() {
   // Most samples lie near what the program was made for: far away, much code overflows.
   constexpr Way ways[] = {Way::near, Way::near, Way::near, Way::wide, Way::near, Way::corner};
   Way way = drawn_ == 0 ? Way::recorded : ways[(drawn_ - 1) % std::size(ways)];
+  if (guarded_ && drawn_ % std::size(ways) == 2) way = Way::sparse;
   ++drawn_;
   Sample sample;
   for (Slot const &slot : inputs_) sample.inputs.push_back(draw(slot, way, false));
@@ -36,6 +37,7 @@ double SampleSource::draw(Slot const &slot, Way way, bool is_parameter) {
   if (way == Way::recorded) return slot.recorded;
   if (slot.range) return way == Way::corner ? corner(slot) : uniform(slot.range->low, slot.range->high);
   if (is_parameter || way == Way::near) return near(slot.recorded);
+  if (way == Way::sparse) return bits() % 3 == 0 ? near(slot.recorded) : 0;
   return way == Way::wide ? wide() : corner(slot);
 }
 

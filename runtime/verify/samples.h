@@ -1,5 +1,6 @@
 // Inputs and parameters on which the original and the generated code are compared: the recorded values, values around
-// them, wide magnitudes, and corners. The same seed gives the same samples on every host.
+// them, wide magnitudes, and corners; for code with guards, which often ask for zeros, also samples that are mostly
+// zero. The same seed gives the same samples on every host.
 #pragma once
 
 #include "graph/graph.h"
@@ -25,7 +26,7 @@ private:
     double recorded;
     std::optional<Range> range;
   };
-  enum class Way { recorded, near, wide, corner };
+  enum class Way { recorded, near, wide, corner, sparse };
 
   double draw(Slot const &slot, Way way, bool is_parameter);
   double near(double recorded);
@@ -35,6 +36,7 @@ private:
   double uniform(double low, double high);
 
   std::vector<Slot> inputs_, parameters_;
+  bool guarded_;
   std::uint64_t state_;
   std::size_t drawn_ = 0;
 };

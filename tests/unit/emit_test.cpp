@@ -1,5 +1,6 @@
 #include "emit/emit.h"
 
+#include "compiled_graph.h"
 #include "emit/expression.h"
 #include "graph/evaluate.h"
 #include "graph/graph_text.h"
@@ -8,45 +9,10 @@
 
 #include <bit>
 #include <cmath>
-#include <dlfcn.h>
-#include <filesystem>
-#include <fstream>
 #include <gtest/gtest.h>
 
 namespace symreal {
 namespace {
-
-// Compiles emitted C with every warning an error, and loads it.
-class Compiled {
-public:
-  Compiled(Graph const &graph, std::string const &compiler) {
-    directory_ = std::filesystem::path(testing::TempDir()) / ("emit_test_" + std::to_string(getpid()));
-    std::filesystem::create_directories(directory_);
-    for (EmittedFile const &file : emit_c(graph, {.base_name = "k", .mainline = true}))
-      std::ofstream(directory_ / file.name) << file.text;
-    std::string const flags =
-        " -std=c99 -O1 -ffp-contract=off -fno-builtin -Wall -Wextra -Wconversion -pedantic -Werror ";
-    std::string const path = directory_.string();
-    EXPECT_EQ(std::system((compiler + flags + "-fPIC -shared " + path + "/k.c -o " + path + "/k.so -lm").c_str()), 0);
-    EXPECT_EQ(std::system((compiler + flags + "-fsyntax-only " + path + "/k_main.c").c_str()), 0);
-    library_ = dlopen((path + "/k.so").c_str(), RTLD_NOW | RTLD_LOCAL);
-    EXPECT_NE(library_, nullptr) << dlerror();
-  }
-  ~Compiled() {
-    if (library_) dlclose(library_);
-    std::filesystem::remove_all(directory_);
-  }
-  std::vector<double> run(std::vector<double> const &input, std::size_t outputs) const {
-    std::vector<double> output(outputs);
-    auto compute = reinterpret_cast<void (*)(double const *, double const *, double *)>(dlsym(library_, "compute"));
-    compute(input.data(), nullptr, output.data());
-    return output;
-  }
-
-private:
-  std::filesystem::path directory_;
-  void *library_ = nullptr;
-};
 
 // Every operation of the table, each with inputs of its own.
 Graph graph_of_all() {

@@ -41,6 +41,7 @@ TEST(Rules, HoldInTheirMode) {
       for (double &value : values) value = draw(random, is_logical(rule));
       if (rule.condition == Condition::k_has_exact_inverse)
         values['k' - 'a'] = std::ldexp(random() % 2 ? 1.0 : -1.0, static_cast<int>(random() % 200) - 100);
+      if (rule.condition == Condition::k_zero) values['k' - 'a'] = random() % 2 ? 0.0 : -0.0;
       if (!holds_for_value(rule.condition, values['k' - 'a'])) continue;
       auto variable = [&](char name) { return values[static_cast<std::size_t>(name - 'a')]; };
       double before = evaluate(rule.pattern, variable), after = evaluate(rule.replacement, variable);

@@ -1,0 +1,164 @@
+#include "schedule/blocks.h"
+
+#include "schedule/order.h"
+
+#include <algorithm>
+#include <unordered_map>
+
+namespace symreal {
+
+namespace {
+
+constexpr std::size_t never = ~std::size_t{0};
+
+class Blocks {
+public:
+  Blocks(Program const &program, FunctionBody const &body, bool in_compute, Chunks const &chunks, std::size_t chunk)
+      : program_(program),
+        body_(body),
+        in_compute_(in_compute),
+        chunks_(chunks),
+        chunk_(chunk),
+        first_(chunks.begin[chunk]),
+        variables_(chunks.begin[chunk + 1] - first_) {}
+
+  std::vector<Step> run() {
+    for (std::size_t k = 0; k < variables_.size(); ++k) number_.emplace(body_.variables[first_ + k], k);
+    auto check = std::partition_point(body_.checks.begin(), body_.checks.end(),
+                                      [&](Check const &one) { return chunks_.of_check(one) < chunk_; });
+    for (std::size_t k = first_; k <= first_ + variables_.size(); ++k) {
+      for (; check != body_.checks.end() && check->before == k && chunks_.of_check(*check) == chunk_; ++check) {
+        move_to({});
+        steps_.push_back({Step::Kind::check, static_cast<std::size_t>(check - body_.checks.begin())});
+        note_read(check->condition);
+      }
+      if (k == first_ + variables_.size()) break;
+      move_to(body_.regions.literals(body_.region[k]));
+      for_each_operand(program_, body_, in_compute_, body_.variables[k], [&](NodeId id) { note_read(id); });
+      variables_[k - first_].block = open_.empty() ? never : open_.back().id;
+      steps_.push_back({Step::Kind::set, k});
+    }
+    move_to({});
+    return with_declarations();
+  }
+
+private:
+  struct Open {
+    Literal literal;
+    std::size_t id;
+  };
+  struct Variable {
+    std::size_t block = never; // where it is set; `never`: outside of all
+    bool read_outside = false;
+  };
+
+  // Ends blocks and begins others, so that exactly these literals hold.
+  void move_to(std::vector<Literal> wanted) {
+    std::size_t kept = 0;
+    auto is_wanted = [&](Literal const &literal) {
+      return std::find(wanted.begin(), wanted.end(), literal) != wanted.end();
+    };
+    while (kept < open_.size() && is_wanted(open_[kept].literal)) ++kept;
+    for (std::size_t i = 0; i < kept; ++i) std::erase(wanted, open_[i].literal);
+    while (open_.size() > kept + 1) close();
+    if (open_.size() > kept) {
+      Literal const opposite{open_.back().literal.condition, !open_.back().literal.holds};
+      if (is_wanted(opposite)) {
+        std::erase(wanted, opposite);
+        ends_[open_.back().id] = steps_.size();
+        steps_.push_back({Step::Kind::otherwise, 0, opposite});
+        open_.back() = {opposite, ends_.size()};
+        ends_.push_back(never);
+      } else {
+        close();
+      }
+    }
+    for (Literal const &literal : wanted) {
+      note_read(literal.condition);
+      steps_.push_back({Step::Kind::open, 0, literal});
+      open_.push_back({literal, ends_.size()});
+      ends_.push_back(never);
+    }
+  }
+
+  void close() {
+    ends_[open_.back().id] = steps_.size();
+    steps_.push_back({Step::Kind::close});
+    open_.pop_back();
+  }
+
+  void note_read(NodeId use) {
+    for_each_read(
+        *program_.graph, use, [&](NodeId id) { return is_variable(id); },
+        [&](NodeId id) { return is_read(program_, in_compute_, id); },
+        [&](NodeId id) {
+          auto found = number_.find(id);
+          if (found == number_.end()) return; // an earlier chunk's
+          Variable &variable = variables_[found->second];
+          if (variable.block != never && ends_[variable.block] != never) variable.read_outside = true;
+        });
+  }
+
+  // Of this chunk, or kept by an earlier one.
+  bool is_variable(NodeId id) const { return number_.contains(id) || chunks_.spill_slot[id] != no_slot; }
+
+  bool is_kept(std::size_t statement) const { return chunks_.spill_slot[body_.variables[statement]] != no_slot; }
+
+  // What is kept must have been declared where the outermost block ends.
+  std::vector<Step> with_declarations() {
+    std::vector<Step> result;
+    for (std::size_t at = 0; at < steps_.size();) {
+      std::size_t const end = group_end(at);
+      std::vector<std::size_t> kept;
+      for (std::size_t i = at; i < end; ++i) {
+        if (steps_[i].kind != Step::Kind::set) continue;
+        Variable &variable = variables_[steps_[i].index - first_];
+        if (variable.block == never) continue;
+        if (is_kept(steps_[i].index)) kept.push_back(steps_[i].index);
+        variable.read_outside |= is_kept(steps_[i].index);
+        if (variable.read_outside) result.push_back({Step::Kind::declare, steps_[i].index});
+      }
+      for (std::size_t i = at; i < end; ++i) {
+        result.push_back(steps_[i]);
+        if (steps_[i].kind != Step::Kind::set) continue;
+        Variable const &variable = variables_[steps_[i].index - first_];
+        if (!variable.read_outside) result.back().kind = Step::Kind::set_const;
+        if (variable.block == never && is_kept(steps_[i].index)) result.push_back({Step::Kind::keep, steps_[i].index});
+      }
+      for (std::size_t statement : kept) result.push_back({Step::Kind::keep, statement});
+      at = end;
+    }
+    return result;
+  }
+
+  // A step outside of all blocks, or all up to the end of an outermost block.
+  std::size_t group_end(std::size_t at) const {
+    std::size_t depth = 0;
+    do {
+      if (steps_[at].kind == Step::Kind::open) ++depth;
+      if (steps_[at].kind == Step::Kind::close) --depth;
+      ++at;
+    } while (depth != 0);
+    return at;
+  }
+
+  Program const &program_;
+  FunctionBody const &body_;
+  bool in_compute_;
+  Chunks const &chunks_;
+  std::size_t chunk_, first_;
+  std::vector<Variable> variables_;                // of this chunk, in order
+  std::unordered_map<NodeId, std::size_t> number_; // of a variable among them
+  std::vector<Step> steps_;
+  std::vector<Open> open_;
+  std::vector<std::size_t> ends_; // per block: the step that ends it, or never
+};
+
+} // namespace
+
+std::vector<Step> blocks(Program const &program, FunctionBody const &body, bool in_compute, Chunks const &chunks,
+                         std::size_t chunk) {
+  return Blocks(program, body, in_compute, chunks, chunk).run();
+}
+
+} // namespace symreal

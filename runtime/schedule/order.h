@@ -1,0 +1,43 @@
+// The order of a function's statements.
+#pragma once
+
+#include "schedule/program.h"
+
+namespace symreal {
+
+// Puts the variables, given in the order of their nodes, into an order in which every one stands after what it reads
+// and after the conditions of its region, and adds the gates. Without regions that is the order of the nodes.
+// `is_read`: nodes that are found in an array. Iterative, linear.
+void order(Graph const &graph, std::vector<char> const &is_read, Placement const &placement, FunctionBody &body);
+
+// Calls `visit` with the variables that a use of a node reads: itself, or those in the operations nested there.
+template <class IsVariable, class IsRead, class Visit> void for_each_read(Graph const &graph, NodeId use,
+                                                                          IsVariable const &is_variable,
+                                                                          IsRead const &is_read, Visit const &visit) {
+  if (is_variable(use)) return visit(use);
+  std::vector<NodeId> nested = {use};
+  while (!nested.empty()) {
+    NodeId const id = nested.back();
+    nested.pop_back();
+    if (is_variable(id))
+      visit(id);
+    else if (!is_read(id))
+      for (NodeId operand : graph.nodes[id].operand)
+        if (operand != no_node) nested.push_back(operand);
+  }
+}
+
+// Whether the function finds the node in an array.
+inline bool is_read(Program const &program, bool in_compute, NodeId id) {
+  return is_leaf(program.graph->nodes[id].op) || (in_compute && program.constant_slot[id] != no_slot);
+}
+
+// Calls `visit` with the operands of the operation that sets a variable.
+template <class Visit> void for_each_operand(Program const &program, FunctionBody const &body, bool in_compute,
+                                             NodeId variable, Visit const &visit) {
+  if (body.regions.is_gate(variable) || is_read(program, in_compute, variable)) return;
+  for (NodeId operand : program.graph->nodes[variable].operand)
+    if (operand != no_node) visit(operand);
+}
+
+} // namespace symreal

@@ -1,0 +1,19 @@
+// What a wrapper does where a guard does not hold: it calls the original, which the user compiles under another name.
+#pragma once
+
+#include "rewrite/rewrite.h"
+
+#include <string>
+
+namespace symreal::tool {
+
+struct Fallback {
+  std::string declaration; // of the original under the name `name`
+  std::string statement;   // calls it with the wrapper's arguments and returns
+};
+
+// Fails for a function whose signature cannot be repeated under another name: a member, or one with a parameter that
+// has no name.
+Fallback fallback(rewrite::Kernel const &kernel, std::string const &name);
+
+} // namespace symreal::tool
