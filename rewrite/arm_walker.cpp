@@ -64,7 +64,8 @@ void ArmWalker::statement(Stmt const *statement, bool is_last) {
     if (value) expression(value);
     return;
   }
-  case Stmt::BreakStmtClass: return jump(statement, "'break'");
+  case Stmt::BreakStmtClass:
+    return jump(statement, "'break'; #pragma symreal loop(N) before the loop makes it an exit");
   case Stmt::ContinueStmtClass: return jump(statement, "'continue'");
   case Stmt::GotoStmtClass:
   case Stmt::IndirectGotoStmtClass: return block(statement->getBeginLoc(), "'goto'");

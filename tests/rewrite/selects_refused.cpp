@@ -52,7 +52,7 @@ double all(double x, double *a, Counter &c, int n, double *&p) {
   // CHECK: refused.cpp:[[@LINE+1]]:7 {{.*}} a condition that is more than comparisons joined by &&, || and !
   if ((x > 0) == (n > 0)) x = 1;
   for (int k = 0; k < n; ++k)
-    // CHECK: refused.cpp:[[@LINE+1]]:9 {{.*}} 'break' at {{.*}}:[[@LINE+1]]:19
+    // CHECK: refused.cpp:[[@LINE+1]]:9 {{.*}} 'break'; #pragma symreal loop(N) before the loop makes it an exit at {{.*}}:[[@LINE+1]]:19
     if (a[k] > x) break;
   // CHECK: refused.cpp:[[@LINE+1]]:10 {{.*}} a loop; #pragma symreal loop(N) bounds how often it runs
   while (x > 10) x /= 2;
