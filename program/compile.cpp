@@ -56,8 +56,9 @@ bool is_for_linker(std::string_view flag) {
          flag.starts_with("-fsanitize");
 }
 
-Words link_command(BuildRequest const &request, Words const &objects, std::string const &executable) {
+Words link_command(BuildRequest const &request, Variant variant, Words const &objects, std::string const &executable) {
   Words words = {request.compiler};
+  if (variant == Variant::replay) words.push_back("-rdynamic"); // generated code in it calls its external functions
   append(words, objects);
   std::copy_if(request.flags.begin(), request.flags.end(), std::back_inserter(words), is_for_linker);
   append(words, request.link);
@@ -98,7 +99,7 @@ std::vector<std::string> build_programs(BuildRequest const &request, std::span<V
       compilations.push_back(compile_command(request, variant, overlay, source, objects.back()));
     }
     executables.push_back(directory + "/program");
-    links.push_back(link_command(request, objects, executables.back()));
+    links.push_back(link_command(request, variant, objects, executables.back()));
   }
 
   std::vector<Captured> compiled = run_all(compilations);

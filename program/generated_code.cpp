@@ -1,5 +1,6 @@
 #include "program/generated_code.h"
 
+#include "emit/c_externals.h"
 #include "program/process.h"
 #include "support/files.h"
 #include "support/version.h"
@@ -49,12 +50,19 @@ Banner read_banner(std::string const &path) {
   }
 }
 
-GeneratedCode::GeneratedCode(std::string const &path, Banner const &banner, Workspace const &workspace)
-    : banner_(banner) {
-  std::string object = workspace.file("generated.so");
-  std::vector<std::string> command = {"cc",           "-std=c99", "-O1",     "-ffp-contract=off",
-                                      "-fno-builtin", "-w",       "-shared", "-fPIC",
-                                      path,           "-o",       object,    "-lm"};
+GeneratedCode::GeneratedCode(std::string const &path, Banner const &banner, Graph const &graph,
+                             Workspace const &workspace)
+    : banner_(banner),
+      object_(workspace.file("generated.so")),
+      needs_program_(!graph.externals.empty()) {
+  std::vector<std::string> command = {"cc",      "-std=c99", "-O1", "-ffp-contract=off", "-fno-builtin", "-w",
+                                      "-shared", "-fPIC",    path};
+  if (needs_program_) { // the functions are looked for when they are called, which here none is
+    std::string const calls = workspace.file("external_calls.c");
+    write_if_changed(calls, c_external_calls(graph));
+    command.insert(command.end(), {calls, "-Wl,-z,lazy"});
+  }
+  command.insert(command.end(), {"-o", object_, "-lm"});
   Captured compiled = capture({.arguments = command, .environment = {"LC_ALL=C", "GCC_COLORS="}});
   if (compiled.outcome.ending == Ending::not_started)
     fail(DiagnosticId::compiler_missing, {},
@@ -63,7 +71,7 @@ GeneratedCode::GeneratedCode(std::string const &path, Banner const &banner, Work
     fail(DiagnosticId::generated_code_broken, {path}, "the file does not compile",
          {{{}, compiled.output.substr(0, compiled.output.find("\n\n"))}});
   std::string prefix = banner.prefix.empty() ? "" : banner.prefix + "_";
-  library_ = dlopen(object.c_str(), RTLD_NOW | RTLD_LOCAL);
+  library_ = dlopen(object_.c_str(), (needs_program_ ? RTLD_LAZY : RTLD_NOW) | RTLD_LOCAL);
   if (!library_) fail(DiagnosticId::generated_code_broken, {path}, dlerror());
   preprocess_ = std::bit_cast<Preprocess>(dlsym(library_, (prefix + "preprocess").c_str()));
   compute_ = dlsym(library_, (prefix + "compute").c_str());
@@ -80,7 +88,7 @@ GeneratedCode::~GeneratedCode() {
 }
 
 GeneratedCode::Result GeneratedCode::run(std::span<double const> inputs, std::span<double const> parameters) {
-  internal_check(inputs.size() == banner_.inputs && parameters.size() == banner_.parameters);
+  internal_check(!needs_program_ && inputs.size() == banner_.inputs && parameters.size() == banner_.parameters);
   std::vector<double> constants(std::max<std::size_t>(banner_.constants, 1));
   Result result{0, std::vector<double>(banner_.outputs, std::bit_cast<double>(untouched))};
   preprocess_(parameters.data(), constants.data());

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "diagnostics/diagnostic.h"
+#include "graph/graph.h"
 #include "passes/floating_point.h"
 #include "program/workspace.h"
 
@@ -24,7 +25,9 @@ Banner read_banner(std::string const &path);
 class GeneratedCode {
 public:
   // Throws compiler_missing and generated_code_broken.
-  GeneratedCode(std::string const &path, Banner const &banner, Workspace const &workspace);
+  // `graph`: what the code was generated from. Code with external functions cannot be run here, where these are not;
+  // the replay program runs it (object).
+  GeneratedCode(std::string const &path, Banner const &banner, Graph const &graph, Workspace const &workspace);
   ~GeneratedCode();
   GeneratedCode(GeneratedCode const &) = delete;
   GeneratedCode &operator=(GeneratedCode const &) = delete;
@@ -34,6 +37,9 @@ public:
     std::vector<double> outputs; // what the code does not set is `untouched`
   };
   static constexpr std::uint64_t untouched = 0x7ff4'dead'beef'dead; // the bits of a NaN that no computation yields
+  Banner const &banner() const { return banner_; }
+  bool needs_program() const { return needs_program_; }
+  std::string const &object() const { return object_; }
   Result run(std::span<double const> inputs, std::span<double const> parameters);
 
   // What the file says of guard `number`.
@@ -46,6 +52,8 @@ private:
   using GuardText = char const *(*)(int);
 
   Banner banner_;
+  std::string object_;
+  bool needs_program_;
   void *library_ = nullptr;
   Preprocess preprocess_ = nullptr;
   void *compute_ = nullptr; // a Compute, with guards a GuardedCompute

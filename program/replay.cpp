@@ -1,6 +1,10 @@
 #include "program/replay.h"
 
+#include "graph/graph_text.h"
+#include "support/files.h"
+
 #include <algorithm>
+#include <bit>
 #include <cerrno>
 #include <cmath>
 #include <csignal>
@@ -9,6 +13,7 @@
 #include <filesystem>
 #include <fmt/format.h>
 #include <poll.h>
+#include <sstream>
 #include <sys/mman.h>
 #include <sys/wait.h>
 #include <thread>
@@ -31,8 +36,12 @@ struct Replay::Server {
     if (head) munmap(head, size);
   }
 
-  void share(std::string const &file, Graph const &graph, double seconds) {
+  void share(std::string const &file, Graph const &graph, double seconds, GeneratedCode const *code) {
     replay::Head shape{};
+    if (code) {
+      shape.constant_count = static_cast<std::uint32_t>(code->banner().constants);
+      shape.guard_count = static_cast<std::uint32_t>(code->banner().guards);
+    }
     shape.input_count = static_cast<std::uint32_t>(graph.input_count());
     shape.parameter_count = static_cast<std::uint32_t>(graph.parameter_count());
     shape.output_count = static_cast<std::uint32_t>(graph.output_count());
@@ -53,8 +62,8 @@ struct Replay::Server {
       fail(DiagnosticId::no_workspace, {}, "no pipe can be made: " + std::string(std::strerror(errno)));
     commands = to[1];
     answers = from[0];
-    command.environment = {fmt::format("SYMREAL_REPLAY={},{},{}", file, to[0], from[1]),
-                           "SYMREAL_REPLAY_KERNEL=" + begun_as};
+    command.environment.push_back(fmt::format("SYMREAL_REPLAY={},{},{}", file, to[0], from[1]));
+    command.environment.push_back("SYMREAL_REPLAY_KERNEL=" + begun_as);
     command.inherited = {to[0], from[1]};
     process = std::jthread([this, command, to, from] {
       outcome = program::run(command, [](std::string_view) {});
@@ -65,24 +74,33 @@ struct Replay::Server {
 };
 
 Replay::Replay(std::string const &executable, RunOptions const &options, std::string const &begun_as,
-               Graph const &graph, Workspace const &workspace)
+               Graph const &graph, Workspace const &workspace, GeneratedCode const *code)
     : server_(std::make_unique<Server>()) {
   std::signal(SIGPIPE, SIG_IGN); // the program may end at any moment
   if (!graph.inputs.empty()) place_ = graph.inputs.front().place;
   std::string file = workspace.file(std::filesystem::path(executable).parent_path().filename().string() + "-samples");
-  server_->share(file, graph, options.time_limit);
+  server_->share(file, graph, options.time_limit, code);
   Command command{.arguments = {executable},
                   .directory = options.directory,
                   .environment = {},
                   .standard_input = options.standard_input,
                   .inherited = {}};
   command.arguments.insert(command.arguments.end(), options.arguments.begin(), options.arguments.end());
+  if (code) {
+    std::string const text = workspace.file("replayed.graph");
+    std::ostringstream graph_text;
+    write_graph(graph_text, graph);
+    write_if_changed(text, graph_text.str());
+    std::string const prefix = code->banner().prefix.empty() ? "" : code->banner().prefix + "_";
+    command.environment = {"SYMREAL_REPLAY_CODE=" + code->object(), "SYMREAL_REPLAY_PREFIX=" + prefix,
+                           "SYMREAL_REPLAY_GRAPH=" + text};
+  }
   server_->start(command, file, begun_as);
 }
 
 Replay::~Replay() = default;
 
-std::vector<double> Replay::run(Sample const &sample) {
+void Replay::ask(replay::Command command, Sample const &sample) {
   Server &server = *server_;
   replay::Head *head = server.head;
   std::copy(sample.inputs.begin(), sample.inputs.end(), replay::shared_inputs(head));
@@ -91,8 +109,7 @@ std::vector<double> Replay::run(Sample const &sample) {
   // The server limits the time of a sample; the time to the kernel's first annotation is limited here.
   pollfd answer = {server.answers, POLLIN, 0};
   int status = 0;
-  char command = 's';
-  bool asked = write(server.commands, &command, 1) == 1;
+  bool asked = write(server.commands, &command, sizeof command) == sizeof command;
   int patience = static_cast<int>(head->seconds + 5) * 1000;
   if (!asked || poll(&answer, 1, patience) != 1 || read(server.answers, &status, sizeof status) != sizeof status)
     fail(DiagnosticId::replay_failed, place_, "the original program did not reach its kernel again");
@@ -105,7 +122,28 @@ std::vector<double> Replay::run(Sample const &sample) {
   if (head->state != replay::State::complete)
     fail(DiagnosticId::replay_failed, place_,
          "on a sample the original met other annotations than it was recorded with");
+}
+
+std::vector<double> Replay::outputs() const {
+  replay::Head *head = server_->head;
   return {replay::shared_outputs(head), replay::shared_outputs(head) + head->output_count};
+}
+
+std::vector<double> Replay::run(Sample const &sample) {
+  ask(replay::Command::original, sample);
+  return outputs();
+}
+
+GeneratedCode::Result Replay::run_generated(Sample const &sample) {
+  replay::Head *head = server_->head;
+  std::fill_n(replay::shared_outputs(head), head->output_count, std::bit_cast<double>(GeneratedCode::untouched));
+  ask(replay::Command::generated, sample);
+  return {head->failed, outputs()};
+}
+
+Evaluation Replay::run_graph(Sample const &sample) {
+  ask(replay::Command::graph, sample);
+  return {outputs(), server_->head->premises, server_->head->failing_guard};
 }
 
 } // namespace symreal::program

@@ -32,8 +32,9 @@ Recorded const &require_match(std::vector<Recorded> const &kernels, Banner const
 Verification verify(Front const &front, RunOptions const &run, Recorded const &recorded, std::string const &path,
                     Banner const &banner, VerificationOptions const &options) {
   Graph const &graph = recorded.graph;
-  GeneratedCode code(path, banner, *front.workspace);
-  Replay replay(front.replay_program, run, recorded.begun_as, graph, *front.workspace);
+  GeneratedCode code(path, banner, graph, *front.workspace);
+  Replay replay(front.replay_program, run, recorded.begun_as, graph, *front.workspace,
+                code.needs_program() ? &code : nullptr);
   std::optional<Replay> own_flags;
   if (!front.own_flags_program.empty())
     own_flags.emplace(front.own_flags_program, run, recorded.begun_as, graph, *front.workspace);
@@ -47,23 +48,28 @@ Verification verify(Front const &front, RunOptions const &run, Recorded const &r
 
   for (std::size_t k = 0; k < options.samples; ++k) {
     Sample sample = source.next();
-    std::vector<double> values = evaluate(graph, sample.inputs, sample.parameters);
-    GeneratedCode::Result computed = code.run(sample.inputs, sample.parameters);
+    Evaluation const evaluated =
+        code.needs_program() ? replay.run_graph(sample) : evaluate_sample(graph, sample.inputs, sample.parameters);
+    GeneratedCode::Result const computed =
+        code.needs_program() ? replay.run_generated(sample) : code.run(sample.inputs, sample.parameters);
     std::vector<double> const &generated = computed.outputs;
-    Premises premises = check_premises(graph, values);
-    bool inside = banner.mode == FloatingPoint::strict || premises.hold();
-    if (!inside) ++(premises.finite ? result.zero_sign : result.not_finite);
-    std::size_t failing = first_failing_guard(graph, values);
+    Premises const &premises = evaluated.premises;
+    bool inside = premises.defined && (banner.mode == FloatingPoint::strict || premises.hold());
+    if (!premises.defined)
+      ++result.undefined;
+    else if (!inside)
+      ++(premises.finite ? result.zero_sign : result.not_finite);
+    std::size_t const failing = evaluated.failing_guard;
     result.samples.push_back(sample);
     if (inside) check_guards(graph, failing, computed, k, result);
     // Beyond a guard the original goes where the recording has not been, and nothing is promised.
-    if (failing < graph.guards.size() || computed.failed != 0) continue;
+    if (failing < graph.guards.size() || computed.failed != 0 || !premises.defined) continue;
     std::vector<double> original = replay.run(sample);
     bool graph_same = true, outside_same = true;
     for (std::size_t slot = 0; slot < original.size(); ++slot) {
       if (inside) {
         result.outputs[slot].add(k, original[slot], generated[slot], banner.mode, options.tolerance);
-        graph_same &= same(original[slot], values[graph.results[slot]], FloatingPoint::strict, 0);
+        graph_same &= same(original[slot], evaluated.outputs[slot], FloatingPoint::strict, 0);
       } else {
         outside_same &= same(original[slot], generated[slot], FloatingPoint::strict, 0);
       }

@@ -31,6 +31,7 @@ struct Verification {
   FloatingPoint mode = FloatingPoint::finite;
   std::size_t inside = 0;                    // samples that satisfy the premises of the mode and all guards
   std::size_t not_finite = 0, zero_sign = 0; // and those that do not, by premise
+  std::size_t undefined = 0;                 // samples on which the original has no meaning, in no mode
   std::vector<OutputComparison> outputs;     // per slot, over the samples inside
   std::vector<std::uint64_t> own_flags_ulp;  // per slot, against the original with the user's own flags; may be empty
   std::size_t outside_different = 0;         // samples outside that differ in some output, not an error

@@ -99,6 +99,7 @@ private:
       enter(definition, from);
       return;
     }
+    if (reals_.external(callee)) return;
     if (callee->isDefaulted() || callee->isImplicit() || !reals_.in_roots(callee) || !carries(callee)) return;
     std::string mangled = names_.getName(callee);
     UseFact use{mangled,

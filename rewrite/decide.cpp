@@ -22,6 +22,9 @@ Rewording rewording(Wrap const &wrap) {
   case Use::value: return make("REAL_VALUE(", ")");
   case Use::conversion: return make("REAL_TO(" + wrap.detail + ", ", ")");
   case Use::state: return make("REAL_STATE(", ", " + quoted(wrap.detail) + ")");
+  case Use::linkage: return make("REAL_LINKAGE(", ")");
+  case Use::table: return make("REAL_TABLE(", ")");
+  case Use::external: return make("REAL_EXTERNAL(", ", " + wrap.detail + ")");
   case Use::cast: return make("(" + wrap.detail + ")(", ")");
   case Use::returned: return make("SYMREAL_RETURN(" + wrap.detail + ", ", ")");
   }
@@ -79,6 +82,10 @@ void add_pragmas(Facts const &facts, ByFile &rewordings) {
 }
 
 void add_boundaries(Facts const &facts, Result &result) {
+  for (auto const &[mangled, pragma] : facts.externals)
+    if (facts.definitions.count(mangled) != 0)
+      result.diagnostics.push_back({DiagnosticId::external_function, Severity::error, pragma.place,
+                                    "'" + pragma.message + "' is defined in the sources, so its calls are recorded"});
   for (auto const &[mangled, use] : facts.uses) {
     if (facts.definitions.count(mangled) != 0) continue;
     result.boundaries.push_back({use.name, mangled, use.parameters, use.declaration, use.place});

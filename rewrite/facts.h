@@ -30,13 +30,13 @@ struct TypeToken {
 };
 
 // Why an expression is wrapped, the outermost first where several wrap the same. The macro of each is in decide.cpp.
-enum class Use { returned, cast, conversion, value, literal, state };
+enum class Use { returned, cast, conversion, linkage, table, value, literal, external, state };
 
 struct Wrap {
   Span span;
   Use use;
   // conversion, cast: the type; state: the declaration's place; returned: the other arguments; value: the function of
-  // the program, if it is one, whose variadic argument the expression is
+  // the program, if it is one, whose variadic argument the expression is; external: the other arguments
   std::string detail;
   auto operator<=>(Wrap const &) const = default;
 };
@@ -142,6 +142,7 @@ struct Facts {
   std::map<std::string, UseFact> uses;         // by mangled name, the first use
   std::map<std::string, NamedStatement> names; // by the place where they begin
   std::map<Span, DecisionFact> decisions;      // by the token `if`, `?`, `for`, `while`, `do`, or the function's brace
+  std::map<std::string, Note> externals;       // by mangled name: where the pragma says so, and the function's name
   std::vector<std::string> include_dirs;
   std::vector<Diagnostic> diagnostics;
   bool broken = false; // a source does not compile

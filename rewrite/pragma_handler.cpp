@@ -1,5 +1,7 @@
 #include "rewrite/pragma_handler.h"
 
+#include "rewrite/externals.h"
+
 namespace symreal::rewrite {
 namespace {
 
@@ -34,6 +36,10 @@ public:
       report(DiagnosticId::pragma_outside_roots, introducer.Loc, "this pragma is in a file outside the roots");
       return;
     }
+    if (!tokens.empty() && tokens[0].text == "external") {
+      record_external(tokens, lexed, *span, introducer.Loc, end);
+      return;
+    }
     auto const parsed = parse_pragma(tokens);
     if (auto const *error = std::get_if<PragmaError>(&parsed)) {
       report(error->id, error->token < lexed.size() ? lexed[error->token].getLocation() : end, error->message);
@@ -54,6 +60,21 @@ public:
 private:
   void report(DiagnosticId id, SourceLocation location, std::string message) {
     facts_.diagnostics.push_back({id, Severity::error, map_.place(location), std::move(message)});
+  }
+
+  void record_external(std::vector<PragmaToken> const &tokens, std::vector<Token> const &lexed, Span const &span,
+                       SourceLocation start, SourceLocation end) {
+    PragmaFact &fact = facts_.pragmas[span];
+    std::string const written = map_.text(span, start);
+    fact.span = span;
+    fact.continued_lines = static_cast<std::size_t>(std::count(written.begin(), written.end(), '\n'));
+    std::vector<SourceLocation> locations;
+    for (Token const &token : lexed) locations.push_back(token.getLocation());
+    auto parsed = parse_external(tokens, locations);
+    if (auto const *error = std::get_if<PragmaError>(&parsed))
+      report(error->id, error->token < lexed.size() ? lexed[error->token].getLocation() : end, error->message);
+    else
+      index_.externals.push_back(std::get<ExternalPragma>(std::move(parsed)));
   }
 
   void record(Pragma const &pragma, std::vector<PragmaToken> const &tokens, std::vector<Token> const &lexed,

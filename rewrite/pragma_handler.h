@@ -23,6 +23,19 @@ struct ItemKey {
   std::size_t item;
 };
 
+// `external(f)` and what stands beside it (externals.h).
+struct ExternalPragma {
+  struct Item {
+    std::string name;
+    std::vector<std::string> lengths; // of its sections
+    clang::SourceLocation location;
+  };
+  std::string function;
+  clang::SourceLocation name_location;
+  bool pure = false;
+  std::vector<Item> inputs, outputs;
+};
+
 struct PragmaIndex {
   bool ask_compiler = true; // put the items into the token stream
   std::map<unsigned, ItemKey> statements;
@@ -36,6 +49,7 @@ struct PragmaIndex {
   std::vector<Name> function_names;
   std::map<Span, clang::SourceLocation> function_pragmas;
   std::map<Span, clang::SourceLocation> statement_pragmas; // decisions(...) and loop(...)
+  std::vector<ExternalPragma> externals;
 };
 
 std::unique_ptr<clang::PragmaHandler> make_pragma_handler(SourceMap const &map, Facts &facts, PragmaIndex &index);

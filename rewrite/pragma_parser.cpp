@@ -54,7 +54,7 @@ private:
     static constexpr std::array<std::string_view, 6> anywhere = {"input",  "parameter", "constant",
                                                                  "output", "range",     "decisions"};
     if (std::find(anywhere.begin(), anywhere.end(), name) != anywhere.end()) return;
-    if (name == "external") fail(at_, "external(...) is not available yet", DiagnosticId::pragma_not_available);
+    if (name == "external") fail(at_, "external(...) begins a pragma of its own");
     if (name == (is_function ? "call" : "generate") || (!is_function && name == "loop")) return;
     std::string const kind = is_function ? "a function pragma" : "a pragma in a block";
     if (name == "call" || name == "generate" || name == "loop") fail(at_, "'" + name + "' does not belong in " + kind);

@@ -122,7 +122,7 @@ bool Reals::object_is_passive(Expr const *expression) const {
 
 bool Reals::call_stays_double(CallExpr const *call) const {
   FunctionDecl const *function = call->getDirectCallee();
-  if (!function || in_roots(function)) return false;
+  if (!function || in_roots(function) || external(function)) return false;
   if (is_math(function)) {
     for (Expr const *argument : call->arguments())
       if (!stays_double(argument)) return false;

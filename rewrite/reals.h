@@ -4,6 +4,9 @@
 #include "rewrite/clang.h"
 #include "rewrite/source_map.h"
 
+#include <map>
+#include <string>
+
 namespace symreal::rewrite {
 
 class Reals {
@@ -30,6 +33,19 @@ public:
   // constexpr, a static const member with its value in the class, or declared outside the roots.
   bool is_passive(clang::VarDecl const *variable) const;
 
+  // A function that stays as it is and whose calls are recorded.
+  struct External {
+    std::string arguments; // of the macro around it, behind its name
+    bool pure;
+  };
+  void add_external(clang::FunctionDecl const *function, External external) {
+    externals_[function->getCanonicalDecl()] = std::move(external);
+  }
+  External const *external(clang::FunctionDecl const *function) const {
+    auto const found = externals_.find(function->getCanonicalDecl());
+    return found == externals_.end() ? nullptr : &found->second;
+  }
+
   bool in_roots(clang::Decl const *declaration) const { return map_.in_roots(declaration->getLocation()); }
 
   // A function of <math.h> or <cmath>, for which the runtime has an overload.
@@ -49,6 +65,7 @@ private:
   bool object_is_passive(clang::Expr const *expression) const;
 
   SourceMap const &map_;
+  std::map<clang::FunctionDecl const *, External> externals_;
 };
 
 } // namespace symreal::rewrite

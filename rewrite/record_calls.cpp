@@ -90,6 +90,8 @@ void Recorder::call(CallExpr const *call) {
   if (!function) return;
   symbolic_main(call, function);
   Expr const *callee = call->getCallee()->IgnoreParenImpCasts();
+  if (Reals::External const *external = reals_.external(function))
+    return wrap(callee, Use::external, external->arguments);
   bool overloaded = false;
   if (auto const *reference = dyn_cast<DeclRefExpr>(callee))
     overloaded = reference->hadMultipleCandidates();

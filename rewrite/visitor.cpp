@@ -1,6 +1,7 @@
 #include "rewrite/visitor.h"
 
 #include "rewrite/boundaries.h"
+#include "rewrite/externals.h"
 #include "rewrite/pragma_items.h"
 #include "rewrite/recorder.h"
 #include "rewrite/selects.h"
@@ -36,6 +37,10 @@ public:
     Within const passive(passive_, variable->isConstexpr() || reals_.is_passive(variable));
     Within const constant(no_state_, variable->isFileVarDecl() || variable->isStaticDataMember());
     return Walk::TraverseVarDecl(variable);
+  }
+  bool TraverseFunctionDecl(FunctionDecl *function) {
+    Within const passive(passive_, reals_.external(function) != nullptr);
+    return Walk::TraverseFunctionDecl(function);
   }
   bool TraverseNonTypeTemplateParmDecl(NonTypeTemplateParmDecl *parameter) {
     Within const passive(passive_, true);
@@ -224,7 +229,8 @@ private:
 } // namespace
 
 void record_tree(ASTContext &context, SourceMap const &map, PragmaIndex const &index, Facts &facts) {
-  Reals const reals(map);
+  Reals reals(map);
+  record_externals(context, map, index, facts, reals);
   Visitor visitor(context, map, reals, index, facts);
   visitor.TraverseDecl(context.getTranslationUnitDecl());
   attach_function_pragmas(visitor.definitions, map, reals, index, facts);

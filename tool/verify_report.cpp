@@ -93,6 +93,11 @@ std::string guard_difference(program::Verification const &verification) {
 void print_verification(std::ostream &out, Graph const &graph, program::Verification const &verification) {
   fmt::print(out, "kernel {}, mode {}: {} samples, {} within the premises\n", graph.kernel,
              to_string(verification.mode), verification.samples.size(), verification.inside);
+  if (verification.undefined != 0)
+    fmt::print(out,
+               "  left out: {} on which the original's behaviour is undefined: an index outside of its table, or an "
+               "integer beyond its type\n",
+               verification.undefined);
   if (verification.not_finite + verification.zero_sign != 0)
     fmt::print(out,
                "  outside: {} with a value that is not finite, {} where the sign of a zero is seen; {} of them "
@@ -121,6 +126,7 @@ Json to_json(Graph const &graph, program::Verification const &verification) {
                {"inside", verification.inside},
                {"not_finite", verification.not_finite},
                {"zero_sign", verification.zero_sign},
+               {"undefined", verification.undefined},
                {"outputs", Json::array()}};
   for (Object const &object : graph.outputs)
     for (std::uint32_t element = 0; element < object.count; ++element) {

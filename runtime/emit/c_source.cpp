@@ -1,8 +1,12 @@
+#include "emit/c_externals.h"
 #include "emit/c_parts.h"
 #include "emit/expression.h"
 #include "emit/trace.h"
 #include "emit/value_checks.h"
+#include "graph/opaque.h"
 #include "schedule/blocks.h"
+#include "schedule/order.h"
+#include "support/number.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -65,7 +69,7 @@ public:
 
   bool has_value_checks() const {
     for (std::size_t k = 0; options_.check_values && k < body_.variables.size(); ++k)
-      if (!is_truth(k)) return true;
+      if (!is_truth(k) && !is_call_node(program_, body_, body_.variables[k])) return true;
     return false;
   }
 
@@ -77,10 +81,17 @@ private:
     std::string out;
     std::size_t indent = 2;
     std::vector<Step> const steps = blocks(program_, body_, is_compute_, chunks_, chunk);
-    for (std::size_t k = chunks_.begin[chunk]; k < chunks_.begin[chunk + 1]; ++k)
-      variable_[body_.variables[k]] = static_cast<std::uint32_t>(k);
+    for (std::size_t k = chunks_.begin[chunk]; k < chunks_.begin[chunk + 1]; ++k) {
+      NodeId const id = body_.variables[k];
+      variable_[id] = static_cast<std::uint32_t>(k);
+      if (is_call_node(program_, body_, id)) kept_[id] = chunks_.spill_slot[id]; // its results go there at once
+    }
     for (Step const &step : steps) {
       if (step.kind == Step::Kind::close || step.kind == Step::Kind::otherwise) indent -= 2;
+      if (is_about_variable(step) && is_call_node(program_, body_, body_.variables[step.index])) {
+        append_call(out, indent, step);
+        continue;
+      }
       append_wrapped(out, indent, text(step));
       bool const sets = step.kind == Step::Kind::set || step.kind == Step::Kind::set_const;
       if (sets && options_.check_values && !is_truth(step.index))
@@ -94,6 +105,36 @@ private:
       kept_[body_.variables[k]] = chunks_.spill_slot[body_.variables[k]];
     }
     return out;
+  }
+
+  static bool is_about_variable(Step const &step) {
+    return step.kind == Step::Kind::declare || step.kind == Step::Kind::set || step.kind == Step::Kind::set_const ||
+           step.kind == Step::Kind::keep;
+  }
+
+  // A call, with an array for its results: its own, or where later chunks find them.
+  void append_call(std::string &out, std::size_t indent, Step const &step) {
+    Graph const &graph = *program_.graph;
+    NodeId const id = body_.variables[step.index];
+    External const &external = graph.externals[function_of(graph, graph.nodes[id])];
+    bool const is_wanted = body_.wanted_returns.contains(id), is_kept = chunks_.spill_slot[id] != no_slot;
+    bool const has_array = !is_kept && external.result_count() > (is_wanted ? 0 : external.returned_count());
+    ResultArray const results =
+        is_kept ? ResultArray{"v", chunks_.spill_slot[id]} : ResultArray{"r" + std::to_string(step.index), 0};
+    std::string const array = fmt::format("double {}[{}]", results.name, external.result_count());
+    if (step.kind == Step::Kind::declare && has_array) append_wrapped(out, indent, array + " = {0.0};");
+    if (step.kind == Step::Kind::declare || step.kind == Step::Kind::keep) return;
+    if (step.kind == Step::Kind::set_const && has_array) append_wrapped(out, indent, array + ";");
+    std::vector<NodeId> spelled_out = {id};
+    FunctionContext const context{is_compute_, &variable_, &spelling_, &kept_, &spelled_out};
+    std::vector<std::string> arguments;
+    for (NodeId value : arguments_of(graph, graph.nodes[id].operand[0]))
+      arguments.push_back(graph.nodes[value].is_constant() && external.takes_integer(arguments.size())
+                              ? shortest(graph.nodes[value].value())
+                              : c_use(program_, context, value));
+    std::vector<std::string> lines = c_call(external, std::to_string(step.index), arguments, results, is_wanted);
+    lines.back() += trace_marker(graph, spelled_out);
+    for (std::string const &line : lines) append_wrapped(out, indent, line);
   }
 
   std::string text(Step const &step) {
@@ -174,7 +215,7 @@ std::string c_source(Program const &program, EmitOptions const &options) {
   std::string text = c_banner(program, options) +
                      fmt::format("#include \"{}.h\"\n\n#include <math.h>\n{}\n", options.base_name,
                                  checked ? value_check_helper() : "") +
-                     preprocess.print() + "\n" + compute.print();
+                     c_declarations(*program.graph) + preprocess.print() + "\n" + compute.print();
   if (!program.graph->guards.empty()) text += "\n" + c_guard_text(program, options);
   return text;
 }

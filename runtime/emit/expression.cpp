@@ -1,5 +1,6 @@
 #include "emit/expression.h"
 
+#include "graph/opaque.h"
 #include "support/number.h"
 
 #include <cmath>
@@ -170,7 +171,32 @@ private:
       push(" ? ");
       push(node.operand[0], conditional_operand, true);
       break;
+    case Form::external: print_external(node); break;
     }
+  }
+
+  // An element of a table, or of the array that has the results of a call. Calls are statements of their own.
+  void print_external(Node const &node) {
+    Graph const &graph = *program_.graph;
+    if (node.op == Op::returned) {
+      NodeId const call = node.operand[0];
+      std::size_t const result = result_of(graph, node);
+      bool const is_kept = context_.kept && (*context_.kept)[call] != no_slot;
+      text_ += is_kept ? "v[" + std::to_string((*context_.kept)[call] + result) + "]"
+                       : "r" + std::to_string((*context_.name)[call]) + "[" + std::to_string(result) + "]";
+      return;
+    }
+    internal_check(node.op == Op::lookup || node.op == Op::lookup2);
+    std::size_t const number = table_of(graph, node);
+    std::vector<std::size_t> const &extents = graph.tables[number].extents;
+    push("]");
+    for (std::size_t dimension = extents.size(); dimension-- > 0;) {
+      push(", " + std::to_string(extents[dimension]) + ")");
+      push(node.operand[1 + dimension], loosest);
+      push("table_index(");
+      if (dimension == 1) push("*" + std::to_string(extents[1]) + " + ");
+    }
+    push("table_" + std::to_string(number) + "[");
   }
 
   void push(std::string text) { stack_.push_back({std::move(text)}); }

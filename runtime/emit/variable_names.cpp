@@ -8,6 +8,12 @@
 
 namespace symreal {
 
+// Variables without a name, and the arrays of calls: t1, r1, s1, a1_2.
+static bool is_numbered(std::string const &name) {
+  bool const begins = std::string_view("arst").find(name[0]) != std::string_view::npos;
+  return begins && std::all_of(name.begin() + 1, name.end(), [](char c) { return c == '_' || (c >= '0' && c <= '9'); });
+}
+
 // Names of the generated functions' own, besides keywords and the operations: arrays, the status, and words that some
 // compilers predefine.
 static bool is_taken(std::string const &name) {
@@ -17,22 +23,21 @@ static bool is_taken(std::string const &name) {
     for (OperationInfo const &operation : operations()) names.emplace(operation.c);
     return names;
   }();
-  bool const numbered =
-      name[0] == 't' && std::all_of(name.begin() + 1, name.end(), [](unsigned char c) { return std::isdigit(c); });
-  return numbered || is_keyword(name) || taken.contains(name);
+  return is_numbered(name) || name.starts_with("table_") || is_keyword(name) || taken.contains(name);
 }
 
 VariableNames::VariableNames(Program const &program, FunctionBody const &body) {
   Graph const &graph = *program.graph;
   if (graph.node_name.empty()) return;
-  std::set<std::string> all(graph.names.begin(), graph.names.end());
+  std::set<std::string> all(graph.names.begin(), graph.names.end()), functions;
+  for (External const &external : graph.externals) functions.insert(external.name);
   for (std::string const &name : graph.names) {
     std::string base = name;
     // C reserves what begins with an underscore; other letters than ASCII's are not C99.
     for (char &c : base)
       if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
     if (base[0] == '_') base = "u" + base;
-    if (is_taken(base) || (base != name && all.contains(base))) base += '_';
+    if (is_taken(base) || functions.contains(base) || (base != name && all.contains(base))) base += '_';
     while (base != name && !all.insert(base).second) base += '_';
     bases_.push_back(base);
   }

@@ -1,18 +1,63 @@
 #include "graph/evaluate.h"
 
+#include "graph/opaque.h"
+
 #include <cmath>
+#include <unordered_map>
 
 namespace symreal {
 
-std::vector<double> evaluate(Graph const &graph, std::span<double const> inputs, std::span<double const> parameters) {
+namespace {
+
+// The values of opaque nodes, made in the order of the nodes.
+class OpaqueValues {
+public:
+  OpaqueValues(Graph const &graph, CallExternal const &call) : graph_(graph), call_(call) {}
+
+  double operator()(NodeId id, std::span<double const> values) {
+    Node const &node = graph_.nodes[id];
+    switch (node.op) {
+    case Op::lookup: return look_up(graph_.tables[table_of(graph_, node)], values[node.operand[1]], 0);
+    case Op::lookup2:
+      return look_up(graph_.tables[table_of(graph_, node)], values[node.operand[1]], values[node.operand[2]]);
+    case Op::returned: return results_.at(node.operand[0])[result_of(graph_, node)];
+    case Op::call:
+    case Op::call_in_order: {
+      internal_check(static_cast<bool>(call_));
+      std::vector<double> arguments;
+      for (NodeId argument : arguments_of(graph_, node.operand[0])) arguments.push_back(values[argument]);
+      std::vector<double> &results = results_[id];
+      results.resize(graph_.externals[function_of(graph_, node)].result_count());
+      call_(function_of(graph_, node), arguments, results);
+      return 0;
+    }
+    default: return 0;
+    }
+  }
+
+private:
+  Graph const &graph_;
+  CallExternal const &call_;
+  std::unordered_map<NodeId, std::vector<double>> results_; // by call
+};
+
+} // namespace
+
+std::vector<double> evaluate(Graph const &graph, std::span<double const> inputs, std::span<double const> parameters,
+                             CallExternal const &call) {
   std::vector<double> values;
   values.reserve(graph.nodes.size());
+  OpaqueValues opaque(graph, call);
   auto operand = [&](NodeId id) { return id == no_node ? 0.0 : values[id]; };
   for (Node const &node : graph.nodes) switch (node.op) {
     case Op::constant: values.push_back(node.value()); break;
     case Op::input: values.push_back(inputs[node.slot()]); break;
     case Op::parameter: values.push_back(parameters[node.slot()]); break;
     default:
+      if (info(node.op).has(flag::OPAQUE)) {
+        values.push_back(opaque(static_cast<NodeId>(values.size()), values));
+        break;
+      }
       values.push_back(evaluate(node.op, operand(node.operand[0]), operand(node.operand[1]), operand(node.operand[2])));
     }
   return values;
@@ -40,11 +85,34 @@ std::vector<char> active_nodes(Graph const &graph, std::span<double const> value
   for (std::size_t k = 0; k < graph.guards.size() && k <= failing; ++k) active[graph.guards[k].condition] = 1;
   if (failing == graph.guards.size())
     for (NodeId result : graph.results) active[result] = 1;
+  if (failing == graph.guards.size() && graph.last_effect != no_node) active[graph.last_effect] = 1;
   for (std::size_t id = graph.nodes.size(); id-- > 0;)
     if (active[id] && !is_leaf(graph.nodes[id].op))
       for (NodeId operand : active_operands(graph.nodes[id], values))
         if (operand != no_node) active[operand] = 1;
   return active;
+}
+
+// An index, or what is converted to an integer type.
+static bool is_within(double value, double low, double end) { return value > low - 1 && value < end; }
+
+static bool is_defined(Graph const &graph, Node const &node, std::span<double const> values) {
+  auto operand = [&](std::size_t i) { return values[node.operand[i]]; };
+  constexpr double two_to_31 = 0x1p31, two_to_63 = 0x1p63;
+  switch (node.op) {
+  case Op::int32: return is_within(operand(0), -two_to_31, two_to_31);
+  case Op::int64: return is_within(operand(0), -two_to_63, two_to_63);
+  case Op::uint32: return is_within(operand(0), 0, 2 * two_to_31);
+  case Op::uint64: return is_within(operand(0), 0, 2 * two_to_63);
+  case Op::lookup:
+  case Op::lookup2: {
+    std::vector<std::size_t> const &extents = graph.tables[table_of(graph, node)].extents;
+    for (std::size_t i = 0; i < extents.size(); ++i)
+      if (!is_within(operand(1 + i), 0, static_cast<double>(extents[i]))) return false;
+    return true;
+  }
+  default: return true;
+  }
 }
 
 Premises check_premises(Graph const &graph, std::span<double const> values) {
@@ -54,11 +122,21 @@ Premises check_premises(Graph const &graph, std::span<double const> values) {
     if (!active[id]) continue;
     Node const &node = graph.nodes[id];
     if (!std::isfinite(values[id])) premises.finite = false;
-    if (is_leaf(node.op) || !info(node.op).has(flag::ZERO_SIGN)) continue;
+    if (is_leaf(node.op)) continue;
+    if (!is_defined(graph, node, values)) premises.defined = false;
+    if (!info(node.op).has(flag::ZERO_SIGN)) continue;
     for (NodeId operand : node.operand)
       if (operand != no_node && values[operand] == 0) premises.zero_sign_unseen = false;
   }
   return premises;
+}
+
+Evaluation evaluate_sample(Graph const &graph, std::span<double const> inputs, std::span<double const> parameters,
+                           CallExternal const &call) {
+  std::vector<double> const values = evaluate(graph, inputs, parameters, call);
+  Evaluation result{{}, check_premises(graph, values), first_failing_guard(graph, values)};
+  for (NodeId output : graph.results) result.outputs.push_back(values[output]);
+  return result;
 }
 
 } // namespace symreal

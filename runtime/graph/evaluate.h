@@ -3,12 +3,19 @@
 
 #include "graph/graph.h"
 
+#include <functional>
 #include <span>
 
 namespace symreal {
 
-// One value per node, by the reference semantics of the operation table. Linear, no recursion.
-std::vector<double> evaluate(Graph const &graph, std::span<double const> inputs, std::span<double const> parameters);
+// Calls an external function, named by its number: arguments and results as in External.
+using CallExternal =
+    std::function<void(std::size_t function, std::span<double const> arguments, std::span<double> results)>;
+
+// One value per node, by the reference semantics of the operation table; what is no number has the value 0. Calls are
+// made in the order of the nodes; a graph that has some needs `call`. Linear, no recursion.
+std::vector<double> evaluate(Graph const &graph, std::span<double const> inputs, std::span<double const> parameters,
+                             CallExternal const &call = {});
 
 // The first guard whose condition is 0; the number of guards where all hold.
 std::size_t first_failing_guard(Graph const &graph, std::span<double const> values);
@@ -23,8 +30,19 @@ std::vector<char> active_nodes(Graph const &graph, std::span<double const> value
 struct Premises {
   bool finite = true;           // P1
   bool zero_sign_unseen = true; // P2
-  bool hold() const { return finite && zero_sign_unseen; }
+  // In every mode: indices lie in their tables, and integers in their types. Elsewhere the original has no meaning.
+  bool defined = true;
+  bool hold() const { return finite && zero_sign_unseen && defined; }
 };
 Premises check_premises(Graph const &graph, std::span<double const> values);
+
+// What verification asks of a graph at a sample.
+struct Evaluation {
+  std::vector<double> outputs;
+  Premises premises;
+  std::size_t failing_guard; // or the number of guards
+};
+Evaluation evaluate_sample(Graph const &graph, std::span<double const> inputs, std::span<double const> parameters,
+                           CallExternal const &call = {});
 
 } // namespace symreal

@@ -15,6 +15,8 @@ Graph without_nodes(Graph const &graph) {
   rest.decisions = graph.decisions;
   rest.locations = graph.locations;
   rest.names = graph.names;
+  rest.tables = graph.tables;
+  rest.externals = graph.externals;
   return rest;
 }
 
@@ -31,6 +33,7 @@ void carry_over(Graph const &graph, std::vector<NodeId> const &now, Graph &resul
   for (NodeId root : graph.results) result.results.push_back(now[root]);
   for (NodeId root : graph.precomputed) result.precomputed.push_back(now[root]);
   for (Guard const &guard : graph.guards) result.guards.push_back({now[guard.condition], guard.location, guard.text});
+  if (graph.last_effect != no_node) result.last_effect = now[graph.last_effect];
   if (!graph.node_location.empty()) {
     std::vector<LocationId> &locations = result.node_location;
     locations = moved(graph.node_location, now, result.nodes.size(), no_location);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "diagnostics/diagnostic.h"
+#include "graph/external.h"
 #include "graph/node.h"
 #include "graph/operation_counts.h"
 
@@ -61,6 +62,9 @@ struct Graph {
   std::vector<NodeId> precomputed; // what `preprocess` stores: slot k of `constants` holds the value of precomputed[k]
   std::vector<Guard> guards;       // in the order of recording: compute returns k + 1 for the first, k, that fails
   std::string decisions = "error"; // the policy while recording, as --decisions spells it
+  std::vector<Table> tables;       // what lookups read, by number
+  std::vector<External> externals; // what calls call, by number
+  NodeId last_effect = no_node;    // of the calls in order, each of which names the one before it
   std::vector<Location> locations;
   std::vector<LocationId> node_location; // per node, or empty: places were not asked for
   std::vector<std::string> names;        // what the source calls its numbers
@@ -84,14 +88,16 @@ private:
 Graph without_nodes(Graph const &graph);
 
 // Takes over what names the nodes of `graph`, where node `id` has become `now[id]` of `result`, or no_node: results,
-// precomputed, guards, locations and names. A node that a pass made on the way to another has that one's location.
+// precomputed, guards, effects, locations and names. A node that a pass made on the way to another has that one's
+// location.
 void carry_over(Graph const &graph, std::vector<NodeId> const &now, Graph &result);
 
-// Calls `visit` with every node that a function of the program must compute: results, precomputed, guards.
+// Calls `visit` with every node that a function of the program must compute: results, precomputed, guards, effects.
 template <class Visit> void for_each_root(Graph const &graph, Visit const &visit) {
   for (NodeId root : graph.results) visit(root);
   for (NodeId root : graph.precomputed) visit(root);
   for (Guard const &guard : graph.guards) visit(guard.condition);
+  if (graph.last_effect != no_node) visit(graph.last_effect);
 }
 
 // Which nodes some root needs. Iterative, linear.

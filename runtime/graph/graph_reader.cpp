@@ -1,3 +1,4 @@
+#include "graph/graph_line.h"
 #include "graph/graph_text.h"
 #include "graph/node_table.h"
 #include "graph/validate.h"
@@ -10,67 +11,6 @@
 namespace symreal {
 
 namespace {
-
-// The words of one line. A quoted string is one word, kept with its opening quote to tell it from a bare one.
-class Line {
-public:
-  Line(std::string_view text, Place place) : place_(std::move(place)) {
-    for (std::size_t i = 0; i < text.size();) {
-      if (text[i] == ';') break;
-      if (text[i] == ' ' || text[i] == '\t' || text[i] == '\r') {
-        ++i;
-        continue;
-      }
-      std::string word(1, text[i++]);
-      if (word[0] == '"') {
-        while (i < text.size() && text[i] != '"') {
-          if (text[i] == '\\' && i + 1 < text.size()) ++i;
-          word += text[i++];
-        }
-        if (i++ >= text.size()) error("a string is not closed");
-      } else {
-        while (i < text.size() && std::string_view(" \t\r;").find(text[i]) == std::string_view::npos) word += text[i++];
-      }
-      words_.push_back(std::move(word));
-    }
-  }
-
-  bool done() const { return next_ == words_.size(); }
-  std::string const &peek() const { return words_[next_]; }
-  bool accept(std::string_view word) {
-    if (done() || peek() != word) return false;
-    ++next_;
-    return true;
-  }
-  std::string const &word(char const *what) {
-    if (done()) error(std::string(what) + " is missing");
-    return words_[next_++];
-  }
-  std::string string(char const *what) {
-    std::string const &text = word(what);
-    if (text[0] != '"') error(std::string(what) + " must stand in quotes");
-    return text.substr(1);
-  }
-  std::uint32_t count(char const *what) {
-    std::string const &text = word(what);
-    std::uint32_t value = 0;
-    auto [end, failed] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (failed != std::errc() || end != text.data() + text.size()) error("'" + text + "' is no " + what);
-    return value;
-  }
-  double number(char const *what) {
-    std::string const &text = word(what);
-    auto value = parse_number(text);
-    if (!value) error("'" + text + "' is no number");
-    return *value;
-  }
-  [[noreturn]] void error(std::string const &message) const { fail(DiagnosticId::graph_syntax, place_, message); }
-
-private:
-  Place place_;
-  std::vector<std::string> words_;
-  std::size_t next_ = 0;
-};
 
 class Reader {
 public:
@@ -125,6 +65,12 @@ private:
       read_root(line, graph_.precomputed);
     else if (head == "guard")
       read_guard(line);
+    else if (head == "table")
+      read_table(line, graph_.tables);
+    else if (head == "external")
+      read_external(line, graph_.externals);
+    else if (head == "effect")
+      graph_.last_effect = read_operand(line);
     else if (head == "location")
       read_location(line);
     else if (head[0] == '%')
@@ -133,26 +79,13 @@ private:
       line.error("'" + head + "' begins no line of a graph");
   }
 
-  static Place read_place(Line &line) {
-    if (!line.accept("at")) return {};
-    std::string file = line.string("the file");
-    unsigned number = line.count("line number");
-    return {std::move(file), number, line.count("column")};
-  }
-
   static void read_object(Line &line, std::vector<Object> &objects, std::vector<double> *values) {
     Object object;
     object.label = line.string("the label");
     std::size_t count = 1;
-    while (!line.done() && line.peek()[0] == '[') {
-      std::string text = line.word("extent");
-      auto extent = parse_number(std::string_view(text).substr(1, text.size() - 2));
-      if (text.back() != ']' || !extent || *extent < 0 || *extent != std::floor(*extent))
-        line.error("'" + text + "' is no extent");
-      object.extents.push_back(static_cast<std::size_t>(*extent));
-      count *= object.extents.back();
-    }
-    object.place = read_place(line);
+    object.extents = line.extents();
+    for (std::size_t extent : object.extents) count *= extent;
+    object.place = line.optional_place();
     if (line.accept("range")) {
       double low = line.number("lower end of the range");
       object.range = {low, line.number("upper end of the range")};
@@ -166,7 +99,7 @@ private:
   }
 
   void read_frozen(Line &line) {
-    Frozen frozen{line.string("the name"), read_place(line), {}};
+    Frozen frozen{line.string("the name"), line.optional_place(), {}};
     if (line.accept("="))
       while (!line.done()) frozen.values.push_back(line.number("a value"));
     graph_.frozen.push_back(std::move(frozen));
@@ -230,7 +163,7 @@ private:
   void read_location(Line &line) {
     if (line.count("location") != graph_.locations.size()) line.error("locations must follow each other from 0 on");
     Location location;
-    while (!line.done() && line.peek() == "at") location.places.push_back(read_place(line));
+    while (!line.done() && line.peek() == "at") location.places.push_back(line.optional_place());
     if (line.accept("stack"))
       while (!line.done()) location.addresses.push_back(static_cast<std::uint64_t>(line.number("an address")));
     graph_.locations.push_back(std::move(location));

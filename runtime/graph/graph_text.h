@@ -9,6 +9,8 @@
 //   executed mul 36                                                      what the program did, for reports
 //   location 0 at "arm.cpp" 12 9 at "LLT.h" 300 7                        the user's place, then those further in
 //   location 1 stack 4711 815                                            not resolved yet: return addresses
+//   table 0 "drag" [3] = 0.1 0.4 0.2                                     constants that lookups read
+//   external 0 "force" pure returns number takes number input 3 output 3     a function that calls call
 //   %0 = input 0                                                         slots are numbered through all objects
 //   %1 = parameter 0
 //   %2 = sin %0
@@ -17,6 +19,7 @@
 //   result 0 %3                                                          output slot 0
 //   result 1 0
 //   guard 0 %4 @0 "sin(q[0]) < 10"                                       must not be 0, or the path was another
+//   effect %9                                                            the last of the calls in order
 //   precomputed 0 %1                                                     slot of `constants`, after pass preprocess
 //
 // A line may end in a comment, from ';' on. Numbers read back to the same bits.

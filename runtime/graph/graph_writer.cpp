@@ -1,3 +1,4 @@
+#include "graph/graph_line.h"
 #include "graph/graph_text.h"
 #include "support/number.h"
 
@@ -5,7 +6,7 @@
 
 namespace symreal {
 
-static std::string quoted(std::string const &text) {
+std::string quoted(std::string const &text) {
   std::string result = "\"";
   for (char c : text) {
     if (c == '"' || c == '\\') result += '\\';
@@ -14,7 +15,7 @@ static std::string quoted(std::string const &text) {
   return result + '"';
 }
 
-static void write_place(std::ostream &out, Place const &place) {
+void write_place(std::ostream &out, Place const &place) {
   if (!place.file.empty()) out << " at " << quoted(place.file) << ' ' << place.line << ' ' << place.column;
 }
 
@@ -54,6 +55,8 @@ void write_graph(std::ostream &out, Graph const &graph) {
     for (double value : frozen.values) out << ' ' << shortest(value);
     out << '\n';
   }
+  write_tables(out, graph.tables);
+  write_externals(out, graph.externals);
   for (std::size_t id = 0; id < graph.locations.size(); ++id) write_location(out, id, graph.locations[id]);
   for (OperationInfo const &operation : operations())
     if (std::size_t count = graph.executed[operation.op]) out << "executed " << operation.name << ' ' << count << '\n';
@@ -90,6 +93,7 @@ void write_graph(std::ostream &out, Graph const &graph) {
     if (guard.location != no_location) out << " @" << guard.location;
     out << ' ' << quoted(guard.text) << '\n';
   }
+  if (graph.last_effect != no_node) out << "effect " << spell(graph.last_effect) << '\n';
   for (std::size_t slot = 0; slot < graph.precomputed.size(); ++slot)
     out << "precomputed " << slot << ' ' << spell(graph.precomputed[slot]) << '\n';
 }

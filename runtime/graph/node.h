@@ -3,6 +3,7 @@
 
 #include "ops/operation.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstdint>
@@ -38,5 +39,12 @@ struct Node {
   std::uint32_t slot() const { return operand[0]; }
 };
 static_assert(sizeof(Node) == 16);
+
+// The attribute of an operation whose operands have at most this one. What stands behind an opaque operation is not
+// known here, so it is no constant; what has an effect runs whenever the program does.
+inline Attribute attribute_of(Op op, Attribute operands) {
+  if (info(op).has(flag::EFFECT)) return Attribute::variable;
+  return info(op).has(flag::OPAQUE) ? std::max(operands, Attribute::parametric) : operands;
+}
 
 } // namespace symreal

@@ -26,7 +26,7 @@ Node NodeTable::operation(Op op, NodeId a, NodeId b, NodeId c) const {
   Attribute attribute = nodes_[a].attribute;
   for (NodeId operand : {b, c})
     if (operand != no_node) attribute = std::max(attribute, nodes_[operand].attribute);
-  return {op, attribute, {a, b, c}};
+  return {op, attribute_of(op, attribute), {a, b, c}};
 }
 
 NodeId NodeTable::append(Node const &node) {

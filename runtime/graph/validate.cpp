@@ -1,5 +1,7 @@
 #include "graph/validate.h"
 
+#include "graph/opaque.h"
+
 #include <algorithm>
 
 namespace symreal {
@@ -30,7 +32,8 @@ static std::string check_node(Graph const &graph, NodeId id) {
     if (node.operand[i] >= id) return at("is older than its operand");
     attribute = std::max(attribute, graph.nodes[node.operand[i]].attribute);
   }
-  return node.attribute == attribute ? std::string() : at("has the wrong attribute");
+  if (node.attribute != attribute_of(node.op, attribute)) return at("has the wrong attribute");
+  return find_opaque_violation(graph, id);
 }
 
 std::string find_violation(Graph const &graph) {
@@ -47,6 +50,9 @@ std::string find_violation(Graph const &graph) {
     if (guard.location != no_location && guard.location >= graph.locations.size())
       return "a guard names a location that does not exist";
   }
+  if (graph.last_effect != no_node &&
+      (graph.last_effect >= graph.nodes.size() || graph.nodes[graph.last_effect].op != Op::call_in_order))
+    return "the last effect is no call in order";
   if (!graph.node_location.empty() && graph.node_location.size() != graph.nodes.size())
     return "the number of nodes' locations differs";
   for (LocationId location : graph.node_location)

@@ -47,6 +47,10 @@ std::optional<Op> find_operation(std::string_view name) {
   return found->second;
 }
 
+[[noreturn]] static double opaque() {
+  internal_failure("an opaque operation is no function of its operands", __FILE__, __LINE__);
+}
+
 double evaluate(Op op, double x, double y, double z) {
   switch (op) {
 #define OPERATION(id, arity, form, c, precedence, evaluate, ...)                                                       \

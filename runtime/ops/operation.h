@@ -10,7 +10,7 @@
 
 namespace symreal {
 
-enum class Form : std::uint8_t { infix, prefix, call, cast, select };
+enum class Form : std::uint8_t { infix, prefix, call, cast, select, external };
 enum class Domain : std::uint8_t { any, positive, unit, above_one };
 
 struct OperationInfo {
@@ -30,7 +30,8 @@ struct OperationInfo {
 };
 
 namespace flag {
-inline constexpr unsigned COMMUTATIVE = 1, ROUNDED = 2, ZERO_SIGN = 4, BOOLEAN = 8, LOGICAL = 16, QUIET = 32;
+inline constexpr unsigned COMMUTATIVE = 1, ROUNDED = 2, ZERO_SIGN = 4, BOOLEAN = 8, LOGICAL = 16, QUIET = 32,
+                          OPAQUE = 64, STRUCTURE = 128, EFFECT = 256;
 }
 
 // All operations in the order of the table.
@@ -40,9 +41,11 @@ std::span<OperationInfo const> operations();
 OperationInfo const &info(Op op);
 inline bool is_leaf(Op op) { return op <= Op::parameter; }
 unsigned arity(Op op);
+inline bool is_call(Op op) { return op == Op::call || op == Op::call_in_order; }
 std::optional<Op> find_operation(std::string_view name);
 
-// The reference semantics. Unused operands are ignored. Truth values are 0 and 1.
+// The reference semantics. Unused operands are ignored. Truth values are 0 and 1. Not of an OPAQUE operation: graph/
+// evaluate.h knows what stands behind it.
 double evaluate(Op op, double x, double y, double z);
 
 } // namespace symreal

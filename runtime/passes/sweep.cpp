@@ -37,6 +37,7 @@ private:
     if (options_.canonical_order && info(op).has(flag::COMMUTATIVE) && is_newer(operand[0], operand[1], table_))
       std::swap(operand[0], operand[1]);
     Node node = table_.operation(op, operand[0], operand[1], operand[2]);
+    if (info(op).has(flag::OPAQUE)) return table_.intern(node);
     if (options_.fold && node.attribute == Attribute::constant) return fold(node);
     Bindings bindings;
     for (Rule const *rule : rules_[static_cast<std::size_t>(op)])

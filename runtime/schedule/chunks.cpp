@@ -1,5 +1,6 @@
 #include "schedule/chunks.h"
 
+#include "graph/opaque.h"
 #include "schedule/order.h"
 
 #include <algorithm>
@@ -33,8 +34,7 @@ public:
         note_reads(statement, chunk);
       }
     for (Check const &check : body_.checks) note_read(check.condition, chunks.of_check(check));
-    for (NodeId result : body_.results)
-      if (chunk_[result] != no_slot) last_reader_[result] = static_cast<std::uint32_t>(chunks.size());
+    for (NodeId result : body_.results) note_read(result, chunks.size());
     assign_slots(chunks);
     return chunks;
   }
@@ -61,6 +61,12 @@ private:
       for (std::size_t statement = chunks.begin[chunk]; statement < chunks.begin[chunk + 1]; ++statement) {
         NodeId id = body_.variables[statement];
         if (last_reader_[id] <= chunk) continue;
+        if (is_call_node(program_, body_, id)) { // its results stand side by side
+          Graph const &graph = *program_.graph;
+          chunks.spill_slot[id] = static_cast<std::uint32_t>(chunks.spill_count);
+          chunks.spill_count += graph.externals[function_of(graph, graph.nodes[id])].result_count();
+          continue;
+        }
         if (free.empty()) free.push_back(static_cast<std::uint32_t>(chunks.spill_count++));
         chunks.spill_slot[id] = free.back();
         free.pop_back();

@@ -36,8 +36,15 @@ inline bool is_read(Program const &program, bool in_compute, NodeId id) {
 template <class Visit> void for_each_operand(Program const &program, FunctionBody const &body, bool in_compute,
                                              NodeId variable, Visit const &visit) {
   if (body.regions.is_gate(variable) || is_read(program, in_compute, variable)) return;
-  for (NodeId operand : program.graph->nodes[variable].operand)
-    if (operand != no_node) visit(operand);
+  Node const &node = program.graph->nodes[variable];
+  // Which call comes before is a matter of order alone.
+  for (std::size_t i = 0; i < (node.op == Op::call_in_order ? 2 : node.operand.size()); ++i)
+    if (node.operand[i] != no_node) visit(node.operand[i]);
+}
+
+// Whether a statement calls an external function: it sets an array.
+inline bool is_call_node(Program const &program, FunctionBody const &body, NodeId variable) {
+  return !body.regions.is_gate(variable) && is_call(program.graph->nodes[variable].op);
 }
 
 } // namespace symreal

@@ -1,5 +1,6 @@
 #include "schedule/program.h"
 
+#include "graph/opaque.h"
 #include "schedule/order.h"
 
 #include <algorithm>
@@ -31,7 +32,8 @@ Reach reach(Graph const &graph, std::vector<NodeId> const &roots, std::vector<st
     for (NodeId operand : node.operand) {
       if (operand == no_node) continue;
       result.needed[operand] = 1;
-      ++result.uses[operand];
+      // What a list of arguments holds is written down wherever the list is used.
+      result.uses[operand] += node.op == Op::argument ? result.uses[id] : 1;
     }
   }
   return result;
@@ -39,21 +41,22 @@ Reach reach(Graph const &graph, std::vector<NodeId> const &roots, std::vector<st
 
 class Layout {
 public:
-  Layout(Graph const &graph, std::vector<NodeId> const &results, std::vector<NodeId> const &conditions,
+  Layout(Graph const &graph, std::vector<NodeId> const &results, std::vector<NodeId> const &conditions, NodeId effect,
          std::vector<std::uint32_t> const *constant_slot, Nesting nesting)
       : graph_(graph),
         nesting_(nesting),
         results_(results),
         conditions_(conditions),
+        effect_(effect),
         needs_(reach(graph, roots(), constant_slot)),
         is_read_(graph.nodes.size(), 0),
         has_variable_(graph.nodes.size(), 0) {
     for (std::size_t id = 0; id < graph.nodes.size(); ++id)
       is_read_[id] = is_leaf(graph.nodes[id].op) || (constant_slot && (*constant_slot)[id] != no_slot);
     // All inputs are read before an output is written, since the arrays may overlap; so what an output holds must be in
-    // a variable by then.
+    // a variable by then, or in the array of a call.
     for (NodeId result : results)
-      if (!graph.nodes[result].is_constant()) has_variable_[result] = 1;
+      if (!graph.nodes[result].is_constant() && graph.nodes[result].op != Op::returned) has_variable_[result] = 1;
   }
 
   FunctionBody run() {
@@ -63,7 +66,7 @@ public:
       give_variables_to_conditions(placement, variables);
       variables = choose_variables();
     }
-    FunctionBody body{std::move(variables), {}, placement.regions, {}, results_};
+    FunctionBody body{std::move(variables), {}, placement.regions, {}, results_, wanted_returns()};
     order(graph_, is_read_, placement, body);
     place_checks(body);
     return body;
@@ -73,6 +76,7 @@ private:
   std::vector<NodeId> roots() const {
     std::vector<NodeId> roots = results_;
     roots.insert(roots.end(), conditions_.begin(), conditions_.end());
+    if (effect_ != no_node) roots.push_back(effect_);
     return roots;
   }
 
@@ -82,6 +86,10 @@ private:
     std::vector<NodeId> variables;
     for (std::size_t id = 0; id < graph_.nodes.size(); ++id) {
       if (!needs_.needed[id]) continue;
+      Op const op = graph_.nodes[id].op;
+      // A call is a statement, its list a part of it, and its results stand in an array.
+      bool const in_array = op == Op::returned && !is_read_[id] && !has_variable_[id] && nesting_ == Nesting::bounded;
+      if (op == Op::argument || in_array) continue;
       unsigned size = 1, height = 0;
       if (!is_read_[id])
         for (NodeId operand : graph_.nodes[id].operand) {
@@ -91,7 +99,7 @@ private:
         }
       bool const fits = is_read_[id] || (nesting_ == Nesting::bounded && needs_.uses[id] == 1 &&
                                          size <= most_nested_operations && height < most_nested_depth);
-      if (!fits || has_variable_[id]) {
+      if (!fits || has_variable_[id] || is_call(op)) {
         variables.push_back(static_cast<NodeId>(id));
       } else if (!is_read_[id]) {
         operations[id] = static_cast<std::uint8_t>(size);
@@ -99,6 +107,17 @@ private:
       }
     }
     return variables;
+  }
+
+  std::set<NodeId> wanted_returns() const {
+    std::set<NodeId> calls;
+    for (std::size_t id = 0; id < graph_.nodes.size(); ++id) {
+      Node const &node = graph_.nodes[id];
+      if (!needs_.needed[id] || is_read_[id] || node.op != Op::returned) continue;
+      External const &external = graph_.externals[function_of(graph_, graph_.nodes[node.operand[0]])];
+      if (result_of(graph_, node) < external.returned_count()) calls.insert(node.operand[0]);
+    }
+    return calls;
   }
 
   // A block asks for its condition before anything in it is computed.
@@ -140,6 +159,7 @@ private:
   Graph const &graph_;
   Nesting nesting_;
   std::vector<NodeId> const &results_, &conditions_;
+  NodeId effect_;
   Reach const needs_;
   std::vector<char> is_read_, has_variable_;
 };
@@ -153,6 +173,7 @@ Program schedule(Graph const &graph, Nesting nesting) {
     constant_slot[stored[slot]] = static_cast<std::uint32_t>(slot);
   for (Guard const &guard : graph.guards) conditions.push_back(guard.condition);
   roots.insert(roots.end(), conditions.begin(), conditions.end());
+  if (graph.last_effect != no_node) roots.push_back(graph.last_effect);
   // Without pass preprocess `compute` still sees no parameters: those that it needs are handed through `constants`.
   Reach const needs = reach(graph, roots, &constant_slot);
   for (std::size_t id = 0; id < graph.nodes.size(); ++id)
@@ -160,8 +181,8 @@ Program schedule(Graph const &graph, Nesting nesting) {
       constant_slot[id] = static_cast<std::uint32_t>(stored.size());
       stored.push_back(static_cast<NodeId>(id));
     }
-  FunctionBody preprocess = Layout(graph, stored, {}, nullptr, nesting).run();
-  FunctionBody compute = Layout(graph, graph.results, conditions, &constant_slot, nesting).run();
+  FunctionBody preprocess = Layout(graph, stored, {}, no_node, nullptr, nesting).run();
+  FunctionBody compute = Layout(graph, graph.results, conditions, graph.last_effect, &constant_slot, nesting).run();
   return {&graph, std::move(preprocess), std::move(compute), std::move(constant_slot), stored.size()};
 }
 

@@ -4,6 +4,7 @@
 #include "graph/graph.h"
 #include "schedule/regions.h"
 
+#include <set>
 #include <vector>
 
 namespace symreal {
@@ -24,6 +25,7 @@ struct FunctionBody {
   Regions regions;
   std::vector<Check> checks;
   std::vector<NodeId> results;
+  std::set<NodeId> wanted_returns; // the calls of external functions whose returned value is read
 };
 
 inline constexpr std::uint32_t no_slot = ~std::uint32_t{0};

@@ -2,6 +2,7 @@
 
 #include "emit/names.h"
 #include "support/number.h"
+#include "trace/externals.h"
 #include "trace/kernel.h"
 #include "trace/pool.h"
 
@@ -20,6 +21,18 @@ static std::string leaf_name(std::vector<Object> const &objects, std::uint32_t s
   return "input " + std::to_string(slot);
 }
 
+static std::string describe_external(Node const &node, std::string const *operands) {
+  auto number = [&](std::size_t i) {
+    return static_cast<std::size_t>(Pool::current().nodes()[node.operand[i]].value());
+  };
+  if (node.op == Op::lookup || node.op == Op::lookup2) {
+    std::string const text = Externals::current().tables()[number(0)].name + "[" + operands[1] + "]";
+    return node.op == Op::lookup ? text : text + "[" + operands[2] + "]";
+  }
+  if (is_call(node.op)) return Externals::current().functions()[number(1)].name + "(...)";
+  return node.op == Op::returned ? operands[0] : "...";
+}
+
 static std::string describe_node(NodeId id, int depth) {
   Node const &node = Pool::current().nodes()[id];
   if (node.is_constant()) return shortest(node.value());
@@ -34,6 +47,7 @@ static std::string describe_node(NodeId id, int depth) {
   case Form::infix: text = operands[0] + " " + std::string(operation.c) + " " + operands[1]; break;
   case Form::prefix: return std::string(operation.c) + operands[0];
   case Form::select: text = operands[0] + " ? " + operands[1] + " : " + operands[2]; break;
+  case Form::external: return describe_external(node, operands);
   case Form::call:
   case Form::cast:
     text = std::string(operation.c) + "(" + operands[0];

@@ -62,9 +62,9 @@ RealNumber Pool::number(NodeId id) const {
   return RealNumber::from_bits(detail::node_tag << 40 | std::uint64_t{generation_} << 32 | id);
 }
 
-RealNumber Pool::leaf(Node const &node, double value) {
+RealNumber Pool::leaf(Node const &node, double value, void const *caller) {
   NodeId id = table_.intern(node);
-  fill(id, value, nullptr);
+  fill(id, value, caller);
   return number(id);
 }
 

@@ -35,7 +35,8 @@ public:
   std::vector<Node> end();
   bool is_recording() const { return recording_; }
 
-  RealNumber leaf(Node const &node, double value);
+  // An input, a parameter, or the node of an opaque operation, whose value is not computed from its operands.
+  RealNumber leaf(Node const &node, double value, void const *caller = nullptr);
   // `caller`: the return address of the code that asks.
   RealNumber record(Op op, RealNumber x, RealNumber y, RealNumber z, void const *caller = nullptr);
 

@@ -2,6 +2,7 @@
 // annotated number becomes an ordinary one again.
 #include "trace/deliver.h"
 #include "trace/events.h"
+#include "trace/externals.h"
 #include "trace/guards.h"
 #include "trace/kernel.h"
 #include "trace/pool.h"
@@ -29,6 +30,7 @@ public:
     Pool::current().begin();
     State::current().begin();
     Guards::current().begin();
+    Externals::current().begin();
     std::copy(std::begin(detail::executed), std::end(detail::executed), executed_before_.by_op.begin());
     enable_trap();
   }
@@ -100,6 +102,7 @@ public:
     for (RealNumber *number : written_)
       if (pool.owns(*number)) *number = pool.final_value(*number);
     Guards::current().end(graph_);
+    Externals::current().end(graph_);
     locate_nodes(pool.places());
     graph_.nodes = pool.end();
     deliver(graph_, output_file);

@@ -1,12 +1,19 @@
 // What the replay program and its client share.
 //
-//   client ──one byte──▶ server: fork; the fork runs the kernel on the inputs in shared memory and ends ──status──▶
+//   client ──command──▶ server: fork; the fork runs the kernel on the inputs in shared memory and ends ──status──▶
 //   client
+//
+// A kernel with external functions has its generated code and its recorded graph run here as well, in a fork likewise,
+// so that both call the program's own functions in the state in which the kernel finds them.
 //
 // The environment of the program names the shared file, two descriptors and the kernel:
 //   SYMREAL_REPLAY=<file>,<commands>,<answers>   SYMREAL_REPLAY_KERNEL=<name under which the kernel begins>
+// and, with external functions, what else is run:
+//   SYMREAL_REPLAY_CODE=<shared object>   SYMREAL_REPLAY_PREFIX=<of its names>   SYMREAL_REPLAY_GRAPH=<text>
 // An answer is the status of the fork as waitpid gives it, four bytes. When the commands end, so does the server.
 #pragma once
+
+#include "graph/evaluate.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -15,12 +22,18 @@ namespace symreal::replay {
 
 enum class State : std::uint32_t { begun, complete, wrong_shape };
 
+enum class Command : char { original = 'o', generated = 'c', graph = 'g' };
+
 // The head of the shared file; inputs, parameters and outputs follow as doubles.
 struct Head {
   std::uint32_t input_count, parameter_count, output_count;
   std::uint32_t seconds; // after which a sample is given up
   State state;
-  std::uint32_t unused;
+  std::uint32_t constant_count, guard_count; // of the generated code
+  std::int32_t failed;                       // what it returned
+  std::uint32_t failing_guard;               // of the graph: the first that does not hold
+  Premises premises;
+  std::uint8_t unused;
 };
 static_assert(sizeof(Head) % sizeof(double) == 0);
 

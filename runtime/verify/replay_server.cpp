@@ -1,5 +1,6 @@
 #include "verify/replay_server.h"
 
+#include "verify/replay_code.h"
 #include "verify/replay_protocol.h"
 
 #include <cstdio>
@@ -46,14 +47,18 @@ Head *map(std::string const &file) {
 // Returns in the forks only.
 void serve(Connection const &connection, Head *head) {
   std::fflush(nullptr); // once, not in every fork
-  for (char command; read(connection.commands, &command, 1) == 1;) {
+  ReplayCode const code;
+  for (Command command; read(connection.commands, &command, 1) == 1;) {
     head->state = State::begun;
     pid_t child = fork();
     if (child == 0) {
       close(connection.commands);
       close(connection.answers);
       alarm(head->seconds);
-      return;
+      if (command == Command::original) return;
+      command == Command::generated ? code.run_generated(*head) : code.run_graph(*head);
+      head->state = State::complete;
+      _exit(0);
     }
     int status = -1;
     if (child > 0) waitpid(child, &status, 0);

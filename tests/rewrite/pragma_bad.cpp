@@ -80,8 +80,8 @@ double f() {
 }
 //--- l.cpp
 double f(double x) {
-// L: l.cpp:3:17: error: external(...) is not available yet [SYM027]
-#pragma symreal external(f)
+// L: l.cpp:3:26: error: external(...) begins a pragma of its own [SYM021]
+#pragma symreal input(x) external(f)
   return x;
 }
 //--- m.cpp

@@ -57,7 +57,7 @@ TEST(PragmaParser, ItemsAndTheirSections) {
 TEST(PragmaParser, ErrorsNameTheirToken) {
   EXPECT_EQ(error("").id, DiagnosticId::pragma_syntax);
   EXPECT_EQ(error("inputs(q)").id, DiagnosticId::pragma_unknown_clause);
-  EXPECT_EQ(error("external(f)").id, DiagnosticId::pragma_not_available);
+  EXPECT_EQ(error("input(q) external(f)").token, 4u);
   EXPECT_EQ(error("input q").token, 1u);
   EXPECT_EQ(error("input(q").token, 3u);
   EXPECT_EQ(error("input(q[0:1)").token, 7u);

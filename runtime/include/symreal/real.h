@@ -17,6 +17,10 @@
 #define REAL_VALUE(...) __VA_ARGS__
 #define REAL_TO(type, ...) __VA_ARGS__
 #define REAL_STATE(object, place) object
+#define REAL_EXTERNAL(function, ...) function
+#define REAL_LINKAGE(...) __VA_ARGS__
+#define REAL_INT(...) __VA_ARGS__
+#define REAL_TABLE(...) __VA_ARGS__
 #define SYMREAL_OBJECT(...)
 #define SYMREAL_SECTION(...)
 #define SYMREAL_RANGE(...)
@@ -38,13 +42,24 @@
 #define REAL_VALUE(...) (::symreal::value(__VA_ARGS__))
 #define REAL_TO(type, ...) (static_cast<type>(__VA_ARGS__))
 #define REAL_STATE(object, place) (::symreal::state(object, #object, place))
+#define REAL_EXTERNAL(function, ...) (::symreal::external(function, {__VA_ARGS__}))
+#define REAL_INT(...) ::symreal::SymbolicInt<__VA_ARGS__>
+#define REAL_TABLE(...) (::symreal::table(__VA_ARGS__, #__VA_ARGS__))
 #else
 #define REAL double
 #define REAL_C(...) (__VA_ARGS__)
 #define REAL_VALUE(...) (__VA_ARGS__)
 #define REAL_TO(type, ...) (static_cast<type>(__VA_ARGS__))
 #define REAL_STATE(object, place) (object)
+#define REAL_EXTERNAL(function, ...) (function)
+#define REAL_INT(...) __VA_ARGS__
+#define REAL_TABLE(...) __VA_ARGS__
 #endif
+/* C sources are compiled as C++ here: what a library has under a C name keeps it. */
+#define REAL_LINKAGE(...)                                                                                              \
+  extern "C" {                                                                                                         \
+  __VA_ARGS__;                                                                                                         \
+  }
 
 #define SYMREAL_OBJECT(kind, label, file, line, column, ...)                                                           \
   ::symreal::annotate(::symreal::Kind::kind, label, {file, line, column}, __VA_ARGS__);

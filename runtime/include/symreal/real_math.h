@@ -12,6 +12,7 @@ namespace symreal {
 #define SYMREAL_FORM_prefix(...)
 #define SYMREAL_FORM_cast(...)
 #define SYMREAL_FORM_select(...)
+#define SYMREAL_FORM_external(...)
 #define SYMREAL_FORM_call(id, arity, evaluate) SYMREAL_CALL_##arity(id, evaluate)
 #define SYMREAL_CALL_1(id, evaluate)                                                                                   \
   [[gnu::always_inline]] inline RealNumber id(RealNumber real_x) noexcept {                                            \
@@ -48,6 +49,7 @@ namespace symreal {
 #undef SYMREAL_FORM_prefix
 #undef SYMREAL_FORM_cast
 #undef SYMREAL_FORM_select
+#undef SYMREAL_FORM_external
 #undef SYMREAL_FORM_call
 #undef SYMREAL_CALL_1
 #undef SYMREAL_CALL_2
@@ -116,6 +118,7 @@ inline SymbolicBool signbit(RealNumber x) noexcept {
 #define SYMREAL_FORM_prefix(id)
 #define SYMREAL_FORM_cast(id)
 #define SYMREAL_FORM_select(id)
+#define SYMREAL_FORM_external(id)
 #define SYMREAL_FORM_call(id) SYMREAL_NAME(id)
 #define OPERATION(id, arity, form, ...) SYMREAL_FORM_##form(id)
 #define SYMREAL_NAME(name) using symreal::name;
@@ -132,5 +135,6 @@ SYMREAL_CALL_NAMES
 #undef SYMREAL_FORM_prefix
 #undef SYMREAL_FORM_cast
 #undef SYMREAL_FORM_select
+#undef SYMREAL_FORM_external
 #undef SYMREAL_FORM_call
 #undef SYMREAL_CALL_NAMES

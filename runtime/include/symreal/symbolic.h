@@ -3,6 +3,7 @@
 
 #include <symreal/branch.h>
 #include <symreal/eigen_traits.h>
+#include <symreal/external.h>
 #include <symreal/standard_library.h>
 #include <symreal/symbolic_expr.h>
 

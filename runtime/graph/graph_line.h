@@ -1,0 +1,107 @@
+// One line of a graph's text, for those who read it. Shared by the readers of graph_text.h only.
+#pragma once
+
+#include "graph/graph.h"
+#include "support/number.h"
+
+#include <charconv>
+#include <cmath>
+#include <iosfwd>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace symreal {
+
+// The words of one line. A quoted string is one word, kept with its opening quote to tell it from a bare one.
+class Line {
+public:
+  Line(std::string_view text, Place place) : place_(std::move(place)) {
+    for (std::size_t i = 0; i < text.size();) {
+      if (text[i] == ';') break;
+      if (text[i] == ' ' || text[i] == '\t' || text[i] == '\r') {
+        ++i;
+        continue;
+      }
+      std::string word(1, text[i++]);
+      if (word[0] == '"') {
+        while (i < text.size() && text[i] != '"') {
+          if (text[i] == '\\' && i + 1 < text.size()) ++i;
+          word += text[i++];
+        }
+        if (i++ >= text.size()) error("a string is not closed");
+      } else {
+        while (i < text.size() && std::string_view(" \t\r;").find(text[i]) == std::string_view::npos) word += text[i++];
+      }
+      words_.push_back(std::move(word));
+    }
+  }
+
+  bool done() const { return next_ == words_.size(); }
+  std::string const &peek() const { return words_[next_]; }
+  bool accept(std::string_view word) {
+    if (done() || peek() != word) return false;
+    ++next_;
+    return true;
+  }
+  std::string const &word(char const *what) {
+    if (done()) error(std::string(what) + " is missing");
+    return words_[next_++];
+  }
+  std::string string(char const *what) {
+    std::string const &text = word(what);
+    if (text[0] != '"') error(std::string(what) + " must stand in quotes");
+    return text.substr(1);
+  }
+  std::uint32_t count(char const *what) {
+    std::string const &text = word(what);
+    std::uint32_t value = 0;
+    auto [end, failed] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (failed != std::errc() || end != text.data() + text.size()) error("'" + text + "' is no " + what);
+    return value;
+  }
+  double number(char const *what) {
+    std::string const &text = word(what);
+    auto value = parse_number(text);
+    if (!value) error("'" + text + "' is no number");
+    return *value;
+  }
+  // at "file" line column, or nothing.
+  Place optional_place() {
+    if (!accept("at")) return {};
+    std::string file = string("the file");
+    unsigned number = count("line number");
+    return {std::move(file), number, count("column")};
+  }
+  // [n] [m] ...
+  std::vector<std::size_t> extents() {
+    std::vector<std::size_t> result;
+    while (!done() && peek()[0] == '[') {
+      std::string const &text = word("extent");
+      auto extent = parse_number(std::string_view(text).substr(1, text.size() - 2));
+      if (text.back() != ']' || !extent || *extent < 0 || *extent != std::floor(*extent))
+        error("'" + text + "' is no extent");
+      result.push_back(static_cast<std::size_t>(*extent));
+    }
+    return result;
+  }
+  [[noreturn]] void error(std::string const &message) const { fail(DiagnosticId::graph_syntax, place_, message); }
+
+private:
+  Place place_;
+  std::vector<std::string> words_;
+  std::size_t next_ = 0;
+};
+
+// The lines `table` and `external` (graph_external_text.cpp). The first word has been read; a line stands behind those
+// of its kind with smaller numbers.
+void read_table(Line &line, std::vector<Table> &tables);
+void read_external(Line &line, std::vector<External> &externals);
+void write_tables(std::ostream &out, std::vector<Table> const &tables);
+void write_externals(std::ostream &out, std::vector<External> const &externals);
+
+// What every writer of lines needs.
+std::string quoted(std::string const &text);
+void write_place(std::ostream &out, Place const &place);
+
+} // namespace symreal

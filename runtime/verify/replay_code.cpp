@@ -1,0 +1,61 @@
+#include "verify/replay_code.h"
+
+#include "graph/graph_text.h"
+#include "support/files.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstdio>
+#include <cstdlib>
+#include <dlfcn.h>
+#include <string>
+
+namespace symreal::replay {
+
+ReplayCode::ReplayCode() {
+  char const *code = std::getenv("SYMREAL_REPLAY_CODE"), *graph = std::getenv("SYMREAL_REPLAY_GRAPH");
+  if (!code || !graph) return;
+  char const *prefix = std::getenv("SYMREAL_REPLAY_PREFIX");
+  prefix_ = prefix ? prefix : "";
+  library_ = dlopen(code, RTLD_NOW | RTLD_LOCAL);
+  if (!library_) {
+    std::fprintf(stderr, "%s\n", dlerror());
+    std::abort();
+  }
+  graph_ = read_graph(read_file(graph), graph);
+}
+
+template <class Function> static Function *find(void *library, std::string const &name) {
+  void *function = library ? dlsym(library, name.c_str()) : nullptr;
+  if (!function) std::abort();
+  return std::bit_cast<Function *>(function);
+}
+
+void ReplayCode::run_generated(Head &head) const {
+  auto *preprocess = find<void(double const *, double *)>(library_, prefix_ + "preprocess");
+  std::string const name = prefix_ + "compute";
+  std::vector<double> constants(head.constant_count + 1);
+  double const *inputs = shared_inputs(&head), *parameters = shared_parameters(&head);
+  preprocess(parameters, constants.data());
+  head.failed = 0;
+  if (head.guard_count == 0)
+    find<void(double const *, double const *, double *)>(library_, name)(inputs, constants.data(),
+                                                                         shared_outputs(&head));
+  else
+    head.failed = find<int(double const *, double const *, double *)>(library_, name)(inputs, constants.data(),
+                                                                                      shared_outputs(&head));
+}
+
+void ReplayCode::run_graph(Head &head) const {
+  CallExternal const call = [this](std::size_t function, std::span<double const> arguments, std::span<double> results) {
+    auto *thunk = find<void(double const *, double *)>(library_, "symreal_call_" + std::to_string(function));
+    thunk(arguments.data(), results.data());
+  };
+  Evaluation const result = evaluate_sample(graph_, {shared_inputs(&head), head.input_count},
+                                            {shared_parameters(&head), head.parameter_count}, call);
+  head.premises = result.premises;
+  head.failing_guard = static_cast<std::uint32_t>(result.failing_guard);
+  std::copy(result.outputs.begin(), result.outputs.end(), shared_outputs(&head));
+}
+
+} // namespace symreal::replay

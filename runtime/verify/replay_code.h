@@ -1,0 +1,22 @@
+// Generated code and a recorded graph inside the replayed program: see replay_protocol.h.
+#pragma once
+
+#include "graph/graph.h"
+#include "verify/replay_protocol.h"
+
+namespace symreal::replay {
+
+class ReplayCode {
+public:
+  // Loads what the environment names; nothing if it names nothing. Ends the process if it cannot be loaded.
+  ReplayCode();
+  void run_generated(Head &head) const;
+  void run_graph(Head &head) const;
+
+private:
+  void *library_ = nullptr;
+  std::string prefix_;
+  Graph graph_;
+};
+
+} // namespace symreal::replay
