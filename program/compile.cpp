@@ -56,8 +56,16 @@ bool is_for_linker(std::string_view flag) {
          flag.starts_with("-fsanitize");
 }
 
-Words link_command(BuildRequest const &request, Words const &objects, std::string const &executable) {
+// A sanitizer replaces the allocation functions itself.
+bool brings_allocator(BuildRequest const &request) {
+  auto const sanitizes = [](std::string const &flag) { return flag.starts_with("-fsanitize"); };
+  return std::any_of(request.flags.begin(), request.flags.end(), sanitizes) ||
+         std::any_of(request.link.begin(), request.link.end(), sanitizes);
+}
+
+Words link_command(BuildRequest const &request, Variant variant, Words const &objects, std::string const &executable) {
   Words words = {request.compiler};
+  if (variant == Variant::symbolic && !brings_allocator(request)) words.emplace_back("-Wl,-u,symreal_heap_hooks");
   append(words, objects);
   std::copy_if(request.flags.begin(), request.flags.end(), std::back_inserter(words), is_for_linker);
   append(words, request.link);
@@ -98,7 +106,7 @@ std::vector<std::string> build_programs(BuildRequest const &request, std::span<V
       compilations.push_back(compile_command(request, variant, overlay, source, objects.back()));
     }
     executables.push_back(directory + "/program");
-    links.push_back(link_command(request, objects, executables.back()));
+    links.push_back(link_command(request, variant, objects, executables.back()));
   }
 
   std::vector<Captured> compiled = run_all(compilations);

@@ -51,7 +51,8 @@ private:
   }
 
   void check_name(std::string const &name, bool is_function) const {
-    static constexpr std::array<std::string_view, 5> anywhere = {"input", "parameter", "constant", "output", "range"};
+    static constexpr std::array<std::string_view, 6> anywhere = {"input",   "parameter", "constant",
+                                                                 "scratch", "output",    "range"};
     if (std::find(anywhere.begin(), anywhere.end(), name) != anywhere.end()) return;
     if (name == "external") fail(at_, "external(...) is not available yet", DiagnosticId::pragma_not_available);
     if (name == (is_function ? "call" : "generate")) return;
