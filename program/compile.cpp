@@ -56,8 +56,16 @@ bool is_for_linker(std::string_view flag) {
          flag.starts_with("-fsanitize");
 }
 
+// A sanitizer replaces the allocation functions itself.
+bool brings_allocator(BuildRequest const &request) {
+  auto const sanitizes = [](std::string const &flag) { return flag.starts_with("-fsanitize"); };
+  return std::any_of(request.flags.begin(), request.flags.end(), sanitizes) ||
+         std::any_of(request.link.begin(), request.link.end(), sanitizes);
+}
+
 Words link_command(BuildRequest const &request, Variant variant, Words const &objects, std::string const &executable) {
   Words words = {request.compiler};
+  if (variant == Variant::symbolic && !brings_allocator(request)) words.emplace_back("-Wl,-u,symreal_heap_hooks");
   if (variant == Variant::replay) words.push_back("-rdynamic"); // generated code in it calls its external functions
   append(words, objects);
   std::copy_if(request.flags.begin(), request.flags.end(), std::back_inserter(words), is_for_linker);

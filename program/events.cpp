@@ -42,13 +42,15 @@ void add(Events &events, std::vector<std::string> const &field) {
   if (kind == "started" && has(2)) events.started.push_back(field[1]);
   if (kind == "kernel" && has(4))
     events.kernels.push_back({field[1], field[2], field[3], events.started.empty() ? "" : events.started.back()});
-  if (kind == "diagnostic" && has(6)) {
+  if ((kind == "diagnostic" || kind == "warning") && has(6)) {
     Place place{field[2], number<unsigned>(field[3]), number<unsigned>(field[4])};
-    events.diagnostics.push_back({row(field[1]).id, Severity::error, place, field[5]});
+    Severity const severity = kind == "warning" ? Severity::warning : Severity::error;
+    events.diagnostics.push_back({row(field[1]).id, severity, place, field[5]});
   }
   if ((kind == "decision" || kind == "settled") && has(4))
     (kind == "decision" ? events.decisions : events.settled)
         .push_back({number<std::size_t>(field[1]), field[2], addresses(field[3])});
+  if (kind == "frozen" && has(6)) events.frozen.push_back({field[1], field[2], field[3], addresses(field[5])});
   if (kind == "located" && has(4)) events.located.push_back({row(field[1]).id, field[2], addresses(field[3])});
 }
 

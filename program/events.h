@@ -3,7 +3,9 @@
 //   started     kernel
 //   kernel      name  N.graph  output file
 //   diagnostic  SYM0nn  file  line  column  message
+//   warning     SYM0nn  file  line  column  message
 //   located     SYM0nn  message  address,address,...
+//   frozen      kernel  name  place  values  address,address,...
 //   decision    count  condition  address,address,...   hexadecimal, relative to the load base, innermost first
 //   settled     count  condition  address,address,...
 //
@@ -36,12 +38,19 @@ struct Decision {
   std::vector<std::uint64_t> addresses;
 };
 
+// State that a kernel reads: where it was first read.
+struct FrozenRead {
+  std::string kernel, name, place;
+  std::vector<std::uint64_t> addresses;
+};
+
 struct Events {
   std::vector<std::string> started; // kernels that were begun
   std::vector<RecordedKernel> kernels;
   std::vector<Diagnostic> diagnostics;
   std::vector<Decision> decisions, settled;
   std::vector<Located> located;
+  std::vector<FrozenRead> frozen;
 };
 
 // A file that does not exist holds no events.

@@ -54,6 +54,29 @@ void add_once(std::vector<Diagnostic> &diagnostics, Diagnostic const &diagnostic
   if (!is_known) diagnostics.push_back(diagnostic);
 }
 
+// Where the state was first read, and on whose behalf.
+std::vector<Note> read_notes(Frozen const &state, FrozenRead const &read, Symbolizer &symbolizer) {
+  constexpr std::size_t most = 4;
+  std::vector<Note> notes;
+  std::vector<Frame> frames = symbolizer.frames(read.addresses);
+  auto frame = std::find_if(frames.begin(), frames.end(), [](Frame const &one) { return one.rewritten; });
+  for (bool innermost = true; frame != frames.end() && notes.size() < most; ++frame, innermost = false) {
+    bool const same = innermost && frame->place.file == state.place.file && frame->place.line == state.place.line;
+    if (frame->rewritten && !same)
+      notes.push_back({frame->place, (innermost ? "first read in " : "called from ") + frame->function});
+  }
+  return notes;
+}
+
+void locate_frozen(Recorded &recorded, std::vector<FrozenRead> const &reads, Symbolizer &symbolizer) {
+  for (Frozen const &state : recorded.graph.frozen) {
+    auto read = std::find_if(reads.begin(), reads.end(), [&](FrozenRead const &one) {
+      return one.kernel == recorded.graph.kernel && one.name == state.name && one.place == to_string(state.place);
+    });
+    recorded.frozen_reads.push_back(read == reads.end() ? std::vector<Note>() : read_notes(state, *read, symbolizer));
+  }
+}
+
 Diagnostic explain(Decision const &decision, Symbolizer &symbolizer) {
   std::string message = fmt::format("the program decides on a symbolic value: {} (met {} time{})", decision.condition,
                                     decision.count, decision.count == 1 ? "" : "s");
@@ -178,6 +201,7 @@ Recording record(std::string const &executable, RunOptions const &options, rewri
       graph.decisions = options.decisions;
       name_nodes(graph, rewritten.names);
       recording.kernels.push_back({std::move(graph), kernel, found->output_file, found->begun_as});
+      if (!events.frozen.empty()) locate_frozen(recording.kernels.back(), events.frozen, symbolizer);
     } else if (!explained) {
       bool begun = is_begun(kernel, events.started);
       recording.diagnostics.push_back(explain_missing(kernel, begun, outcome));

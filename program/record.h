@@ -25,10 +25,11 @@ struct RunOptions {
 };
 
 struct Recorded {
-  Graph graph;             // as recorded, no pass has run
-  rewrite::Kernel kernel;  // what the source says of it
-  std::string output_file; // the name in generate, else empty
-  std::string begun_as;    // for replay: the name under which it begins
+  Graph graph;                                      // as recorded, no pass has run
+  rewrite::Kernel kernel;                           // what the source says of it
+  std::string output_file;                          // the name in generate, else empty
+  std::string begun_as;                             // for replay: the name under which it begins
+  std::vector<std::vector<Note>> frozen_reads = {}; // parallel to graph.frozen: where each was first read
 };
 
 struct Recording {

@@ -37,6 +37,13 @@ static bool is_runtime(llvm::DILineInfo const &info) {
          file.find("/include/symreal/") != file.npos;
 }
 
+// The function as the user's program has it.
+static std::string original_name(std::string function) {
+  constexpr std::string_view real = "symreal::RealNumber";
+  for (std::size_t at; (at = function.find(real)) != function.npos;) function.replace(at, real.size(), "double");
+  return function;
+}
+
 std::vector<Frame> Symbolizer::frames(std::vector<std::uint64_t> const &return_addresses) {
   std::vector<Frame> frames;
   for (std::uint64_t address : return_addresses) {
@@ -52,8 +59,9 @@ std::vector<Frame> Symbolizer::frames(std::vector<std::uint64_t> const &return_a
       llvm::DILineInfo const &info = found->getFrame(i);
       if (info.FileName == llvm::DILineInfo::BadString || info.Line == 0) continue;
       if (is_runtime(info) && !overlay_.contains(info.FileName)) continue;
+      if (info.FunctionName.find("::symreal_members(") != info.FunctionName.npos) continue;
       Place place{info.FileName, info.Line, info.Column};
-      frames.push_back({info.FunctionName, overlay_.original(place), overlay_.contains(info.FileName)});
+      frames.push_back({original_name(info.FunctionName), overlay_.original(place), overlay_.contains(info.FileName)});
     }
   }
   return frames;

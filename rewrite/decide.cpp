@@ -21,6 +21,13 @@ Rewording rewording(Wrap const &wrap) {
   case Use::literal: return make("REAL_C(", ")");
   case Use::value: return make("REAL_VALUE(", ")");
   case Use::conversion: return make("REAL_TO(" + wrap.detail + ", ", ")");
+  case Use::range_begin: return make("REAL_FIRST(" + wrap.detail + ", ", ")");
+  case Use::range_end: return make("REAL_LAST(" + wrap.detail + ", ", ")");
+  case Use::bits: return make("REAL_BITS(" + wrap.detail + ", ", ")");
+  case Use::bytes: return make("REAL_BYTES(" + wrap.detail + ", ", ")");
+  case Use::read: return make("REAL_READ(" + wrap.detail + ", ", ")");
+  case Use::written: return make("REAL_WRITTEN(" + wrap.detail + ", ", ")");
+  case Use::changed: return make("REAL_CHANGED(" + wrap.detail + ", ", ")");
   case Use::state: return make("REAL_STATE(", ", " + quoted(wrap.detail) + ")");
   case Use::linkage: return make("REAL_LINKAGE(", ")");
   case Use::table: return make("REAL_TABLE(", ")");
@@ -61,12 +68,22 @@ void add_unaccounted(Facts const &facts, std::set<Span> const &pragmas, ByFile &
 }
 
 void add_wraps(Facts const &facts, std::set<Span> const &pragmas, ByFile &rewordings) {
+  Wrap const *before = nullptr;
   for (Wrap const &wrap : facts.wraps) {
+    // The same words in a macro or header that two sources name differently.
+    bool const again = before && before->span == wrap.span && before->use == wrap.use;
+    before = &wrap;
+    if (again) continue;
     // The function reads the REALs itself, as REALs.
     if (wrap.use == Use::value && facts.number_readers.count(wrap.detail) != 0) continue;
     if (!meets(pragmas, wrap.span) && !meets(facts.quoted, wrap.span))
       rewordings[wrap.span.file].push_back(rewording(wrap));
   }
+}
+
+void add_members(Facts const &facts, ByFile &rewordings) {
+  for (auto const &[brace, members] : facts.members)
+    rewordings[brace.file].push_back({brace.begin, brace.end, "", " REAL_MEMBERS(" + members + ")"});
 }
 
 void add_pragmas(Facts const &facts, ByFile &rewordings) {
@@ -138,6 +155,7 @@ Result decide(Facts facts) {
   add_unaccounted(facts, pragmas, rewordings, result);
   add_wraps(facts, pragmas, rewordings);
   add_selects(facts, rewordings, result);
+  add_members(facts, rewordings);
   collect_kernels(facts, result);
   if (!has_error(result)) add_pragmas(facts, rewordings);
   add_boundaries(facts, result);

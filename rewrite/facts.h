@@ -30,13 +30,31 @@ struct TypeToken {
 };
 
 // Why an expression is wrapped, the outermost first where several wrap the same. The macro of each is in decide.cpp.
-enum class Use { returned, cast, conversion, linkage, table, value, literal, external, state };
+enum class Use {
+  returned,
+  cast,
+  conversion,
+  linkage,
+  table,
+  value,
+  literal,
+  external,
+  range_begin, // the ends of a range that a library reads
+  range_end,
+  bits,    // its bytes are used as something else than numbers
+  read,    // its value is used, and it may outlive the kernel
+  written, // it gets a new value
+  changed, // a library changes it
+  bytes,   // the name of a function that moves or sets bytes
+  state,
+};
 
 struct Wrap {
   Span span;
   Use use;
-  // conversion, cast: the type; state: the declaration's place; returned: the other arguments; value: the function of
-  // the program, if it is one, whose variadic argument the expression is; external: the other arguments
+  // conversion, cast: the type; state: the declaration's place; returned, and the uses between literal and state: the
+  // other arguments; value: the function of the program, if it is one, whose variadic argument the expression is;
+  // external: the other arguments
   std::string detail;
   auto operator<=>(Wrap const &) const = default;
 };
@@ -73,6 +91,11 @@ struct FunctionFact {
   std::string signature;
   Span brace;
   bool returns_value = false;
+  struct Value {
+    std::string name;
+    Place place;
+  };
+  std::vector<Value> values; // its parameters by value that hold REAL
 };
 
 struct PragmaFact {
@@ -134,6 +157,7 @@ struct Facts {
   std::set<TypeToken> types;
   std::set<Span> doubles; // every `double` that reached the parser, understood or not
   std::set<Wrap> wraps;
+  std::map<Span, std::string> members;         // by the opening brace of a class: what holds REAL in it
   std::set<Span> quoted;                       // arguments that a macro stringifies or pastes: their text is data
   std::map<Span, PragmaFact> pragmas;          // by the span of the directive
   std::set<std::string> number_readers;        // variadic functions that read doubles themselves, by qualified name

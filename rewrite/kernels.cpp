@@ -10,7 +10,8 @@ void report(Result &result, DiagnosticId id, Place const &place, std::string mes
 }
 
 bool annotates(ClauseFact const &clause) {
-  return clause.name == "input" || clause.name == "parameter" || clause.name == "constant" || clause.name == "output";
+  return clause.name == "input" || clause.name == "parameter" || clause.name == "constant" ||
+         clause.name == "scratch" || clause.name == "output";
 }
 
 void check_item(ClauseFact const &clause, ItemFact const &item, Result &result) {

@@ -157,7 +157,7 @@ private:
       report(DiagnosticId::pragma_unattached, function->getLocation(), "the function's body is made by a macro");
       return;
     }
-    FunctionFact fact{.name = function->getNameAsString(), .signature = {}, .brace = *brace};
+    FunctionFact fact{.name = function->getNameAsString(), .signature = {}, .brace = *brace, .values = {}};
     unsigned end = map_.sources().getFileOffset(map_.sources().getExpansionLoc(function->getBody()->getBeginLoc()));
     if (auto const *constructor = dyn_cast<CXXConstructorDecl>(function))
       for (CXXCtorInitializer const *initializer : constructor->inits())
@@ -166,6 +166,9 @@ private:
               end, map_.sources().getFileOffset(map_.sources().getExpansionLoc(initializer->getSourceLocation())));
     fact.signature = normalised(text.substr(begin, end - begin));
     fact.returns_value = !function->getReturnType()->isVoidType();
+    for (ParmVarDecl const *parameter : function->parameters())
+      if (parameter->getIdentifier() && reals_.carries_real(parameter->getType()))
+        fact.values.push_back({parameter->getName().str(), map_.place(parameter->getLocation())});
     pragma.function = {fact};
   }
 

@@ -51,7 +51,7 @@ private:
   }
 
   void check_name(std::string const &name, bool is_function) const {
-    static constexpr std::array<std::string_view, 6> anywhere = {"input",  "parameter", "constant",
+    static constexpr std::array<std::string_view, 7> anywhere = {"input",  "parameter", "constant", "scratch",
                                                                  "output", "range",     "decisions"};
     if (std::find(anywhere.begin(), anywhere.end(), name) != anywhere.end()) return;
     if (name == "external") fail(at_, "external(...) begins a pragma of its own");

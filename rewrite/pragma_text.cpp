@@ -24,12 +24,14 @@ std::string without_comments(std::string const &source) {
 }
 
 std::string annotation(std::string const &kind, ItemFact const &item) {
+  std::string const declare = kind == "constant" || kind == "scratch" ? "SYMREAL_DECLARE" : "";
   std::string const head = "(" + kind + ", " + place_arguments(item.label, item.place) + ", ";
-  if (item.sections.empty()) return "SYMREAL_OBJECT" + head + with_real(item.expression) + ")";
+  if (item.sections.empty())
+    return (declare.empty() ? "SYMREAL_OBJECT" : declare) + head + with_real(item.expression) + ")";
   std::string extents;
   for (Section const &section : item.sections) extents += (extents.empty() ? "" : ", ") + section.length;
-  return "SYMREAL_SECTION" + head + "::symreal::extents(" + with_real(extents) + "), " + with_real(item.expression) +
-         ")";
+  return (declare.empty() ? "SYMREAL_SECTION" : declare + "_SECTION") + head + "::symreal::extents(" +
+         with_real(extents) + "), " + with_real(item.expression) + ")";
 }
 
 // The program's own copy of what a pointer to const points to takes its place before the kernel writes nodes there.
@@ -54,6 +56,13 @@ std::string clause_text(PragmaFact const &pragma, ClauseFact const &clause) {
   for (ItemFact const &item : clause.items)
     if (!item.is_return) text += rebinding(clause, item) + annotation(clause.name, item) + " ";
   return text;
+}
+
+bool is_annotated(PragmaFact const &pragma, std::string const &name) {
+  for (ClauseFact const &clause : pragma.clauses)
+    for (ItemFact const &item : clause.items)
+      if (clause.name != "output" && item.label == name) return true;
+  return false;
 }
 
 std::string trimmed(std::string text) {
@@ -140,6 +149,10 @@ std::string function_text(PragmaFact const &pragma) {
   }
   if (!is_kernel) return trimmed(entry);
   std::string text = "SYMREAL_FUNCTION(" + place_arguments(pragma.function[0].name, pragma.place) + call + ") " + entry;
+  for (FunctionFact::Value const &value : pragma.function[0].values)
+    if (!is_annotated(pragma, value.name))
+      text.append("SYMREAL_ARGUMENT(" + quoted(value.name) + ", " + quoted(to_string(value.place)) + ", " + value.name)
+          .append(") ");
   // Also where `return` is the only output: it ends the annotations of the function's entry.
   return text + "SYMREAL_OUTPUTS_BEGIN " + exit + "SYMREAL_OUTPUTS_END";
 }

@@ -76,7 +76,7 @@ bool Reals::is_passive_class(QualType type) {
   return record && is_passive_template(record);
 }
 
-bool Reals::is_math(FunctionDecl const *function) const {
+bool Reals::is_math_name(llvm::StringRef name) {
   // The calls of the operation table, under both their names, and what the runtime builds from them.
   static llvm::StringSet<> const names = [] {
     llvm::StringSet<> known = {"fpclassify",  "frexp",  "ilogb",       "isfinite",      "isgreater", "isgreaterequal",
@@ -86,16 +86,19 @@ bool Reals::is_math(FunctionDecl const *function) const {
                                "signbit",     "sincos"};
     for (OperationInfo const &operation : operations())
       if (operation.form == Form::call)
-        for (std::string_view name : {operation.name, operation.c}) known.insert(llvm::StringRef(name));
+        for (std::string_view call : {operation.name, operation.c}) known.insert(llvm::StringRef(call));
     return known;
   }();
-  if (!function || !function->getDeclName().isIdentifier() || in_roots(function)) return false;
-  DeclContext const *context = function->getDeclContext()->getRedeclContext();
-  if (!context->isTranslationUnit() && !function->isInStdNamespace()) return false;
-  llvm::StringRef name = function->getName();
   name.consume_front("__builtin_");
   if (name.starts_with("__")) name = name.drop_front(2).take_until([](char c) { return c == '_'; }); // __isnan of glibc
   return names.contains(name) || name == "isinf_sign";
+}
+
+bool Reals::is_math(FunctionDecl const *function) const {
+  if (!function || !function->getDeclName().isIdentifier() || in_roots(function)) return false;
+  DeclContext const *context = function->getDeclContext()->getRedeclContext();
+  if (!context->isTranslationUnit() && !function->isInStdNamespace()) return false;
+  return is_math_name(function->getName());
 }
 
 FunctionDecl const *Reals::pattern(FunctionDecl const *function) {

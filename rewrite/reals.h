@@ -50,6 +50,7 @@ public:
 
   // A function of <math.h> or <cmath>, for which the runtime has an overload.
   bool is_math(clang::FunctionDecl const *function) const;
+  static bool is_math_name(llvm::StringRef name);
 
   // What the function was before its template parameters were replaced.
   static clang::FunctionDecl const *pattern(clang::FunctionDecl const *function);

@@ -89,6 +89,10 @@ void Recorder::call(CallExpr const *call) {
   FunctionDecl const *function = call->getDirectCallee();
   if (!function) return;
   symbolic_main(call, function);
+  if (function->isInStdNamespace() && function->getDeclName().isIdentifier() && function->getName() == "bit_cast" &&
+      call->getNumArgs() == 1 &&
+      reals_.carries_real(call->getArg(0)->getType()) != reals_.carries_real(call->getType()))
+    report(DiagnosticId::reinterpretation, call->getBeginLoc(), "the bytes of a REAL are used as another type");
   Expr const *callee = call->getCallee()->IgnoreParenImpCasts();
   if (Reals::External const *external = reals_.external(function))
     return wrap(callee, Use::external, external->arguments);

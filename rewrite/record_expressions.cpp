@@ -78,6 +78,9 @@ void Recorder::explicit_cast(ExplicitCastExpr const *cast) {
   if (Reals::is_double(from->getType()) && cast->getType()->isSpecificBuiltinType(BuiltinType::LongDouble) &&
       reals_.is_real(from))
     report(DiagnosticId::long_double, cast->getBeginLoc(), "a REAL is converted to long double");
+  if (cast->getCastKind() == CK_LValueToRValueBitCast &&
+      reals_.carries_real(from->getType()) != reals_.carries_real(cast->getType()))
+    report(DiagnosticId::reinterpretation, cast->getBeginLoc(), "the bytes of a REAL are used as another type");
   if (cast->getCastKind() != CK_BitCast && cast->getCastKind() != CK_LValueBitCast) return;
   QualType const source = cast->getSubExprAsWritten()->getType();
   BuiltinType const *before = innermost(source), *after = innermost(cast->getType());
@@ -167,13 +170,6 @@ void Recorder::deduced_elements(Expr const *initializer) {
     for (Stmt const *child : parens->children()) deduced_elements(cast<Expr>(child));
   else if (is_plain_double(initializer))
     wrap(initializer, Use::literal);
-}
-
-void Recorder::state(VarDecl const *variable, Expr const *reference) {
-  if (!variable->hasGlobalStorage() || reals_.is_passive(variable) || variable->getType()->isReferenceType()) return;
-  if (variable->getType()->isDependentType() || !reals_.carries_real(variable->getType())) return;
-  if (context_.getBaseElementType(variable->getType()).isConstQualified()) return;
-  wrap(reference, Use::state, to_string(map_.place(variable->getCanonicalDecl()->getLocation())));
 }
 
 void Recorder::c_declaration(NamedDecl const *declaration) {

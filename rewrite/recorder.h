@@ -5,6 +5,7 @@
 #include "rewrite/facts.h"
 #include "rewrite/reals.h"
 #include "rewrite/source_map.h"
+#include "rewrite/storage.h"
 
 namespace symreal::rewrite {
 
@@ -14,6 +15,7 @@ public:
       : context_(context),
         map_(map),
         reals_(reals),
+        storage_(reals),
         facts_(facts) {}
 
   // Types (record_types.cpp).
@@ -38,12 +40,27 @@ public:
   void deduced_variable(clang::VarDecl const *variable);
   void deduced_return(clang::Stmt const *body);
   void deduced_elements(clang::Expr const *initializer);
-  void state(clang::VarDecl const *variable, clang::Expr const *reference);
   void c_declaration(clang::NamedDecl const *declaration);
 
   // What numbers are called (record_names.cpp).
   void named_variable(clang::VarDecl const *variable);
   void named_target(clang::BinaryOperator const *assignment);
+
+  // Hidden state (record_state.cpp, record_state_calls.cpp).
+  void state(clang::VarDecl const *variable, clang::Expr const *reference, bool is_dependent);
+  void read(clang::Expr const *value);
+  void assignment(clang::BinaryOperator const *assignment);
+  void step(clang::UnaryOperator const *step);
+  void dependent_operands(clang::BinaryOperator const *operation);
+  void dependent_value(clang::Expr const *value);
+  void dependent_call(clang::CallExpr const *call);
+  void copied_elements(clang::CXXForRangeStmt const *loop);
+  void members(clang::CXXRecordDecl const *record);
+  // Bytes of a REAL that are used as something else (record_bits.cpp).
+  void union_member(clang::MemberExpr const *member);
+  void pointer_cast(clang::CastExpr const *cast);
+  void state_of_call(clang::CallExpr const *call);
+  void state_of_construction(clang::CXXConstructExpr const *construction);
 
 private:
   void name(llvm::StringRef name, clang::SourceLocation begin, clang::SourceLocation end);
@@ -55,6 +72,15 @@ private:
   void outside_argument(clang::FunctionDecl const *function, unsigned index, clang::Expr const *argument);
   bool takes_only(clang::FunctionDecl const *function) const;
 
+  void moved_bytes(clang::CallExpr const *call, clang::FunctionDecl const *function);
+  // `named`: the expression that gives the name and the place, if it is another one.
+  void note(clang::Expr const *expression, Use use, clang::Expr const *named = nullptr);
+  bool may_outlive(clang::Expr const *expression) const;
+  void object(clang::Expr const *expression, Use use);
+  void library_arguments(clang::FunctionDecl const *function, Arguments arguments);
+  void library_object(clang::CallExpr const *call, clang::FunctionDecl const *function, clang::Expr const *object);
+  void operator_call(clang::CXXOperatorCallExpr const *call, clang::FunctionDecl const *function);
+
   void wrap(clang::Expr const *expression, Use use, std::string detail = {});
   void report(DiagnosticId id, clang::SourceLocation location, std::string message,
               Severity severity = Severity::error);
@@ -64,7 +90,9 @@ private:
   clang::ASTContext &context_;
   SourceMap const &map_;
   Reals const &reals_;
+  Storage const storage_;
   Facts &facts_;
+  llvm::SmallPtrSet<clang::Expr const *, 32> judged_; // names whose use is noted already
 };
 
 } // namespace symreal::rewrite

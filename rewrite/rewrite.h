@@ -46,7 +46,7 @@ struct Section {
 };
 
 struct Annotation {
-  std::string kind; // input, parameter, constant or output
+  std::string kind; // input, parameter, constant, scratch or output
   std::string label;
   Place place;
   std::string expression; // the item without its sections; "return" for the returned value

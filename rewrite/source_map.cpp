@@ -55,11 +55,17 @@ std::optional<Span> SourceMap::range(clang::SourceRange range) const {
   clang::CharSourceRange const written =
       clang::Lexer::makeFileCharRange(clang::CharSourceRange::getTokenRange(range), sources_, language_);
   if (written.isValid()) return characters(written.getBegin(), written.getEnd());
-  if (!range.getBegin().isMacroID() || !range.getEnd().isMacroID()) return std::nullopt;
-  if (sources_.getFileID(range.getBegin()) != sources_.getFileID(range.getEnd())) return std::nullopt;
-  clang::SourceLocation const last = sources_.getSpellingLoc(range.getEnd());
+  clang::SourceLocation begin = range.getBegin(), end = range.getEnd();
+  if (!begin.isMacroID() || !end.isMacroID()) return std::nullopt;
+  // Where one end is an argument and the other stands in the macro's body, the body names the parameter.
+  if (sources_.getFileID(begin) != sources_.getFileID(end)) {
+    if (sources_.isMacroArgExpansion(begin)) begin = sources_.getImmediateExpansionRange(begin).getBegin();
+    if (sources_.isMacroArgExpansion(end)) end = sources_.getImmediateExpansionRange(end).getEnd();
+  }
+  if (sources_.getFileID(begin) != sources_.getFileID(end)) return std::nullopt;
+  clang::SourceLocation const last = sources_.getSpellingLoc(end);
   unsigned const length = clang::Lexer::MeasureTokenLength(last, sources_, language_);
-  return characters(sources_.getSpellingLoc(range.getBegin()), last.getLocWithOffset(static_cast<int>(length)));
+  return characters(sources_.getSpellingLoc(begin), last.getLocWithOffset(static_cast<int>(length)));
 }
 
 clang::FileID SourceMap::frame(clang::SourceLocation location) const {

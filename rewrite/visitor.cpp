@@ -29,7 +29,26 @@ public:
     if (!isa<TranslationUnitDecl>(declaration) && declaration->getLexicalDeclContext()->isFileContext() &&
         !map_.in_roots(declaration->getLocation()) && !map_.in_roots(declaration->getBeginLoc()))
       return true;
-    return Walk::TraverseDecl(declaration);
+    auto const *function = dyn_cast<FunctionDecl>(declaration);
+    if (!function) return Walk::TraverseDecl(declaration);
+    Within const dependent(in_template_, function->isDependentContext());
+    FunctionDecl const *const outer = std::exchange(function_, function);
+    bool const more = Walk::TraverseDecl(declaration);
+    function_ = outer;
+    return more;
+  }
+
+  bool TraverseLambdaExpr(LambdaExpr *lambda) {
+    Within const generic(in_template_, lambda->isGenericLambda());
+    FunctionDecl const *const outer = std::exchange(function_, lambda->getCallOperator());
+    bool const more = Walk::TraverseLambdaExpr(lambda);
+    function_ = outer;
+    return more;
+  }
+
+  // A capture without an initializer is no expression that could be wrapped.
+  bool TraverseLambdaCapture(LambdaExpr *lambda, LambdaCapture const *capture, Expr *initializer) {
+    return !lambda->isInitCapture(capture) || Walk::TraverseLambdaCapture(lambda, capture, initializer);
   }
 
   // Where double stays double.
@@ -112,19 +131,52 @@ public:
   }
 
   bool VisitCallExpr(CallExpr *call) {
-    if (!passive_ && map_.in_roots(call->getBeginLoc())) record_.call(call);
+    if (passive_ || !map_.in_roots(call->getBeginLoc())) return true;
+    record_.call(call);
+    if (no_state_) return true;
+    record_.state_of_call(call);
+    record_.dependent_call(call);
     return true;
   }
   bool VisitCXXConstructExpr(CXXConstructExpr *construction) {
-    if (!passive_ && map_.in_roots(construction->getLocation())) record_.construction(construction);
+    if (passive_ || !map_.in_roots(construction->getLocation())) return true;
+    record_.construction(construction);
+    if (!no_state_) record_.state_of_construction(construction);
     return true;
   }
   bool VisitImplicitCastExpr(ImplicitCastExpr *cast) {
-    if (!passive_) record_.implicit_cast(cast, decisions_.count(cast) != 0);
+    if (passive_) return true;
+    record_.implicit_cast(cast, decisions_.count(cast) != 0);
+    if (no_state_ || cast->isTypeDependent()) return true;
+    if (cast->getCastKind() == CK_LValueToRValue) record_.read(cast->getSubExpr());
+    record_.pointer_cast(cast);
+    return true;
+  }
+  // Its elements are walked as they were parsed; the conversions and copies that they become stand in the other form.
+  bool VisitInitListExpr(InitListExpr *list) {
+    if (passive_ || no_state_) return true;
+    InitListExpr const *complete = list->isSemanticForm() ? list : list->getSemanticForm();
+    if (!complete || complete->isTypeDependent()) return true;
+    for (Expr const *element : complete->inits()) {
+      if (!element) continue;
+      if (auto const *cast = dyn_cast<ImplicitCastExpr>(element); cast && cast->getCastKind() == CK_LValueToRValue)
+        record_.read(cast->getSubExpr());
+      else if (auto const *copy = dyn_cast<CXXConstructExpr>(element->IgnoreImplicit()))
+        record_.state_of_construction(copy);
+    }
+    return true;
+  }
+  bool VisitCXXForRangeStmt(CXXForRangeStmt *loop) {
+    if (!passive_ && !no_state_) record_.copied_elements(loop);
+    return true;
+  }
+  bool VisitCXXRecordDecl(CXXRecordDecl *record) {
+    record_.members(record);
     return true;
   }
   bool VisitExplicitCastExpr(ExplicitCastExpr *cast) {
     if (!passive_) record_.explicit_cast(cast);
+    if (!passive_ && !no_state_) record_.pointer_cast(cast);
     return true;
   }
   bool VisitCompoundAssignOperator(CompoundAssignOperator *assignment) {
@@ -136,9 +188,15 @@ public:
     if (!passive_) record_.choice(choice);
     return true;
   }
+  bool VisitReturnStmt(ReturnStmt *statement) {
+    if (!passive_ && function_ && depends(function_->getReturnType()))
+      record_.dependent_value(statement->getRetValue());
+    return true;
+  }
   bool VisitVarDecl(VarDecl *variable) {
     if (!passive_) record_.deduced_variable(variable);
     if (!passive_) record_.named_variable(variable);
+    if (!passive_ && !no_state_ && depends(variable->getType())) record_.dependent_value(variable->getInit());
     return true;
   }
   bool VisitNamedDecl(NamedDecl *declaration) {
@@ -163,6 +221,7 @@ public:
   }
   bool VisitMemberExpr(MemberExpr *member) {
     if (auto const *variable = dyn_cast<VarDecl>(member->getMemberDecl())) state(variable, member);
+    if (!passive_ && !no_state_) record_.union_member(member);
     return true;
   }
   bool VisitCompoundStmt(CompoundStmt *block) {
@@ -175,9 +234,16 @@ public:
   bool VisitWhileStmt(WhileStmt *statement) { return decide(statement->getCond()); }
   bool VisitDoStmt(DoStmt *statement) { return decide(statement->getCond()); }
   bool VisitForStmt(ForStmt *statement) { return decide(statement->getCond()); }
-  bool VisitUnaryOperator(UnaryOperator *unary) { return unary->getOpcode() != UO_LNot || decide(unary->getSubExpr()); }
+  bool VisitUnaryOperator(UnaryOperator *unary) {
+    if (!passive_ && !no_state_ && unary->isIncrementDecrementOp()) record_.step(unary);
+    return unary->getOpcode() != UO_LNot || decide(unary->getSubExpr());
+  }
   bool VisitBinaryOperator(BinaryOperator *binary) {
     if (!passive_) record_.named_target(binary);
+    if (!passive_ && !no_state_) {
+      if (binary->isAssignmentOp()) record_.assignment(binary);
+      record_.dependent_operands(binary);
+    }
     return !binary->isLogicalOp() || (decide(binary->getLHS()) && decide(binary->getRHS()));
   }
 
@@ -204,6 +270,9 @@ private:
                            qualified, within_type);
   }
 
+  // A value whose type is not known yet.
+  static bool depends(QualType type) { return type->isDependentType() && !type->isReferenceType(); }
+
   bool decide(Expr const *condition) {
     if (!condition) return true;
     if (auto const *full = dyn_cast<FullExpr>(condition)) condition = full->getSubExpr();
@@ -213,7 +282,7 @@ private:
   }
 
   void state(VarDecl const *variable, Expr const *reference) {
-    if (!passive_ && !no_state_) record_.state(variable, reference);
+    if (!passive_ && !no_state_) record_.state(variable, reference, in_template_);
   }
 
   SourceMap const &map_;
@@ -223,6 +292,8 @@ private:
   Recorder record_;
   bool passive_ = false;
   bool no_state_ = false;
+  FunctionDecl const *function_ = nullptr;
+  bool in_template_ = false; // types may depend on its arguments
   llvm::SmallPtrSet<Expr const *, 32> decisions_;
 };
 

@@ -1,5 +1,7 @@
 #include "tool/frozen.h"
 
+#include "tool/report.h"
+
 #include <fmt/format.h>
 
 namespace symreal::tool {
@@ -9,11 +11,14 @@ bool report_frozen(std::vector<program::Recorded> const &kernels, std::string co
   Severity severity = policy == "error" ? Severity::error : Severity::warning;
   bool any = false;
   for (program::Recorded const &recorded : kernels)
-    for (Frozen const &state : recorded.graph.frozen) {
+    for (std::size_t i = 0; i < recorded.graph.frozen.size(); ++i) {
+      Frozen const &state = recorded.graph.frozen[i];
       any = true;
+      std::string const is = state.values.size() == 1 ? "is" : "are";
       console.report({DiagnosticId::frozen_state, severity, state.place,
-                      fmt::format("kernel '{}' reads '{}', which is neither input nor parameter", recorded.kernel.name,
-                                  state.name)});
+                      fmt::format("kernel '{}' reads '{}' ({}), which {} neither input nor parameter",
+                                  recorded.kernel.name, state.name, value_list(state.values), is),
+                      i < recorded.frozen_reads.size() ? recorded.frozen_reads[i] : std::vector<Note>()});
     }
   return !any || severity != Severity::error;
 }

@@ -58,13 +58,6 @@ std::string extents(Object const &object) {
   return text;
 }
 
-std::string value_list(std::vector<double> const &values) {
-  constexpr std::size_t most = 4;
-  std::string text;
-  for (std::size_t i = 0; i < values.size() && i < most; ++i) text += (i ? ", " : "") + shortest(values[i]);
-  return values.size() > most ? fmt::format("{}, ... ({} in all)", text, values.size()) : text;
-}
-
 void print_objects(std::ostream &out, char const *role, std::vector<Object> const &objects) {
   for (Object const &object : objects)
     fmt::print(out, "  {:<10}{:>6}..{:<6}{}  {}\n", role, object.first, object.first + object.count - 1, object.label,
@@ -108,6 +101,13 @@ Json to_json(std::vector<Object> const &objects) {
 }
 
 } // namespace
+
+std::string value_list(std::vector<double> const &values) {
+  constexpr std::size_t most = 4;
+  std::string text;
+  for (std::size_t i = 0; i < values.size() && i < most; ++i) text += (i ? ", " : "") + shortest(values[i]);
+  return values.size() > most ? fmt::format("{}, ... ({} in all)", text, values.size()) : text;
+}
 
 void print_table(std::ostream &out, KernelReport const &report, bool details) {
   Graph const &recorded = *report.recorded, &optimised = *report.optimised;

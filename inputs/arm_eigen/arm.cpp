@@ -75,7 +75,7 @@ int main() {
   Vector3d velocity(0.1, -0.05, 0.2);
   double damping = 0.05;
 
-#pragma symreal input(q, velocity) range(-2, 2) parameter(inertia, damping)
+#pragma symreal input(q, velocity) range(-2, 2) parameter(inertia, damping) constant(arm)
   auto const poses = arm.poses(q);
   Matrix3Xd const J = arm.jacobian(poses);
   VectorXd const weights = inertia.cwiseInverse();

@@ -1,7 +1,7 @@
 // Forward dynamics of an N-link chain: aba [N [model.csv]]
 #include "example.h"
 
-#pragma symreal function input(q[0:model.size()], qd[0:model.size()], tau[0:model.size()]) output(qdd[0:model.size()])
+#pragma symreal function input(q[0:model.size()], qd[0:model.size()], tau[0:model.size()]) constant(model) output(qdd[0:model.size()])
 void aba(chain::Model const &model, double const *q, double const *qd, double const *tau, double *qdd) {
   chain::forward_dynamics(model, q, qd, tau, qdd);
 }

@@ -1,7 +1,7 @@
 // Forward dynamics of an N-link chain, masses and inertias as parameters: aba_parameters [N [model.csv]]
 #include "example.h"
 
-#pragma symreal function input(q[0:n], qd[0:n], tau[0:n]) parameter(inertial[0:10 * n]) output(qdd[0:n])
+#pragma symreal function input(q[0:n], qd[0:n], tau[0:n]) parameter(inertial[0:10 * n]) constant(links[0:n]) output(qdd[0:n])
 void aba(chain::Link const *links, int n, double const *inertial, double const *q, double const *qd, double const *tau,
          double *qdd) {
   chain::Model model(std::vector<chain::Link>(links, links + n));

@@ -1,7 +1,7 @@
 // The mass matrix of an N-link chain: crba [N [model.csv]]
 #include "example.h"
 
-#pragma symreal function input(q[0:model.size()]) output(H[0:model.size() * model.size()])
+#pragma symreal function input(q[0:model.size()]) constant(model) output(H[0:model.size() * model.size()])
 void crba(chain::Model const &model, double const *q, double *H) { chain::mass_matrix(model, q, H); }
 
 int main(int argc, char **argv) {

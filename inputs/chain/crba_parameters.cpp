@@ -1,7 +1,7 @@
 // The mass matrix of an N-link chain, masses and inertias as parameters: crba_parameters [N [model.csv]]
 #include "example.h"
 
-#pragma symreal function input(q[0:n]) parameter(inertial[0:10 * n]) output(H[0:n * n])
+#pragma symreal function input(q[0:n]) parameter(inertial[0:10 * n]) constant(links[0:n]) output(H[0:n * n])
 void crba(chain::Link const *links, int n, double const *inertial, double const *q, double *H) {
   chain::Model model(std::vector<chain::Link>(links, links + n));
   model.set_parameters(inertial);

@@ -1,7 +1,7 @@
 // Forward kinematics of an N-link chain: fk [N [model.csv]]
 #include "example.h"
 
-#pragma symreal function input(q[0:model.size()]) output(pose[0:12])
+#pragma symreal function input(q[0:model.size()]) constant(model) output(pose[0:12])
 void fk(chain::Model const &model, double const *q, double *pose) { chain::forward_kinematics(model, q, pose); }
 
 int main(int argc, char **argv) {

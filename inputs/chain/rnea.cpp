@@ -1,7 +1,7 @@
 // Inverse dynamics of an N-link chain: rnea [N [model.csv]]
 #include "example.h"
 
-#pragma symreal function input(q[0:model.size()], qd[0:model.size()], qdd[0:model.size()]) output(tau[0:model.size()])
+#pragma symreal function input(q[0:model.size()], qd[0:model.size()], qdd[0:model.size()]) constant(model) output(tau[0:model.size()])
 void rnea(chain::Model const &model, double const *q, double const *qd, double const *qdd, double *tau) {
   chain::inverse_dynamics(model, q, qd, qdd, tau);
 }

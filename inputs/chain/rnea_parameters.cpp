@@ -1,7 +1,7 @@
 // Inverse dynamics of an N-link chain, masses and inertias as parameters: rnea_parameters [N [model.csv]]
 #include "example.h"
 
-#pragma symreal function input(q[0:n], qd[0:n], qdd[0:n]) parameter(inertial[0:10 * n]) output(tau[0:n])
+#pragma symreal function input(q[0:n], qd[0:n], qdd[0:n]) parameter(inertial[0:10 * n]) constant(links[0:n]) output(tau[0:n])
 void rnea(chain::Link const *links, int n, double const *inertial, double const *q, double const *qd, double const *qdd,
           double *tau) {
   chain::Model model(std::vector<chain::Link>(links, links + n));

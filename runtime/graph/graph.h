@@ -32,6 +32,7 @@ struct Frozen {
   std::string name;
   Place place;
   std::vector<double> values;
+  std::vector<std::uintptr_t> stack = {}; // return addresses of the first read, which the text does not keep
 };
 
 // Where in the program a node or a decision comes from. While a program runs only return addresses are known, innermost

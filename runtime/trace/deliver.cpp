@@ -28,7 +28,7 @@ static void hand_to_driver(Graph const &graph, std::string const &output_file) {
   for (Frozen const &frozen : graph.frozen) {
     std::string values;
     for (double value : frozen.values) values += (values.empty() ? "" : " ") + shortest(value);
-    event({"frozen", graph.kernel, frozen.name, to_string(frozen.place), values});
+    event({"frozen", graph.kernel, frozen.name, to_string(frozen.place), values, hexadecimal(frozen.stack)});
   }
   flush_events();
   char const *wanted = std::getenv("SYMREAL_KERNELS");

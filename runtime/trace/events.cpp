@@ -53,6 +53,8 @@ Log &log() {
   return *instance;
 }
 
+} // namespace
+
 std::string hexadecimal(std::vector<std::uintptr_t> const &addresses) {
   std::string text;
   char buffer[20];
@@ -62,6 +64,8 @@ std::string hexadecimal(std::vector<std::uintptr_t> const &addresses) {
   }
   return text;
 }
+
+namespace {
 
 std::string joined(std::initializer_list<std::string> fields) {
   std::string line;
@@ -85,9 +89,10 @@ std::string const &record_directory() {
 void event(std::initializer_list<std::string> fields) { log().lines.push_back(joined(fields)); }
 
 void report(Diagnostic const &diagnostic) {
-  log().wrong = true;
-  event({"diagnostic", code(diagnostic.id), diagnostic.place.file, std::to_string(diagnostic.place.line),
-         std::to_string(diagnostic.place.column), diagnostic.message});
+  bool const is_error = diagnostic.severity == Severity::error;
+  log().wrong = log().wrong || is_error;
+  event({is_error ? "diagnostic" : "warning", code(diagnostic.id), diagnostic.place.file,
+         std::to_string(diagnostic.place.line), std::to_string(diagnostic.place.column), diagnostic.message});
   if (record_directory().empty()) print(std::cerr, diagnostic);
 }
 

@@ -5,10 +5,11 @@
 //   started     kernel
 //   kernel      name  N.graph  output file
 //   diagnostic  SYM0nn  file  line  column  message
+//   warning     the same, but nothing is wrong
 //   located     SYM0nn  message  address,address,...    the place is where the program stood: innermost first,
 //   decision    count  condition  address,address,...   hexadecimal, relative to where the executable is loaded
 //   settled     count  condition  address,address,...   a condition that a premise of the floating-point mode settles
-//   frozen      kernel  name  place  value
+//   frozen      kernel  name  place  values  address,address,...
 #pragma once
 
 #include "diagnostics/diagnostic.h"
@@ -19,6 +20,8 @@
 #include <vector>
 
 namespace symreal::trace {
+
+std::string hexadecimal(std::vector<std::uintptr_t> const &addresses); // separated by commas
 
 void event(std::initializer_list<std::string> fields);
 void report(Diagnostic const &diagnostic);

@@ -18,13 +18,12 @@ void Kernel::begin(detail::Program program, std::string const &name, SourcePlace
   if (!sink_) sink_ = program == detail::Program::symbolic ? make_recorder() : make_replay();
   name_ = name;
   begun_at_ = where(place);
-  sink_->begin(name);
+  sink_->begin(name, place.frame);
 }
 
 bool Kernel::begin_object(detail::Program program, Kind kind, char const *label, SourcePlace place) {
   if (muted_ || inert_region_ || phase_ == Phase::inside) return false;
   if (phase_ == Phase::none) {
-    if (kind == Kind::constant) return false;
     Place const at{place.file, place.line, place.column};
     if (kind == Kind::output) {
       report({DiagnosticId::annotation_outside_kernel, Severity::error, at,

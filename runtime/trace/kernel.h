@@ -22,7 +22,8 @@ namespace symreal::trace {
 class Sink {
 public:
   virtual ~Sink() = default;
-  virtual void begin(std::string const &name) = 0;
+  // `frame`: of the function in which the kernel begins.
+  virtual void begin(std::string const &name, void const *frame) = 0;
   virtual void begin_object(Kind kind, std::string const &label, Place const &place) = 0;
   virtual void element(void *number, bool is_temporary) = 0;
   virtual void end_object(std::vector<std::size_t> extents) = 0;

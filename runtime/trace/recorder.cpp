@@ -21,14 +21,14 @@ namespace {
 
 class Recorder final : public Sink {
 public:
-  void begin(std::string const &name) override {
+  void begin(std::string const &name, void const *frame) override {
     graph_ = {};
     declared_.clear();
     written_.clear();
     event({"started", name});
     flush_events();
     Pool::current().begin();
-    State::current().begin();
+    State::current().begin(frame);
     Guards::current().begin();
     Externals::current().begin();
     std::copy(std::begin(detail::executed), std::end(detail::executed), executed_before_.by_op.begin());
@@ -50,11 +50,12 @@ public:
     auto &real = *static_cast<RealNumber *>(number);
     Pool &pool = Pool::current();
     switch (kind_) {
-    case Kind::constant: State::current().declare(number); break;
+    case Kind::constant:
+    case Kind::scratch: break;
     case Kind::output:
       graph_.results.push_back(pool.node(real));
       if (!is_temporary) written_.push_back(&real);
-      State::current().declare(number);
+      detail::annotated_bytes(number, sizeof real);
       break;
     case Kind::input:
     case Kind::parameter: {
@@ -66,7 +67,7 @@ public:
       values.push_back(value);
       real = pool.leaf(is_input ? Node::input(slot) : Node::parameter(slot), value);
       if (!is_temporary) written_.push_back(&real);
-      State::current().declare(number);
+      detail::annotated_bytes(number, sizeof real);
     }
     }
     ++object_.count;
@@ -76,7 +77,7 @@ public:
     std::size_t product = std::accumulate(extents.begin(), extents.end(), std::size_t{1}, std::multiplies<>());
     if (product != object_.count) extents = {object_.count}; // ragged: one long row
     object_.extents = std::move(extents);
-    if (kind_ == Kind::constant) return;
+    if (kind_ == Kind::constant || kind_ == Kind::scratch) return;
     std::vector<Object> &list = objects(kind_);
     object_.first = list.empty() ? 0 : list.back().first + list.back().count;
     list.push_back(object_);

@@ -8,7 +8,7 @@ namespace {
 
 class Replay final : public Sink {
 public:
-  void begin(std::string const &name) override { replay::replay_begin(name); }
+  void begin(std::string const &name, void const *) override { replay::replay_begin(name); }
   void begin_object(Kind kind, std::string const &, Place const &) override { kind_ = kind; }
   void element(void *number, bool) override {
     auto *real = static_cast<double *>(number);
@@ -16,7 +16,8 @@ public:
     case Kind::input: return replay::replay_input(real);
     case Kind::parameter: return replay::replay_parameter(real);
     case Kind::output: return replay::replay_output(*real);
-    case Kind::constant: return;
+    case Kind::constant:
+    case Kind::scratch: return;
     }
   }
   void end_object(std::vector<std::size_t>) override {}

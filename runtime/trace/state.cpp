@@ -1,35 +1,38 @@
 #include "trace/state.h"
 
+#include "trace/call_stack.h"
 #include "trace/events.h"
 #include "trace/pool.h"
 
+#include <algorithm>
 #include <charconv>
+#include <cstdlib>
+#include <cstring>
+#include <link.h>
+#include <pthread.h>
+#include <tuple>
 
 namespace symreal {
 
 __thread bool detail::recording = false;
-
-void detail::note_state(void *object, std::size_t size, bool is_numbers, char const *name, char const *place) noexcept {
-  trace::State::current().note(object, size, is_numbers, name, place);
-}
+__thread std::uintptr_t detail::own_stack = 0, detail::own_stack_size = 0;
 
 namespace trace {
 
-State &State::current() {
-  static constinit thread_local State *state = nullptr;
-  if (!state) state = new State;
-  return *state;
-}
+namespace {
 
-void State::begin() {
-  touched_.clear();
-  order_.clear();
-  declared_.clear();
-  detail::recording = true;
-}
+// What the bookkeeping itself allocates is no memory of the kernel.
+class Pause {
+public:
+  Pause() { detail::recording = false; }
+  ~Pause() { detail::recording = true; }
+  Pause(Pause const &) = delete;
+  Pause &operator=(Pause const &) = delete;
+};
 
 // "file:line:column", as the rewriter writes it.
-static Place parse_place(std::string text) {
+Place parse_place(std::string_view place) {
+  std::string text(place);
   unsigned numbers[2] = {0, 0};
   for (unsigned &number : numbers) {
     std::size_t colon = text.rfind(':');
@@ -40,54 +43,264 @@ static Place parse_place(std::string text) {
   return {text, numbers[1], numbers[0]};
 }
 
-static bool holds_node(void *object, std::size_t size) {
-  auto *numbers = static_cast<RealNumber *>(object);
-  for (std::size_t k = 0; k < size / sizeof(RealNumber); ++k)
-    if (Pool::current().owns(numbers[k])) return true;
-  return false;
+// The stack from its far end to the frame; all of it where no frame is given.
+void find_own_stack(void const *frame) {
+  pthread_attr_t attributes;
+  internal_check(pthread_getattr_np(pthread_self(), &attributes) == 0);
+  void *begin = nullptr;
+  std::size_t size = 0;
+  pthread_attr_getstack(&attributes, &begin, &size);
+  pthread_attr_destroy(&attributes);
+  auto const at = reinterpret_cast<std::uintptr_t>(frame);
+  detail::own_stack = reinterpret_cast<std::uintptr_t>(begin);
+  detail::own_stack_size = at - detail::own_stack < size ? at - detail::own_stack : size;
 }
 
-void State::note(void *object, std::size_t size, bool is_numbers, char const *name, char const *place) {
-  auto [found, is_new] = touched_.try_emplace(object);
-  if (!is_new) return;
-  order_.push_back(object);
-  found->second = {size, is_numbers, name, parse_place(place), {}};
-  if (!is_numbers) return;
-  for (std::size_t k = 0; k < size / sizeof(RealNumber); ++k) {
-    RealNumber number = static_cast<RealNumber *>(object)[k];
-    found->second.values.push_back(number.is_node() ? Pool::current().carried_value(number) : number.plain());
-  }
+} // namespace
+
+State &State::current() {
+  static constinit thread_local State *state = nullptr;
+  if (!state) state = new State;
+  return *state;
 }
 
-bool State::is_declared(void *object, Touched const &touched) const {
-  auto *begin = static_cast<char *>(object), *end = begin + touched.size;
-  if (!touched.is_numbers) { // which of its bytes are numbers is not known: one annotated member stands for all
-    auto next = declared_.lower_bound(object);
-    return next != declared_.end() && *next < end;
+void State::begin(void const *frame) {
+  *this = {};
+  find_own_stack(frame);
+  find_constant_memory();
+  // Are we told of what is allocated?
+  detail::recording = true;
+  void *(*volatile allocate)(std::size_t) = std::malloc;
+  void *block = allocate(sizeof(double));
+  heap_is_known_ = (shadow_.at(block) & mark::own) != 0;
+  std::free(block);
+}
+
+void State::find_constant_memory() {
+  dl_iterate_phdr(
+      [](dl_phdr_info *object, std::size_t, void *list) {
+        for (int i = 0; i < object->dlpi_phnum; ++i) {
+          auto const &part = object->dlpi_phdr[i];
+          bool const constant = (part.p_type == PT_LOAD && (part.p_flags & PF_W) == 0) || part.p_type == PT_GNU_RELRO;
+          std::uintptr_t const begin = object->dlpi_addr + part.p_vaddr;
+          if (constant) static_cast<std::vector<Bytes> *>(list)->push_back({begin, begin + part.p_memsz});
+        }
+        return 0;
+      },
+      &constant_memory_);
+}
+
+State::Site State::site_of(void const *address, char const *name, char const *place) const {
+  auto next = names_.upper_bound(address);
+  if (next == names_.begin()) return {name, place};
+  auto const &[begin, object] = *--next;
+  auto const offset = static_cast<std::size_t>(static_cast<char const *>(address) - static_cast<char const *>(begin));
+  return offset < object.size ? object.site : Site{name, place};
+}
+
+// Is this the first time that the kernel meets a number that is not its own? From then on it is noted.
+bool State::in_question(void const *address) {
+  if ((shadow_.at(address) & mark::judged) != 0) return false;
+  auto const at = reinterpret_cast<std::uintptr_t>(address);
+  bool const constant = std::any_of(constant_memory_.begin(), constant_memory_.end(),
+                                    [at](Bytes const &bytes) { return bytes.begin <= at && at < bytes.end; });
+  bool const unknown = !heap_is_known_ && site_of(address, "", "").name.empty();
+  shadow_.add(address, sizeof(RealNumber), constant || unknown ? mark::own : mark::noted);
+  overlooked_ = overlooked_ || (unknown && !constant);
+  return !constant && !unknown;
+}
+
+void State::named(void const *object, std::size_t size, char const *name, char const *place) {
+  if ((shadow_.at(object) & mark::named) != 0) return;
+  shadow_.add(object, 1, mark::named);
+  names_[object] = {size, {name, place}};
+}
+
+void State::read(RealNumber const *number, char const *name, char const *place) {
+  if (!in_question(number)) return;
+  Site const site = site_of(number, name, place);
+  if (number->is_node()) { // code that is not rewritten has written it
+    written_.push_back({number, sizeof *number, site});
+    return;
   }
-  for (char *number = begin; number != end; number += sizeof(RealNumber))
-    if (!declared_.contains(number)) return false;
+  auto [found, is_new] = reads_.try_emplace(site);
+  if (is_new) found->second.stack = call_stack();
+  found->second.numbers.push_back(number);
+  found->second.values.push_back(number->plain());
+}
+
+void State::check_bits(void const *begin, std::size_t size, char const *name, char const *place) {
+  std::uintptr_t const first = reinterpret_cast<std::uintptr_t>(begin) / sizeof(RealNumber);
+  std::uintptr_t const end =
+      (reinterpret_cast<std::uintptr_t>(begin) + size + sizeof(RealNumber) - 1) / sizeof(RealNumber);
+  auto const *numbers = reinterpret_cast<RealNumber const *>(first * sizeof(RealNumber));
+  bool const any = std::any_of(numbers, numbers + (end - first), [](RealNumber number) { return number.is_node(); });
+  if (!any || !reported_bits_.insert(place).second) return;
+  report({DiagnosticId::reinterpretation, Severity::error, parse_place(place),
+          "the bytes behind '" + std::string(name) + "' are those of a symbolic value"});
+}
+
+void const *State::other_range_end(void const *end, bool is_last, char const *place) {
+  for (std::size_t k = range_ends_.size(); k-- > 0;) {
+    RangeEnd const other = range_ends_[k];
+    if (other.is_last == is_last || std::strcmp(other.place, place) != 0) continue;
+    range_ends_.resize(k);
+    return other.end;
+  }
+  range_ends_.push_back({end, is_last, place});
+  return nullptr;
+}
+
+void State::written(void const *begin, std::size_t size, char const *name, char const *place) {
+  if (in_question(begin)) written_.push_back({begin, size, site_of(begin, name, place)});
+}
+
+void State::changed(void const *object, detail::Visit visit, char const *name, char const *place) {
+  if ((shadow_.at(object) & (mark::own | mark::changed)) != 0 || !heap_is_known_) return;
+  shadow_.add(object, 1, mark::changed);
+  changed_.push_back({object, visit, site_of(object, name, place)});
+}
+
+void State::annotated(void const *begin, std::size_t size) { shadow_.add(begin, size, mark::annotated); }
+
+void State::scratch(void const *object, std::size_t size, detail::Visit visit) {
+  scratch_.push_back({object, size, visit});
+}
+
+void State::allocated(void *block, std::size_t size) {
+  Pause const pause;
+  shadow_.set(block, size, mark::own);
+}
+
+void State::released(void *block, std::size_t size) {
+  Pause const pause;
+  shadow_.set(block, size, mark::freed);
+}
+
+void State::moved(void *block, std::size_t size, void *to, std::size_t new_size) {
+  Pause const pause;
+  std::vector<Marks> marks = shadow_.copy(block, size);
+  marks.resize((new_size + 7) / 8, mark::own);
+  shadow_.set(block, size, mark::freed);
+  shadow_.paste(to, marks);
+}
+
+// Does the number hold a node that nobody will read, now that the kernel ends? It becomes ordinary again.
+bool State::is_lost(RealNumber const *number) {
+  if ((shadow_.at(number) & (mark::annotated | mark::freed)) != 0 || !Pool::current().owns(*number)) return false;
+  *const_cast<RealNumber *>(number) = Pool::current().final_value(*number);
   return true;
+}
+
+void State::report_lost(Site const &site) {
+  if (!reported_.insert(site).second) return;
+  report({DiagnosticId::state_not_output, Severity::error, parse_place(site.place),
+          "'" + std::string(site.name) + "' is written by the kernel and is no output"});
+}
+
+// Nothing that a scratch object holds is lost.
+void State::forget_scratch() {
+  for (Scratch const &one : scratch_) {
+    if ((shadow_.at(one.object) & mark::freed) != 0) continue;
+    auto forget = [this](RealNumber const *number) { (void)is_lost(number); };
+    for (std::size_t k = 0; k < one.size / sizeof(RealNumber); ++k)
+      forget(static_cast<RealNumber const *>(one.object) + k);
+    Numbers numbers(forget);
+    one.visit(one.object, numbers);
+  }
+}
+
+void State::warn_overlooked() const {
+  report({DiagnosticId::state_not_looked_for,
+          Severity::warning,
+          {},
+          "what the kernel reads through pointers and from members was not looked at: the program has an allocator of "
+          "its own"});
 }
 
 std::vector<Frozen> State::end() {
   detail::recording = false;
+  forget_scratch();
   std::vector<Frozen> frozen;
-  for (void *object : order_) {
-    Touched const &touched = touched_[object];
-    if (is_declared(object, touched)) continue;
-    if (!holds_node(object, touched.size)) {
-      frozen.push_back({touched.name, touched.place, touched.values});
-      continue;
+  for (auto &[site, read] : reads_) {
+    Frozen state{std::string(site.name), parse_place(site.place), {}, std::move(read.stack)};
+    for (std::size_t k = 0; k < read.numbers.size(); ++k) {
+      if (is_lost(read.numbers[k]))
+        report_lost(site);
+      else if ((shadow_.at(read.numbers[k]) & mark::annotated) == 0)
+        state.values.push_back(read.values[k]);
     }
-    report({DiagnosticId::state_not_output, Severity::error, touched.place,
-            "'" + touched.name + "' is written by the kernel and is no output"});
-    auto *numbers = static_cast<RealNumber *>(object);
-    for (std::size_t k = 0; k < touched.size / sizeof(RealNumber); ++k)
-      if (Pool::current().owns(numbers[k])) numbers[k] = Pool::current().final_value(numbers[k]);
+    if (!state.values.empty()) frozen.push_back(std::move(state));
   }
+  for (Written const &one : written_)
+    for (std::size_t k = 0; k < one.size / sizeof(RealNumber); ++k)
+      if (is_lost(static_cast<RealNumber const *>(one.begin) + k)) report_lost(one.site);
+  for (Changed const &one : changed_) {
+    if ((shadow_.at(one.object) & mark::freed) != 0) continue;
+    auto look = [&](RealNumber const *number) {
+      if (is_lost(number)) report_lost(one.site);
+    };
+    Numbers numbers(look);
+    one.visit(one.object, numbers);
+  }
+  // In which order operands are evaluated is the compiler's choice.
+  std::sort(frozen.begin(), frozen.end(), [](Frozen const &a, Frozen const &b) {
+    return std::tie(a.place.file, a.place.line, a.place.column, a.name) <
+           std::tie(b.place.file, b.place.line, b.place.column, b.name);
+  });
+  if (overlooked_) warn_overlooked();
+  shadow_.clear();
   return frozen;
 }
 
 } // namespace trace
+
+namespace detail {
+
+using trace::Pause;
+using trace::State;
+
+void note_static(void const *object, std::size_t size, char const *name, char const *place) noexcept {
+  Pause const pause;
+  State::current().named(object, size, name, place);
+}
+
+void note_read(RealNumber const *number, char const *name, char const *place) noexcept {
+  Pause const pause;
+  State::current().read(number, name, place);
+}
+
+void note_written(void const *begin, std::size_t size, char const *name, char const *place) noexcept {
+  Pause const pause;
+  State::current().written(begin, size, name, place);
+}
+
+void note_changed(void const *object, Visit visit, char const *name, char const *place) noexcept {
+  Pause const pause;
+  State::current().changed(object, visit, name, place);
+}
+
+void check_bits(void const *begin, std::size_t size, char const *name, char const *place) noexcept {
+  Pause const pause;
+  State::current().check_bits(begin, size, name, place);
+}
+
+void const *other_range_end(void const *end, bool is_last, char const *place) noexcept {
+  Pause const pause;
+  return State::current().other_range_end(end, is_last, place);
+}
+
+void scratch(void const *object, std::size_t size, Visit visit) noexcept {
+  if (!recording) return;
+  Pause const pause;
+  State::current().scratch(object, size, visit);
+}
+
+void annotated_bytes(void const *object, std::size_t size) noexcept {
+  if (!recording) return;
+  Pause const pause;
+  State::current().annotated(object, size);
+}
+
+} // namespace detail
 } // namespace symreal

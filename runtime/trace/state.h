@@ -1,11 +1,18 @@
-// Objects that live longer than a kernel and that it touches: what they hold is baked in, or lost, unless annotated.
+// Hidden state of a recording: objects that live longer than the kernel and that it reads or changes. What they hold is
+// baked in, or lost, unless annotated. <symreal/state.h> says what is told here, and when.
 #pragma once
 
 #include "graph/graph.h"
+#include "trace/shadow.h"
 
-#include <cstddef>
+#include <symreal/state.h>
+
+#include <cstdint>
 #include <map>
 #include <set>
+#include <string>
+#include <string_view>
+#include <vector>
 
 namespace symreal::trace {
 
@@ -13,26 +20,86 @@ class State {
 public:
   static State &current(); // one per thread
 
-  void begin();
-  void note(void *object, std::size_t size, bool is_numbers, char const *name, char const *place);
-  // This number is annotated, so it is no hidden state.
-  void declare(void *number) { declared_.insert(number); }
+  // `frame`: of the function in which the kernel begins; its locals are the kernel's own.
+  void begin(void const *frame);
+
+  // A reference to an object of static storage duration: from here on its numbers go by this name.
+  void named(void const *object, std::size_t size, char const *name, char const *place);
+  void read(RealNumber const *number, char const *name, char const *place);
+  void written(void const *begin, std::size_t size, char const *name, char const *place);
+  void changed(void const *object, detail::Visit visit, char const *name, char const *place);
+  void check_bits(void const *begin, std::size_t size, char const *name, char const *place);
+  void const *other_range_end(void const *end, bool is_last, char const *place);
+  void annotated(void const *begin, std::size_t size);
+  void scratch(void const *object, std::size_t size, detail::Visit visit);
+
+  // Told by the heap (heap_hooks.cpp).
+  void allocated(void *block, std::size_t size);
+  void released(void *block, std::size_t size);
+  void moved(void *block, std::size_t size, void *to, std::size_t new_size);
+
   // What is baked in. Reports state that was written and is no output, and makes its numbers ordinary again.
   std::vector<Frozen> end();
 
 private:
-  struct Touched {
-    std::size_t size;
-    bool is_numbers;
-    std::string name;
-    Place place;
-    std::vector<double> values; // at the first touch
+  // Where the source names an object: literals of the program, or the name of a static object and its place.
+  struct Site {
+    std::string_view name, place;
+    auto operator<=>(Site const &) const = default;
   };
-  bool is_declared(void *object, Touched const &touched) const;
+  struct Static {
+    std::size_t size;
+    Site site;
+  };
+  struct Read {
+    std::vector<RealNumber const *> numbers;
+    std::vector<double> values;
+    std::vector<std::uintptr_t> stack; // of the first
+  };
+  struct Written {
+    void const *begin;
+    std::size_t size;
+    Site site;
+  };
+  struct Scratch {
+    void const *object;
+    std::size_t size;
+    detail::Visit visit;
+  };
+  struct Changed {
+    void const *object;
+    detail::Visit visit;
+    Site site;
+  };
+  struct RangeEnd {
+    void const *end;
+    bool is_last;
+    char const *place;
+  };
+  struct Bytes {
+    std::uintptr_t begin, end;
+  };
 
-  std::map<void *, Touched> touched_;
-  std::vector<void *> order_;
-  std::set<void *> declared_;
+  bool in_question(void const *address);
+  Site site_of(void const *address, char const *name, char const *place) const;
+  bool is_lost(RealNumber const *number);
+  void report_lost(Site const &site);
+  void forget_scratch();
+  void warn_overlooked() const;
+  void find_constant_memory();
+
+  Shadow shadow_;
+  bool heap_is_known_ = false;
+  std::vector<Bytes> constant_memory_;                // of the program and its libraries
+  std::map<void const *, Static, std::less<>> names_; // by address
+  std::map<Site, Read> reads_;
+  std::vector<Written> written_;
+  std::vector<Changed> changed_;
+  std::vector<Scratch> scratch_;
+  std::vector<RangeEnd> range_ends_;
+  std::set<Site> reported_;
+  std::set<std::string> reported_bits_; // by place
+  bool overlooked_ = false;             // something could not be judged
 };
 
 } // namespace symreal::trace

@@ -16,5 +16,5 @@ int branch(double x) { if (x) return 1; while (!x) return 2; return x && 1 ? 3 :
 int const half = 2.5;
 // CHECK: void show(REAL x, float y) { std::printf("%g %g %g %d\n", REAL_VALUE(x), y, 1.5, half); }
 void show(double x, float y) { std::printf("%g %g %g %d\n", x, y, 1.5, half); }
-// CHECK: void read(REAL *x) { if (std::scanf("%lf", x) != 1) *x = 0; }
+// CHECK: void read(REAL *x) { if (std::scanf("%lf", x) != 1) REAL_WRITTEN({{.*}}, *x) = 0; }
 void read(double *x) { if (std::scanf("%lf", x) != 1) *x = 0; }

@@ -13,7 +13,7 @@ double f(Eigen::Matrix3d const &m, Eigen::VectorXd v) {
   Vector2d b(1.0, 2.0);
   // CHECK: Map<Eigen::MatrixX<REAL>> map(v.data(), 1, v.size());
   Map<MatrixXd> map(v.data(), 1, v.size());
-  // CHECK: a = REAL_C(0.5) * (m * a) / REAL_C(2.0) + Eigen::Vector3<REAL>::Zero();
+  // CHECK: a = REAL_C(0.5) * (REAL_READ({{.*}}, m) * a) / REAL_C(2.0) + Eigen::Vector3<REAL>::Zero();
   a = 0.5 * (m * a) / 2.0 + Vector3d::Zero();
   // CHECK: Eigen::Transform<REAL, 3, {{.*}}> t = {{.*}}::Identity();
   Isometry3d t = Isometry3d::Identity();

@@ -18,7 +18,7 @@ double inactive;
 #endif
 // CHECK: long double a; double long b; long const double c = 0;
 long double a; double long b; long const double c = 0;
-// CHECK: struct To { operator REAL() const; friend REAL f(REAL); REAL v; };
+// CHECK: struct To { REAL_MEMBERS(public, v) operator REAL() const; friend REAL f(REAL); REAL v; };
 struct To { operator double() const; friend double f(double); double v; };
 // CHECK: REAL call(To const &t) { return t.operator REAL(); }
 double call(To const &t) { return t.operator double(); }

@@ -18,7 +18,7 @@ double least(double x) { return std::min({1.0, x, -2.0}); }
 double chosen(bool c, double x) { return c ? x : 0.0; }
 // CHECK: REAL both(bool c) { return c ? 1.0 : 0.0; }
 double both(bool c) { return c ? 1.0 : 0.0; }
-// CHECK: return std::accumulate(v.begin(), v.end(), REAL_C(0.0));
+// CHECK: return std::accumulate(REAL_READ({{.*}}, v).begin(), REAL_READ({{.*}}, v).end(), REAL_C(0.0));
 double sum(std::vector<double> const &v) { return std::accumulate(v.begin(), v.end(), 0.0); }
 // CHECK: REAL loop(REAL x) { auto s = REAL_C(0.0); s += x; return s; }
 double loop(double x) { auto s = 0.0; s += x; return s; }

@@ -25,7 +25,7 @@ double f(NUMBER x) {
   assert((double)x > 1.0 && level > 0.0);
   // CHECK: char const *s = TEXT(double);
   char const *s = TEXT(double);
-  // CHECK: DECLARE(REAL, w) = std::max(x, REAL_C(HALF)) + SQUARE(REAL_STATE(level, "{{.*}}"));
+  // CHECK: DECLARE(REAL, w) = std::max(x, REAL_C(HALF)) + SQUARE(REAL_READ("level", "{{.*}}", REAL_STATE(level, "{{.*}}")));
   DECLARE(double, w) = std::max(x, HALF) + SQUARE(level);
   return v[0] + w_value + s[0] + std::min(M_PI, 1.0);
 }

@@ -10,7 +10,7 @@ double run(double const *p, std::vector<double> &v, int n) {
 #pragma symreal input(q) range(-1.5, 1.5)
   // CHECK: SYMREAL_REBIND(p, 1, n + N) SYMREAL_SECTION(parameter, "p[1:n + N]", "pragma_region.cpp", [[@LINE+1]], 31, ::symreal::extents(n + N), p[(1)+symreal_i[0]]){{$}}
   #pragma symreal parameter(  p[1:n  +  N] )
-  // CHECK: SYMREAL_OBJECT(constant, "v", {{.*}}, v) //
+  // CHECK: SYMREAL_DECLARE(constant, "v", {{.*}}, v) //
 #pragma symreal constant(v) // a comment stays away
   c[0][0] = q * p[1] + v[0];
   // CHECK: SYMREAL_SECTION(output, "c[0:N][:3]", {{.*}}, ::symreal::extents(N, 3), c[(0)+symreal_i[0]][(0)+symreal_i[1]]) SYMREAL_OBJECT(output, "c[2][0]", {{.*}}, c[2][0])

@@ -19,15 +19,15 @@ double *first = &table[0][0];
 
 double step(double x) {
   static double previous = 0.0;
-  // CHECK: REAL old = REAL_STATE(previous, "state.cpp:[[@LINE-1]]:17");
+  // CHECK: REAL old = REAL_READ("previous", "state.cpp:[[@LINE+1]]:16", REAL_STATE(previous, "state.cpp:[[@LINE-1]]:17"));
   double old = previous;
-  // CHECK: REAL_STATE(previous, "state.cpp:{{[0-9]+}}:17") = x;
+  // CHECK: REAL_WRITTEN("previous", {{.*}}, REAL_STATE(previous, "state.cpp:{{[0-9]+}}:17")) = x;
   previous = x;
-  // CHECK: x += REAL_STATE(gain, "state.cpp:{{[0-9]+}}:8") * REAL_STATE(table, "state.cpp:{{[0-9]+}}:8")[1][2] * fixed + list[1] + counter;
+  // CHECK: x += REAL_READ("gain", {{.*}}, REAL_STATE(gain, "state.cpp:{{[0-9]+}}:8")) * REAL_READ("table[1][2]", {{.*}}, REAL_STATE(table, "state.cpp:{{[0-9]+}}:8")[1][2]) * fixed + list[1] + counter;
   x += gain * table[1][2] * fixed + list[1] + counter;
-  // CHECK: x += REAL_STATE(model, "state.cpp:{{[0-9]+}}:85").x + REAL_STATE(Model::shared, "state.cpp:{{[0-9]+}}:30") + REAL_STATE(REAL_STATE(model, {{.*}}).shared, {{.*}}) + Model::factor;
+  // CHECK: x += REAL_READ("model.x", {{.*}}, REAL_STATE(model, "state.cpp:{{[0-9]+}}:85").x) + REAL_READ("Model::shared", {{.*}}, REAL_STATE(Model::shared, "state.cpp:{{[0-9]+}}:30")) + REAL_READ("model.shared", {{.*}}, REAL_STATE(REAL_STATE(model, {{.*}}).shared, {{.*}})) + Model::factor;
   x += model.x + Model::shared + model.shared + Model::factor;
-  // CHECK: REAL_STATE(history, "state.cpp:{{[0-9]+}}:21").push_back(x);
+  // CHECK: REAL_CHANGED("history", {{.*}}, REAL_STATE(history, "state.cpp:{{[0-9]+}}:21")).push_back(x);
   history.push_back(x);
   // CHECK: return old + sizeof(gain) + sizeof table + REAL_STATE(model, "{{.*}}").n;
   return old + sizeof(gain) + sizeof table + model.n;

@@ -14,13 +14,13 @@ typedef double number;
 using Row = double[3];
 // CHECK: typedef REAL (*function)(REAL, REAL const *);
 typedef double (*function)(double, double const *);
-// CHECK: struct S { REAL x; REAL const *p; REAL a[2][3]; mutable REAL m; };
+// CHECK: struct S { REAL_MEMBERS(public, x, a, m) REAL x; REAL const *p; REAL a[2][3]; mutable REAL m; };
 struct S { double x; double const *p; double a[2][3]; mutable double m; };
 // CHECK: union U { REAL d; long bits; };
 union U { double d; long bits; };
-// CHECK: template <class T = REAL> struct Box { T value; operator REAL() const { return REAL(value); } };
+// CHECK: template <class T = REAL> struct Box { REAL_MEMBERS(public, value) T value; operator REAL() const { return REAL(value); } };
 template <class T = double> struct Box { T value; operator double() const { return double(value); } };
-// CHECK: template <> struct Box<REAL> { REAL value; };
+// CHECK: template <> struct Box<REAL> { REAL_MEMBERS(public, value) REAL value; };
 template <> struct Box<double> { double value; };
 // CHECK: template <class T> REAL twice(T x) { REAL y = x; return static_cast<REAL>(y + x); }
 template <class T> double twice(T x) { double y = x; return static_cast<double>(y + x); }

@@ -34,7 +34,7 @@ def main():
                 before, after = (open(path, "rb").read() for path in objects)
                 if before != after:
                     sys.exit(f"{source}: object code differs at {level}")
-            run("g++", "-w", "-DMBD_SYMBOLIC", *flags, "-I", include, *header, "-x", "c++", "-fsyntax-only", rewritten)
+            run("g++", "-w", "-DMBD_SYMBOLIC", *flags, "-std=c++20", "-I", include, *header, "-x", "c++", "-fsyntax-only", rewritten)
 
 
 main()

@@ -3,21 +3,21 @@
 // kernel.
 #pragma once
 
-#include <symreal/real_number.h>
+#include <symreal/numbers.h>
 
 #include <cstddef>
 #include <initializer_list>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace symreal {
 
-enum class Kind { input, parameter, constant, output };
+enum class Kind { input, parameter, constant, scratch, output };
 
 struct SourcePlace {
   char const *file;
   unsigned line, column;
+  void const *frame = nullptr; // of the function where it stands
 };
 
 namespace detail {
@@ -30,24 +30,18 @@ bool begin_object(Program, Kind, char const *label, SourcePlace) noexcept;
 // Row by row. A temporary has no place to write back to.
 void element(void *number, bool is_temporary) noexcept;
 void end_object(std::size_t const *extents, std::size_t rank) noexcept;
+// These bytes are annotated, so they are no hidden state.
+void annotated_bytes(void const *object, std::size_t size) noexcept;
+void note_read(RealNumber const *number, char const *name, char const *place) noexcept;
+using Visit = void (*)(void const *object, Numbers &numbers);
+template <class T> void visit(void const *object, Numbers &numbers) { numbers.visit(*static_cast<T const *>(object)); }
+// What these bytes, and the numbers that the object owns when the kernel ends, hold then does not matter.
+void scratch(void const *object, std::size_t size, Visit visit) noexcept;
 
 bool begin_function(Program, char const *name, SourcePlace, unsigned call) noexcept;
 void end_function() noexcept;
 void end_region(Program, char const *file_name, SourcePlace) noexcept;
 void *private_copy(void const *original, std::size_t low, std::size_t count) noexcept;
-
-template <class T, class = void> struct is_matrix : std::false_type {};
-template <class T>
-struct is_matrix<T, std::void_t<decltype(std::declval<T &>().rows()), decltype(std::declval<T &>().cols()),
-                                decltype(std::declval<T &>()(0, 0))>> : std::true_type {};
-template <class T, class = void> struct is_sequence : std::false_type {};
-template <class T>
-struct is_sequence<T, std::void_t<decltype(std::declval<T &>().size()), decltype(std::declval<T &>()[0])>>
-    : std::true_type {};
-template <class T, class = void> struct is_complex : std::false_type {};
-template <class T> struct is_complex<
-    T, std::enable_if_t<std::is_same_v<typename T::value_type, std::decay_t<decltype(std::declval<T &>().imag())>>>>
-    : std::true_type {};
 
 template <class> inline constexpr bool always_false = false;
 
@@ -63,6 +57,19 @@ using ProgramNumber = RealNumber;
 // What a function that returns a number makes of a returned expression: `return 0;` converts.
 template <class T> using Returned =
     std::conditional_t<std::is_arithmetic_v<std::decay_t<T>>, ProgramNumber, std::decay_t<T>>;
+
+// Calls `visit` with the indices of each element of an array, row by row.
+template <class Visit> void each_index(std::vector<std::size_t> const &shape, Visit visit) {
+  std::vector<std::size_t> index(shape.size(), 0);
+  std::size_t count = 1;
+  for (std::size_t extent : shape) count *= extent;
+  for (std::size_t k = 0; k < count; ++k) {
+    std::size_t rest = k;
+    for (std::size_t dimension = shape.size(); dimension-- > 0; rest /= shape[dimension])
+      index[dimension] = rest % shape[dimension];
+    visit(index.data());
+  }
+}
 
 // Visits the numbers of an object; the extents of the outermost visit are appended to `extents`.
 template <class T> void walk(T &object, bool is_temporary, std::vector<std::size_t> *extents) {
@@ -113,20 +120,40 @@ template <class T> void annotate(Kind kind, char const *label, SourcePlace place
 template <class Element>
 void annotate_section(Kind kind, char const *label, SourcePlace place, Extents shape, Element element) {
   if (!detail::begin_object(detail::program, kind, label, place)) return;
-  std::vector<std::size_t> index(shape.size(), 0);
   Extents inner, *wanted = &inner;
-  std::size_t count = 1;
-  for (std::size_t extent : shape) count *= extent;
-  for (std::size_t k = 0; k < count; ++k) {
-    std::size_t rest = k;
-    for (std::size_t dimension = shape.size(); dimension-- > 0; rest /= shape[dimension])
-      index[dimension] = rest % shape[dimension];
-    decltype(auto) part = element(index.data());
-    detail::walk(part, !std::is_lvalue_reference_v<decltype(element(index.data()))>, wanted);
+  detail::each_index(shape, [&](std::size_t const *index) {
+    decltype(auto) part = element(index);
+    detail::walk(part, !std::is_lvalue_reference_v<decltype(element(index))>, wanted);
     wanted = nullptr;
-  }
+  });
   shape.insert(shape.end(), inner.begin(), inner.end());
   detail::end_object(shape.data(), shape.size());
+}
+
+// constant: the bytes of the object, and the numbers in the storage that it owns, are known to be baked in.
+// scratch: what they hold after the kernel does not matter.
+template <Kind kind, class T> void declare_object(T const &object) {
+  if constexpr (kind == Kind::scratch) {
+    detail::scratch(&object, sizeof object, detail::visit<T>);
+  } else {
+    detail::annotated_bytes(&object, sizeof object);
+    auto declare = [](RealNumber const *number) { detail::annotated_bytes(number, sizeof *number); };
+    Numbers(declare).visit(object);
+  }
+}
+
+template <Kind kind, class T> void declare(char const *label, SourcePlace place, T const &object) {
+  if (!detail::begin_object(detail::program, kind, label, place)) return;
+  if constexpr (detail::program == detail::Program::symbolic) declare_object<kind>(object);
+  detail::end_object(nullptr, 0);
+}
+
+template <Kind kind, class Element>
+void declare_section(char const *label, SourcePlace place, Extents const &shape, Element element) {
+  if (!detail::begin_object(detail::program, kind, label, place)) return;
+  if constexpr (detail::program == detail::Program::symbolic)
+    detail::each_index(shape, [&](std::size_t const *index) { declare_object<kind>(element(index)); });
+  detail::end_object(nullptr, 0);
 }
 
 // The carried value of an input that is given none.
@@ -156,6 +183,15 @@ public:
   FunctionKernel &operator=(FunctionKernel const &) = delete;
   ~FunctionKernel() {
     if (active_) detail::end_function();
+  }
+
+  // An argument that is passed by value is baked in where it is not annotated.
+  template <class T> void argument(char const *name, char const *place, T const &object) const noexcept {
+    if constexpr (detail::program == detail::Program::symbolic) {
+      if (!active_) return;
+      auto judge = [&](RealNumber const *number) { detail::note_read(number, name, place); };
+      Numbers(judge).visit(object);
+    }
   }
 
   // Runs the output annotations when the function returns.

@@ -21,11 +21,22 @@
 #define REAL_LINKAGE(...) __VA_ARGS__
 #define REAL_INT(...) __VA_ARGS__
 #define REAL_TABLE(...) __VA_ARGS__
+#define REAL_READ(name, place, ...) __VA_ARGS__
+#define REAL_WRITTEN(name, place, ...) __VA_ARGS__
+#define REAL_CHANGED(name, place, ...) __VA_ARGS__
+#define REAL_FIRST(name, place, ...) __VA_ARGS__
+#define REAL_LAST(name, place, ...) __VA_ARGS__
+#define REAL_BITS(name, place, ...) __VA_ARGS__
+#define REAL_BYTES(how, name, place, ...) __VA_ARGS__
+#define REAL_MEMBERS(...)
 #define SYMREAL_OBJECT(...)
+#define SYMREAL_DECLARE(...)
+#define SYMREAL_DECLARE_SECTION(...)
 #define SYMREAL_SECTION(...)
 #define SYMREAL_RANGE(...)
 #define SYMREAL_REBIND(...)
 #define SYMREAL_FUNCTION(...)
+#define SYMREAL_ARGUMENT(...)
 #define SYMREAL_OUTPUTS_BEGIN
 #define SYMREAL_OUTPUTS_END
 #define SYMREAL_RETURN(label, file, line, column, ...) __VA_ARGS__
@@ -45,6 +56,19 @@
 #define REAL_EXTERNAL(function, ...) (::symreal::external(function, {__VA_ARGS__}))
 #define REAL_INT(...) ::symreal::SymbolicInt<__VA_ARGS__>
 #define REAL_TABLE(...) (::symreal::table(__VA_ARGS__, #__VA_ARGS__))
+#define REAL_READ(name, place, ...) (::symreal::read(__VA_ARGS__, name, place))
+#define REAL_WRITTEN(name, place, ...) (::symreal::written(__VA_ARGS__, name, place))
+#define REAL_CHANGED(name, place, ...) (::symreal::changed(__VA_ARGS__, name, place))
+#define REAL_FIRST(name, place, ...) (::symreal::range_begin(__VA_ARGS__, name, place))
+#define REAL_LAST(name, place, ...) (::symreal::range_end(__VA_ARGS__, name, place))
+#define REAL_BITS(name, place, ...) (::symreal::bits(__VA_ARGS__, name, place))
+/* Stands for memmove (and memcpy) or memset. */
+#define REAL_BYTES(how, name, place, ...) ::symreal::Bytes(name, place).how
+/* What a class tells about itself: `access` is that of what follows. */
+#define REAL_MEMBERS(access, ...)                                                                                      \
+public:                                                                                                                \
+  void symreal_members(::symreal::Numbers &symreal_numbers) const { symreal_numbers.visit(__VA_ARGS__); }              \
+  access:
 #else
 #define REAL double
 #define REAL_C(...) (__VA_ARGS__)
@@ -54,32 +78,52 @@
 #define REAL_EXTERNAL(function, ...) (function)
 #define REAL_INT(...) __VA_ARGS__
 #define REAL_TABLE(...) __VA_ARGS__
+#define REAL_READ(name, place, ...) (__VA_ARGS__)
+#define REAL_WRITTEN(name, place, ...) (__VA_ARGS__)
+#define REAL_CHANGED(name, place, ...) (__VA_ARGS__)
+#define REAL_FIRST(name, place, ...) (__VA_ARGS__)
+#define REAL_LAST(name, place, ...) (__VA_ARGS__)
+#define REAL_BITS(name, place, ...) (__VA_ARGS__)
+#define REAL_BYTES(how, name, place, ...) __VA_ARGS__
+#define REAL_MEMBERS(...)
 #endif
 /* C sources are compiled as C++ here: what a library has under a C name keeps it. */
 #define REAL_LINKAGE(...)                                                                                              \
   extern "C" {                                                                                                         \
   __VA_ARGS__;                                                                                                         \
   }
+/* Where the pragma of an annotation stands. The frame tells the kernel's own stack. */
+#define SYMREAL_PLACE(file, line, column) {file, line, column, __builtin_frame_address(0)}
 
 #define SYMREAL_OBJECT(kind, label, file, line, column, ...)                                                           \
-  ::symreal::annotate(::symreal::Kind::kind, label, {file, line, column}, __VA_ARGS__);
+  ::symreal::annotate(::symreal::Kind::kind, label, SYMREAL_PLACE(file, line, column), __VA_ARGS__);
+#define SYMREAL_DECLARE(kind, label, file, line, column, ...)                                                          \
+  ::symreal::declare<::symreal::Kind::kind>(label, SYMREAL_PLACE(file, line, column), __VA_ARGS__);
 #define SYMREAL_SECTION(kind, label, file, line, column, extents, ...)                                                 \
-  ::symreal::annotate_section(::symreal::Kind::kind, label, {file, line, column}, extents,                             \
+  ::symreal::annotate_section(::symreal::Kind::kind, label, SYMREAL_PLACE(file, line, column), extents,                \
                               [&](std::size_t const *symreal_i) -> decltype(auto) {                                    \
                                 (void)symreal_i;                                                                       \
                                 return (__VA_ARGS__);                                                                  \
                               });
+#define SYMREAL_DECLARE_SECTION(kind, label, file, line, column, extents, ...)                                         \
+  ::symreal::declare_section<::symreal::Kind::kind>(label, SYMREAL_PLACE(file, line, column), extents,                 \
+                                                    [&](std::size_t const *symreal_i) -> decltype(auto) {              \
+                                                      (void)symreal_i;                                                 \
+                                                      return (__VA_ARGS__);                                            \
+                                                    });
 #define SYMREAL_RANGE(low, high) ::symreal::set_range(low, high);
 #define SYMREAL_REBIND(pointer, low, count) pointer = ::symreal::rebind(pointer, low, count);
 /* The optional last argument is the call to record, counted from 1. */
 #define SYMREAL_FUNCTION(name, file, line, column, ...)                                                                \
-  ::symreal::FunctionKernel symreal_kernel(name, {file, line, column}, ##__VA_ARGS__);
+  ::symreal::FunctionKernel symreal_kernel(name, SYMREAL_PLACE(file, line, column), ##__VA_ARGS__);
+/* An argument that is passed by value. */
+#define SYMREAL_ARGUMENT(name, place, ...) symreal_kernel.argument(name, place, __VA_ARGS__);
 #define SYMREAL_OUTPUTS_BEGIN auto symreal_outputs = symreal_kernel.on_return([&] {
 #define SYMREAL_OUTPUTS_END                                                                                            \
   });
 #define SYMREAL_RETURN(label, file, line, column, ...)                                                                 \
-  (symreal_kernel.returned(label, {file, line, column}, __VA_ARGS__))
-#define SYMREAL_GENERATE(name, file, line, column) ::symreal::generate(name, {file, line, column});
+  (symreal_kernel.returned(label, SYMREAL_PLACE(file, line, column), __VA_ARGS__))
+#define SYMREAL_GENERATE(name, file, line, column) ::symreal::generate(name, SYMREAL_PLACE(file, line, column));
 
 #endif
 

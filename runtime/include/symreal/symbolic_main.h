@@ -14,7 +14,8 @@
 
 #if defined(MBD_SYMBOLIC) || defined(MBD_REPLAY)
 
-#define SYMREAL_CALLER ::symreal::SourcePlace place = {__builtin_FILE(), __builtin_LINE(), 1}
+#define SYMREAL_CALLER                                                                                                 \
+  ::symreal::SourcePlace place = {__builtin_FILE(), __builtin_LINE(), 1, __builtin_frame_address(0)}
 
 inline REAL create_runtime_const(char const *name, double value, SYMREAL_CALLER) {
   REAL number = value;

@@ -1,0 +1,147 @@
+// Uses of objects that may outlive a kernel: single numbers, and the names of objects.
+#include "rewrite/pragma_text.h"
+#include "rewrite/recorder.h"
+
+namespace symreal::rewrite {
+using namespace clang;
+
+// Wraps the expression in a macro that says what it is called and where it stands.
+void Recorder::note(Expr const *expression, Use use, Expr const *named) {
+  SourceLocation const begin = expression->getBeginLoc();
+  if (!map_.in_roots(begin)) return;
+  if (Expr const *base = Storage::base(expression)) judged_.insert(base);
+  std::optional<Span> const span = map_.range(expression->getSourceRange());
+  if (!span) {
+    report(DiagnosticId::split_expression, begin,
+           "this expression is partly made by a macro: whether it uses hidden state is not looked at",
+           Severity::warning);
+    return;
+  }
+  constexpr std::size_t longest = 60;
+  if (!named) named = expression;
+  std::optional<Span> const words = map_.range(named->getSourceRange());
+  std::string name = normalised(map_.text(words ? *words : *span, begin));
+  if (name.size() > longest) name.replace(longest, std::string::npos, "...");
+  facts_.wraps.insert({*span, use, quoted(name) + ", " + quoted(to_string(map_.place(named->getBeginLoc())))});
+}
+
+bool Recorder::may_outlive(Expr const *expression) const { return storage_.home(expression) == Home::elsewhere; }
+
+// An lvalue whose value is used.
+void Recorder::read(Expr const *value) {
+  value = value->IgnoreParens();
+  if (auto const *choice = dyn_cast<ConditionalOperator>(value)) {
+    read(choice->getTrueExpr());
+    read(choice->getFalseExpr());
+  } else if (auto const *comma = dyn_cast<BinaryOperator>(value)) {
+    if (comma->isCommaOp()) read(comma->getRHS());
+  } else if (isa<UnaryOperator>(value) && cast<UnaryOperator>(value)->isIncrementDecrementOp()) {
+    // noted as a step
+  } else if (value->isGLValue() && Reals::is_double(value->getType())) {
+    if (reals_.is_real(value) && may_outlive(value)) note(value, Use::read);
+  } else
+    object(value, Use::read);
+}
+
+void Recorder::assignment(BinaryOperator const *assignment) {
+  Expr const *left = assignment->getLHS()->IgnoreParens();
+  if (assignment->isTypeDependent() || left->isTypeDependent()) return;
+  Use const use = assignment->isCompoundAssignmentOp() ? Use::read : Use::written;
+  if (use == Use::written) // what an overwritten union holds does not matter
+    for (auto const *member = dyn_cast<MemberExpr>(left); member;
+         member = dyn_cast<MemberExpr>(member->getBase()->IgnoreParenImpCasts()))
+      judged_.insert(member);
+  if (!Reals::is_double(left->getType()))
+    object(left, use);
+  else if (reals_.is_real(left) && may_outlive(left))
+    note(left, use);
+}
+
+void Recorder::step(UnaryOperator const *step) {
+  Expr const *operand = step->getSubExpr()->IgnoreParens();
+  if (!operand->isTypeDependent() && Reals::is_double(operand->getType()) && may_outlive(operand))
+    note(operand, Use::read);
+}
+
+namespace {
+
+// Could the expression name a number that is not the function's own, as far as a template tells?
+bool names_object(Expr const *expression) {
+  if (auto const *reference = dyn_cast<DeclRefExpr>(expression))
+    return isa<VarDecl>(reference->getDecl()) && reference->getDecl()->getType()->isReferenceType();
+  if (auto const *unary = dyn_cast<UnaryOperator>(expression)) return unary->getOpcode() == UO_Deref;
+  return isa<MemberExpr>(expression) || isa<CXXDependentScopeMemberExpr>(expression) ||
+         isa<ArraySubscriptExpr>(expression);
+}
+
+} // namespace
+
+// In a template the types, and with them most of the conversions that show a use, are not known yet. What stands beside
+// an arithmetic operator is used; the macro passes what is no number.
+void Recorder::dependent_operands(BinaryOperator const *operation) {
+  if (!operation->isTypeDependent() ||
+      (!operation->isAdditiveOp() && !operation->isMultiplicativeOp() && !operation->isAssignmentOp()))
+    return;
+  Expr const *left = operation->getLHS()->IgnoreParens(), *right = operation->getRHS()->IgnoreParens();
+  if (names_object(right)) note(right, Use::read);
+  if (names_object(left)) note(left, operation->getOpcode() == BO_Assign ? Use::written : Use::read);
+}
+
+void Recorder::dependent_value(Expr const *value) {
+  if (!value) return;
+  if (auto const *list = dyn_cast<ParenListExpr>(value); list && list->getNumExprs() == 1) value = list->getExpr(0);
+  if (names_object(value->IgnoreParens())) note(value->IgnoreParens(), Use::read);
+}
+
+void Recorder::dependent_call(CallExpr const *call) {
+  auto const *callee = dyn_cast<UnresolvedLookupExpr>(call->getCallee()->IgnoreParenImpCasts());
+  if (!callee || !callee->getName().isIdentifier()) return;
+  if (!Reals::is_math_name(callee->getName().getAsIdentifierInfo()->getName())) return;
+  for (Expr const *argument : call->arguments())
+    if (names_object(argument->IgnoreParens())) note(argument->IgnoreParens(), Use::read);
+}
+
+// `for (double x : list)` copies elements without a word.
+void Recorder::copied_elements(CXXForRangeStmt const *loop) {
+  QualType const type = loop->getLoopVariable()->getType();
+  if (type->isDependentType() || type->isReferenceType() || !reals_.carries_real(type)) return;
+  object(loop->getRangeInit(), Use::read);
+}
+
+void Recorder::state(VarDecl const *variable, Expr const *reference, bool is_dependent) {
+  if (!variable->hasGlobalStorage() || reals_.is_passive(variable) || variable->getType()->isReferenceType()) return;
+  if (variable->getType()->isDependentType() || !reals_.carries_real(variable->getType())) return;
+  if (context_.getBaseElementType(variable->getType()).isConstQualified()) return;
+  wrap(reference, Use::state, to_string(map_.place(variable->getCanonicalDecl()->getLocation())));
+  // Where types are not known yet, every mention counts as a use.
+  if (is_dependent && !judged_.contains(reference)) note(reference, Use::read);
+}
+
+// Lets a class tell its members, so that a whole object can be looked through, the private ones included.
+void Recorder::members(CXXRecordDecl const *record) {
+  if (!record->isThisDeclarationADefinition() || record->isImplicit() || record->isUnion() || record->isLambda())
+    return;
+  if (!record->getIdentifier() || record->isAnonymousStructOrUnion() || !map_.in_roots(record->getLocation())) return;
+  if (isa<ClassTemplateSpecializationDecl>(record) &&
+      !cast<ClassTemplateSpecializationDecl>(record)->isExplicitSpecialization() &&
+      !isa<ClassTemplatePartialSpecializationDecl>(record))
+    return;
+  std::string list;
+  for (CXXBaseSpecifier const &base : record->bases()) {
+    if (!base.getType()->isDependentType() && !reals_.carries_real(base.getType())) continue;
+    std::optional<Span> const span = map_.range(base.getTypeSourceInfo()->getTypeLoc().getSourceRange());
+    if (!span) continue;
+    list.append(", static_cast<").append(with_real(map_.text(*span, base.getBeginLoc()))).append(" const &>(*this)");
+  }
+  for (FieldDecl const *field : record->fields()) {
+    QualType const type = field->getType();
+    if (!field->getIdentifier() || field->isBitField() || type->isReferenceType() || type->isPointerType()) continue;
+    if (type->isDependentType() || reals_.carries_real(type)) list.append(", ").append(field->getNameAsString());
+  }
+  std::optional<Span> const brace = map_.token(record->getBraceRange().getBegin());
+  if (list.empty() || !brace || record->getBraceRange().getBegin().isMacroID()) return;
+  list.insert(0, record->isClass() ? "private" : "public");
+  facts_.members.try_emplace(*brace, std::move(list));
+}
+
+} // namespace symreal::rewrite

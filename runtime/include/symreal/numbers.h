@@ -1,0 +1,102 @@
+// How to get from an object to the numbers that it consists of: shared by annotations and by the look at hidden state.
+#pragma once
+
+#include <symreal/real_number.h>
+
+#include <cstddef>
+#include <type_traits>
+#include <utility>
+
+namespace symreal {
+
+namespace detail {
+
+template <class T, class = void> struct is_matrix : std::false_type {};
+template <class T>
+struct is_matrix<T, std::void_t<decltype(std::declval<T &>().rows()), decltype(std::declval<T &>().cols()),
+                                decltype(std::declval<T &>()(0, 0))>> : std::true_type {};
+template <class T, class = void> struct is_sequence : std::false_type {};
+template <class T>
+struct is_sequence<T, std::void_t<decltype(std::declval<T &>().size()), decltype(std::declval<T &>()[0])>>
+    : std::true_type {};
+template <class T, class = void> struct is_complex : std::false_type {};
+template <class T> struct is_complex<
+    T, std::enable_if_t<std::is_same_v<typename T::value_type, std::decay_t<decltype(std::declval<T &>().imag())>>>>
+    : std::true_type {};
+
+} // namespace detail
+
+// Visits the numbers in an object and in the storage that it owns. Pointers that own nothing are not followed.
+//
+// A class of the rewritten sources tells its members itself: the rewriter gives it a function `symreal_members`.
+class Numbers {
+public:
+  // `found` is called with the address of each number, and must outlive this object.
+  template <class Found> explicit Numbers(Found &found)
+      : context_(&found),
+        found_([](void *context, RealNumber const *number) { (*static_cast<Found *>(context))(number); }) {}
+
+  template <class T> static constexpr bool may_hold = std::is_class_v<T> || std::is_union_v<T> || std::is_array_v<T>;
+
+  template <class... T> void visit(T const &...objects) { (one(objects), ...); }
+
+private:
+  template <class T> void one(T const &object) {
+    if constexpr (std::is_same_v<T, RealNumber>) {
+      found_(context_, &object);
+    } else if constexpr (!may_hold<T>) {
+    } else if constexpr (std::is_array_v<T>) {
+      for (auto const &part : object) one(part);
+    } else if constexpr (requires(Numbers &numbers) { object.symreal_members(numbers); }) {
+      object.symreal_members(*this);
+    } else if constexpr (detail::is_complex<T>::value) {
+      words(object); // the standard lays a complex number out as an array of two
+    } else if constexpr (requires { object.data(), object.innerStride(), object.outerStride(), T::IsRowMajor; }) {
+      strided(object); // Eigen's matrices, and maps and blocks of them, some of which give copies of their elements
+    } else if constexpr (detail::is_matrix<T const>::value) {
+      if constexpr (std::is_lvalue_reference_v<decltype(object(0, 0))>)
+        for (decltype(object.rows()) i = 0; i < object.rows(); ++i)
+          for (decltype(object.cols()) j = 0; j < object.cols(); ++j) one(object(i, j));
+    } else if constexpr (detail::is_sequence<T const>::value) {
+      if constexpr (std::is_lvalue_reference_v<decltype(object[0])>)
+        if constexpr (!std::is_arithmetic_v<std::remove_cvref_t<decltype(object[0])>>)
+          for (decltype(object.size()) i = 0; i < object.size(); ++i) one(object[i]);
+    } else if constexpr (requires { object.begin() != object.end(); }) {
+      if constexpr (!std::is_same_v<std::remove_cvref_t<decltype(*object.begin())>, T>)
+        for (auto const &part : object) one(part);
+    } else if constexpr (requires { object.first, object.second; }) {
+      visit(object.first, object.second);
+    } else if constexpr (
+        requires {
+          typename T::deleter_type;
+          *object;
+        } || requires { object.has_value(), *object; }) {
+      if (object) one(*object);
+    } else if constexpr (requires { object.coeffs(); }) { // Eigen's Quaternion
+      one(object.coeffs());
+    } else if constexpr (requires { object.axis(), object.angle(); }) { // Eigen's AngleAxis
+      visit(object.axis(), const_cast<T &>(object).angle());
+    } else if constexpr (requires { object.vector(); }) { // Eigen's Translation
+      one(object.vector());
+    } else if constexpr (std::is_aggregate_v<T> && std::is_trivially_copyable_v<T> && alignof(T) == 8) {
+      words(object); // a plain structure without a name of its own, or of code that is not rewritten
+    }
+  }
+
+  template <class T> void strided(T const &object) {
+    auto const across = T::IsRowMajor ? object.outerStride() : object.innerStride();
+    auto const along = T::IsRowMajor ? object.innerStride() : object.outerStride();
+    for (decltype(object.rows()) i = 0; i < object.rows(); ++i)
+      for (decltype(object.cols()) j = 0; j < object.cols(); ++j) one(object.data()[i * across + j * along]);
+  }
+
+  template <class T> void words(T const &object) {
+    auto const *numbers = reinterpret_cast<RealNumber const *>(&object);
+    for (std::size_t k = 0; k < sizeof object / sizeof(RealNumber); ++k) found_(context_, numbers + k);
+  }
+
+  void *context_;
+  void (*found_)(void *, RealNumber const *);
+};
+
+} // namespace symreal

@@ -1,0 +1,145 @@
+// Hidden state: what a kernel reads or changes through members, pointers, references and names of static storage. The
+// rewriter wraps such uses; while a kernel is recorded each address is judged once.
+//
+// An address is the kernel's own if it lies on the stack below the frame in which the kernel began or in a heap block
+// that was allocated since, or if the kernel wrote it before reading it. Any other number that it reads is baked in,
+// unless it is annotated; any other number that it leaves with a node in it is state that is no output.
+#pragma once
+
+#include <symreal/annotate.h>
+
+#include <cstdint>
+#include <cstring>
+#include <utility>
+
+namespace symreal {
+
+namespace detail {
+
+extern __thread bool recording;
+// The stack of the kernel itself.
+extern __thread std::uintptr_t own_stack, own_stack_size;
+
+inline bool on_own_stack(void const *address) noexcept {
+  return reinterpret_cast<std::uintptr_t>(address) - own_stack < own_stack_size;
+}
+
+void note_static(void const *object, std::size_t size, char const *name, char const *place) noexcept;
+void note_written(void const *begin, std::size_t size, char const *name, char const *place) noexcept;
+// The object outlives this statement: if it still exists when the kernel ends, its numbers are looked at again.
+void note_changed(void const *object, Visit visit, char const *name, char const *place) noexcept;
+// Bytes that are used as something else than numbers: an error where a node is among them.
+void check_bits(void const *begin, std::size_t size, char const *name, char const *place) noexcept;
+// The ends of a range come in any order; the second to come gets the other.
+void const *other_range_end(void const *end, bool is_last, char const *place) noexcept;
+
+template <class T> void read_object(T &object, char const *name, char const *place) noexcept {
+  using Plain = std::remove_cv_t<T>;
+  if constexpr (std::is_same_v<Plain, RealNumber>) {
+    if (!on_own_stack(&const_cast<Plain const &>(object))) note_read(const_cast<Plain const *>(&object), name, place);
+  } else if constexpr (Numbers::may_hold<Plain>) {
+    auto judge = [&](RealNumber const *number) {
+      if (!on_own_stack(number)) note_read(number, name, place);
+    };
+    Numbers(judge).visit(object);
+    if constexpr (!std::is_const_v<T>)
+      if (!on_own_stack(&object)) note_changed(&object, visit<Plain>, name, place);
+  }
+}
+
+template <class T> void write_object(T &object, char const *name, char const *place) noexcept {
+  if constexpr (std::is_same_v<T, RealNumber>) {
+    if (!on_own_stack(&object)) note_written(&object, sizeof object, name, place);
+  } else if constexpr (Numbers::may_hold<T>) {
+    auto note = [&](RealNumber const *number) {
+      if (!on_own_stack(number)) note_written(number, sizeof *number, name, place);
+    };
+    Numbers(note).visit(object);
+    if (!on_own_stack(&object)) note_changed(&object, visit<T>, name, place);
+  }
+}
+
+} // namespace detail
+
+// A reference to an object of static storage duration: what is read of it later is called by its name.
+template <class T> constexpr T &state(T &object, char const *name, char const *place) noexcept {
+  if (!__builtin_is_constant_evaluated() && detail::recording)
+    detail::note_static(const_cast<std::remove_cv_t<T> const *>(&object), sizeof object, name, place);
+  return object;
+}
+
+// The value of the object is used. What holds no number, and what a macro makes of the same words elsewhere, passes.
+template <class T> constexpr T &&read(T &&object, char const *name, char const *place) noexcept {
+  if (!__builtin_is_constant_evaluated() && detail::recording) detail::read_object(object, name, place);
+  return static_cast<T &&>(object);
+}
+
+// The object gets a new value.
+template <class T> constexpr T &&written(T &&object, char const *name, char const *place) noexcept {
+  if (!__builtin_is_constant_evaluated() && detail::recording) detail::write_object(object, name, place);
+  return static_cast<T &&>(object);
+}
+
+// Code that is not rewritten changes the object, as push_back does.
+template <class T> T &changed(T &object, char const *name, char const *place) noexcept {
+  if (detail::recording && !detail::on_own_stack(&object))
+    if constexpr (Numbers::may_hold<T>) detail::note_changed(&object, detail::visit<T>, name, place);
+  return object;
+}
+
+// The ends of a range that is handed to code that is not rewritten.
+template <class T> T *range_begin(T *begin, char const *name, char const *place) noexcept {
+  if (detail::recording)
+    if (auto const *end = static_cast<T *>(const_cast<void *>(detail::other_range_end(begin, false, place))))
+      for (T *each = begin; each < end; ++each) detail::read_object(*each, name, place);
+  return begin;
+}
+template <class T> T *range_end(T *end, char const *name, char const *place) noexcept {
+  if (detail::recording)
+    if (auto *begin = static_cast<T *>(const_cast<void *>(detail::other_range_end(end, true, place))))
+      for (T *each = begin; each < end; ++each) detail::read_object(*each, name, place);
+  return end;
+}
+
+// An object that shares its bytes with numbers, or a pointer whose type says nothing about numbers.
+template <class T> constexpr T &&bits(T &&object, char const *name, char const *place) noexcept {
+  if (!__builtin_is_constant_evaluated() && detail::recording) {
+    using Pointee = std::remove_pointer_t<std::remove_reference_t<T>>;
+    if constexpr (!std::is_pointer_v<std::remove_reference_t<T>>)
+      detail::check_bits(&object, sizeof object, name, place);
+    else if constexpr (std::is_class_v<Pointee>)
+      detail::check_bits(object, sizeof(Pointee), name, place);
+    else if (object)
+      detail::check_bits(object, 1, name, place);
+  }
+  return static_cast<T &&>(object);
+}
+
+// memcpy, memmove and memset: what they read and write, where the types tell.
+class Bytes {
+public:
+  constexpr Bytes(char const *name, char const *place) noexcept : name_(name), place_(place) {}
+
+  template <class To, class From> void *move(To *to, From *from, std::size_t size) const noexcept {
+    if (detail::recording) {
+      if constexpr (std::is_arithmetic_v<To>) detail::check_bits(from, size, name_, place_);
+      each(from, size, [this](auto &object) { detail::read_object(std::as_const(object), name_, place_); });
+      each(to, size, [this](auto &object) { detail::write_object(object, name_, place_); });
+    }
+    return std::memmove(to, from, size);
+  }
+  template <class To> void *set(To *to, int byte, std::size_t size) const noexcept {
+    if (detail::recording) each(to, size, [this](auto &object) { detail::write_object(object, name_, place_); });
+    return std::memset(to, byte, size);
+  }
+
+private:
+  template <class T, class Note> static void each(T *objects, std::size_t size, Note note) {
+    if constexpr (!std::is_void_v<T>)
+      for (std::size_t k = 0; k < size / sizeof(T); ++k) note(objects[k]);
+  }
+
+  char const *name_, *place_;
+};
+
+} // namespace symreal

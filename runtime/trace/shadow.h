@@ -1,0 +1,60 @@
+// What is known about each word of memory while a kernel is recorded: a byte of marks for every eight bytes that were
+// met, in pages made on demand.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+namespace symreal::trace {
+
+using Marks = std::uint8_t;
+namespace mark {
+constexpr Marks own = 1;       // the kernel's own memory, or known to be constant
+constexpr Marks annotated = 2; // input, parameter, output or constant
+constexpr Marks noted = 4;     // read or written by the kernel, and outlives it
+constexpr Marks freed = 8;     // was given back since the kernel began
+constexpr Marks named = 16;    // the first word of a static object whose name is known
+constexpr Marks changed = 32;  // ... of an object that is looked at again when the kernel ends
+constexpr Marks judged = own | annotated | noted;
+} // namespace mark
+
+class Shadow {
+public:
+  Marks at(void const *address) { return page(word(address) / page_words)[word(address) % page_words]; }
+  void add(void const *begin, std::size_t size, Marks marks) {
+    each(begin, size, [marks](Marks &here) { here |= marks; });
+  }
+  void set(void const *begin, std::size_t size, Marks marks) {
+    each(begin, size, [marks](Marks &here) { here = marks; });
+  }
+  // Memory that moved takes its marks along.
+  std::vector<Marks> copy(void const *begin, std::size_t size);
+  void paste(void const *begin, std::vector<Marks> const &marks);
+  void clear();
+
+private:
+  static constexpr std::uintptr_t page_words = 512;
+  using Page = std::array<Marks, page_words>;
+
+  static std::uintptr_t word(void const *address) { return reinterpret_cast<std::uintptr_t>(address) / 8; }
+  Page &page(std::uintptr_t number) {
+    if (number != last_number_ || !last_) last_ = &pages_[number], last_number_ = number;
+    return *last_;
+  }
+  template <class Change> void each(void const *begin, std::size_t size, Change change) {
+    std::uintptr_t const end = (reinterpret_cast<std::uintptr_t>(begin) + size + 7) / 8;
+    for (std::uintptr_t at = word(begin); at < end;) {
+      Page &here = page(at / page_words);
+      for (std::uintptr_t k = at % page_words; k < page_words && at < end; ++k, ++at) change(here[k]);
+    }
+  }
+
+  std::unordered_map<std::uintptr_t, Page> pages_;
+  std::uintptr_t last_number_ = 0;
+  Page *last_ = nullptr;
+};
+
+} // namespace symreal::trace

@@ -1,0 +1,31 @@
+// The bytes of a REAL looked at as something else, where the source shows it.
+// RUN: not %symreal generate %s -o %t.c -- -std=c++20 2>&1 | FileCheck %s
+// RUN: not ls %t.c
+
+#include <bit>
+#include <cstdint>
+#include <cstdio>
+#include <cstring>
+#include <ostream>
+
+struct State {
+  double v[3];
+  int n;
+};
+
+// CHECK: bytes.cpp:[[@LINE+1]]:41: error: the bytes of a REAL are looked at as uint64_t *
+uint64_t by_pointer(double x) { return *(uint64_t *)&x; }
+// CHECK: bytes.cpp:[[@LINE+1]]:41: error: the bytes of a REAL are used as another type
+uint64_t by_bit_cast(double x) { return std::bit_cast<uint64_t>(x); }
+// CHECK: bytes.cpp:[[@LINE+1]]:40: error: the bytes of a REAL are used as another type
+uint64_t by_builtin(double x) { return __builtin_bit_cast(uint64_t, x); }
+// CHECK: bytes.cpp:[[@LINE+1]]:42: error: the bytes of a REAL are looked at as uint64_t [
+uint64_t by_reference(double x) { return reinterpret_cast<uint64_t &>(x); }
+// CHECK: bytes.cpp:[[@LINE+1]]:{{[0-9]+}}: error: the bytes of a REAL go to 'memcmp'
+bool compared(State const &p, State const &q) { return std::memcmp(&p, &q, sizeof p) == 0; }
+// CHECK: bytes.cpp:[[@LINE+1]]:{{[0-9]+}}: error: the bytes of a REAL go to 'fwrite'
+void written(double x, FILE *file) { fwrite(&x, sizeof x, 1, file); }
+// CHECK: bytes.cpp:[[@LINE+1]]:{{[0-9]+}}: error: the bytes of a REAL are looked at as const char *
+void streamed(double x, std::ostream &out) { out.write(reinterpret_cast<char const *>(&x), sizeof x); }
+
+int main() {}
