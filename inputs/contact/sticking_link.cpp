@@ -6,7 +6,7 @@
 #pragma symreal external(sticking_force)
 
 #pragma symreal function input(q[0:3], v[0:3]) range(-1, 1) \
-    parameter(link.mass, link.length, link.stiffness) output(q[0:3], v[0:3], slip[0:2])
+    parameter(link.mass, link.length, link.stiffness) constant(h) output(q[0:3], v[0:3], slip[0:2])
 void step(Link link, double h, double *q, double *v, double *slip) {
   double a[3] = {0, -9.81, 0};
   for (int point = 0; point < 2; ++point) {

@@ -1,5 +1,6 @@
 // What makes selects of decisions: macros that leave the original's tokens in numeric mode.
-// RUN: %rewrite %s | FileCheck %s
+// What looks for hidden state is another test's matter.
+// RUN: %rewrite %s | sed -E -e ':again' -e 's/REAL_(READ|WRITTEN)\("[^"]*", "[^"]*", ([^()]*(\([^()]*\))?[^()]*)\)/\2/' -e 't again' | FileCheck %s
 // RUN: %same %s
 #include <algorithm>
 #include <array>
