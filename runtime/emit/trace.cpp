@@ -64,6 +64,11 @@ std::vector<LineOrigin> resolve_markers(std::string &text, Graph const &graph, b
       if (comments) result += " /* " + describe_locations(graph, locations) + " */";
       origins.push_back({first_line, line, std::move(locations)});
     }
+    bool const only_marker = marker != rest.npos && !comments && result.ends_with('\n');
+    if (only_marker) {
+      origins.back().last_line = --line;
+      result.pop_back();
+    }
     result += '\n';
     if (marker != rest.npos || rest.ends_with(';') || rest.ends_with('{') || rest.ends_with('}')) first_line = line + 1;
     ++line;
