@@ -161,8 +161,22 @@ private:
     NodeId const id = body_.variables[statement];
     std::vector<NodeId> spelled_out;
     FunctionContext const context{is_compute_, &variable_, &spelling_, &kept_, &spelled_out};
-    std::string const value = body_.regions.is_gate(id) ? "1" : c_expression(program_, context, id);
+    std::string const value = body_.regions.is_gate(id) ? gate(context, id) : c_expression(program_, context, id);
     return fmt::format("{} = {};", spelling_(statement), value) + trace_marker(*program_.graph, spelled_out);
+  }
+
+  // One of the alternatives holds: all literals of one of them.
+  std::string gate(FunctionContext const &context, NodeId id) const {
+    auto in_parentheses = [](std::string const &text) { return text.find(' ') == text.npos ? text : "(" + text + ")"; };
+    std::string any;
+    for (RegionId alternative : body_.regions.alternatives(id)) {
+      std::string all;
+      for (Literal const &literal : body_.regions.literals(alternative))
+        all += (all.empty() ? "" : " && ") + in_parentheses(c_condition(program_, context, literal));
+      if (all.empty()) return "1";
+      any += (any.empty() ? "" : " || ") + in_parentheses(all);
+    }
+    return any.empty() ? "1" : any;
   }
 
   bool is_truth(std::size_t statement) const {

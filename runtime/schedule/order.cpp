@@ -8,7 +8,7 @@ namespace {
 
 class Ordering {
 public:
-  Ordering(Graph const &graph, std::vector<char> const &is_read, Placement const &placement, FunctionBody &body)
+  Ordering(Graph const &graph, std::vector<char> const &is_read, Placement &placement, FunctionBody &body)
       : graph_(graph),
         is_read_(is_read),
         placement_(placement),
@@ -34,7 +34,7 @@ private:
       NodeId const id = stack_.back();
       if (state_[id] == State::waiting) {
         state_[id] = State::open;
-        push_needed(id);
+        if (!push_needed(id)) begin_again(root);
         continue;
       }
       stack_.pop_back();
@@ -45,39 +45,69 @@ private:
     }
   }
 
+  // The statements that are open wait for each other, by a gate of alternatives: from here on without the newest such.
+  void begin_again(NodeId root) {
+    bool released = false;
+    for (; !stack_.empty(); stack_.pop_back()) {
+      NodeId const id = stack_.back();
+      if (state_[id] != State::open) continue;
+      state_[id] = State::waiting;
+      if (!released && is_choice(id)) placement_.regions.release(id);
+      released = released || is_choice(id);
+    }
+    internal_check(released);
+    if (++cycles_ == most_cycles) // what is left of them costs more than it saves
+      for (std::size_t id = graph_.nodes.size(); id < state_.size(); ++id)
+        if (state_[id] == State::waiting && is_choice(static_cast<NodeId>(id)))
+          placement_.regions.release(static_cast<NodeId>(id));
+    stack_.assign(1, root);
+  }
+
+  bool is_choice(NodeId id) const {
+    return placement_.regions.is_gate(id) && !placement_.regions.alternatives(id).empty();
+  }
+
   RegionId region(NodeId id) const {
     return placement_.regions.is_gate(id) ? placement_.regions.of_gate(id) : placement_.of_node[id];
   }
 
-  // The oldest on top.
-  void push_needed(NodeId id) {
+  // The oldest on top. False when one of them is open already.
+  bool push_needed(NodeId id) {
+    Regions const &regions = placement_.regions;
     std::size_t const first = stack_.size();
+    bool possible = true;
     auto push = [&](NodeId needed) {
-      if (state_[needed] == State::nested || state_[needed] == State::done) return;
-      internal_check(state_[needed] == State::waiting);
-      stack_.push_back(needed);
+      possible = possible && state_[needed] != State::open;
+      if (state_[needed] == State::waiting) stack_.push_back(needed);
     };
-    for (Literal const &literal : placement_.regions.literals(region(id))) push(literal.condition);
-    if (!placement_.regions.is_gate(id) && !is_read_[id])
+    for (Literal const &literal : regions.literals(region(id))) push(literal.condition);
+    if (regions.is_gate(id)) {
+      for (RegionId alternative : regions.alternatives(id))
+        for (Literal const &literal : regions.literals(alternative)) push(literal.condition);
+    } else if (!is_read_[id]) {
       for (NodeId operand : graph_.nodes[id].operand)
         if (operand != no_node)
           for_each_read(
               graph_, operand, [&](NodeId read) { return state_[read] != State::nested; },
               [&](NodeId read) { return is_read_[read] != 0; }, push);
+    }
     std::sort(stack_.begin() + static_cast<std::ptrdiff_t>(first), stack_.end(), std::greater<>());
+    return possible;
   }
 
   Graph const &graph_;
   std::vector<char> const &is_read_;
-  Placement const &placement_;
+  Placement &placement_;
   FunctionBody &body_;
   std::vector<State> state_;
   std::vector<NodeId> stack_;
+  static constexpr int most_cycles = 50;
+  int cycles_ = 0;
 };
 
 } // namespace
 
-void order(Graph const &graph, std::vector<char> const &is_read, Placement const &placement, FunctionBody &body) {
+void order(Graph const &graph, std::vector<char> const &is_read, Placement &placement, FunctionBody &body) {
   if (placement.conditional())
     Ordering(graph, is_read, placement, body).run();
   else

@@ -6,9 +6,10 @@
 namespace symreal {
 
 // Puts the variables, given in the order of their nodes, into an order in which every one stands after what it reads
-// and after the conditions of its region, and adds the gates. Without regions that is the order of the nodes.
-// `is_read`: nodes that are found in an array. Iterative, linear.
-void order(Graph const &graph, std::vector<char> const &is_read, Placement const &placement, FunctionBody &body);
+// and after the conditions of its region, and adds the gates. Without regions that is the order of the nodes. A node
+// that is needed here or there may be needed for the condition of there: then its gate is released. `is_read`: nodes
+// that are found in an array. Iterative, linear.
+void order(Graph const &graph, std::vector<char> const &is_read, Placement &placement, FunctionBody &body);
 
 // Calls `visit` with the variables that a use of a node reads: itself, or those in the operations nested there.
 template <class IsVariable, class IsRead, class Visit> void for_each_read(Graph const &graph, NodeId use,
@@ -35,7 +36,12 @@ inline bool is_read(Program const &program, bool in_compute, NodeId id) {
 // Calls `visit` with the operands of the operation that sets a variable.
 template <class Visit> void for_each_operand(Program const &program, FunctionBody const &body, bool in_compute,
                                              NodeId variable, Visit const &visit) {
-  if (body.regions.is_gate(variable) || is_read(program, in_compute, variable)) return;
+  if (body.regions.is_gate(variable)) {
+    for (RegionId alternative : body.regions.alternatives(variable))
+      for (Literal const &literal : body.regions.literals(alternative)) visit(literal.condition);
+    return;
+  }
+  if (is_read(program, in_compute, variable)) return;
   Node const &node = program.graph->nodes[variable];
   // Which call comes before is a matter of order alone.
   for (std::size_t i = 0; i < (node.op == Op::call_in_order ? 2 : node.operand.size()); ++i)

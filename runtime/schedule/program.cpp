@@ -60,14 +60,15 @@ public:
   }
 
   FunctionBody run() {
-    Placement const placement = place(graph_, roots(), needs_.needed, is_read_);
+    Placement placement = place(graph_, roots(), needs_.needed, is_read_);
     std::vector<NodeId> variables = choose_variables();
     if (placement.conditional()) {
       give_variables_to_conditions(placement, variables);
       variables = choose_variables();
     }
-    FunctionBody body{std::move(variables), {}, placement.regions, {}, results_, wanted_returns()};
+    FunctionBody body{std::move(variables), {}, Regions(graph_.nodes.size()), {}, results_, wanted_returns()};
     order(graph_, is_read_, placement, body);
+    body.regions = std::move(placement.regions);
     place_checks(body);
     return body;
   }
@@ -136,6 +137,7 @@ private:
       for (Literal const &literal : regions.literals(region)) {
         if (regions.is_gate(literal.condition)) {
           see(regions.of_gate(literal.condition));
+          for (RegionId alternative : regions.alternatives(literal.condition)) see(alternative);
         } else {
           if (!is_read_[literal.condition]) has_variable_[literal.condition] = 1;
           see(placement.of_node[literal.condition]);

@@ -5,6 +5,7 @@
 namespace symreal {
 
 static constexpr std::uint32_t longest = 20; // C99 compilers must accept blocks nested 127 deep
+static constexpr std::size_t most_alternatives = 16;
 
 RegionId Regions::append(RegionId before, Code last) {
   auto [found, is_new] =
@@ -27,7 +28,8 @@ std::vector<Regions::Code> Regions::codes(RegionId region) const {
 
 std::vector<Literal> Regions::literals(RegionId region) const {
   std::vector<Literal> result;
-  for (Code code : codes(region)) result.push_back({code / 2, code % 2 != 0});
+  for (Code code : codes(region))
+    if (!is_gate(code / 2) || !gate_at(code / 2).released) result.push_back({code / 2, code % 2 != 0});
   std::stable_sort(result.begin(), result.end(),
                    [&](Literal const &a, Literal const &b) { return depth_.at(a.condition) < depth_.at(b.condition); });
   return result;
@@ -64,7 +66,7 @@ bool Regions::contains(RegionId whole, RegionId part) const {
 void Regions::open_gates(std::vector<Code> &x, std::vector<Code> &y) const {
   auto youngest = [&](std::vector<Code> const &set, std::vector<Code> const &other) {
     for (std::size_t k = set.size(); k-- > 0 && is_gate(set[k] / 2);)
-      if (!std::binary_search(other.begin(), other.end(), set[k])) return set[k];
+      if (alternatives(set[k] / 2).empty() && !std::binary_search(other.begin(), other.end(), set[k])) return set[k];
     return Code{0};
   };
   while (true) {
@@ -94,11 +96,59 @@ RegionId Regions::intersection(RegionId a, RegionId b) {
 RegionId Regions::shortened(RegionId region) {
   if (entries_[region].size < longest) return region;
   auto [found, is_new] = gate_region_.try_emplace(region, everywhere);
-  if (is_new) {
-    Literal const gate{static_cast<NodeId>(value_count()), true};
-    gates_.push_back(region);
-    found->second = with(everywhere, gate);
+  return is_new ? found->second = make_gate(everywhere, {region}) : found->second;
+}
+
+RegionId Regions::make_gate(RegionId around, Gate gate) {
+  Literal const literal{static_cast<NodeId>(value_count()), true};
+  gates_.push_back(std::move(gate));
+  return with(around, literal);
+}
+
+// Where c holds and where it does not: together that is where the rest holds.
+bool Regions::differ_in_one_outcome(RegionId a, RegionId b, std::vector<Code> &common) const {
+  if (entries_[a].size != entries_[b].size) return false;
+  std::vector<Code> const x = codes(a), y = codes(b);
+  common.clear();
+  for (std::size_t k = 0; k < x.size(); ++k)
+    if (x[k] == y[k])
+      common.push_back(x[k]);
+    else if (x[k] / 2 != y[k] / 2)
+      return false;
+  return common.size() + 1 == x.size();
+}
+
+void Regions::add_use(std::vector<RegionId> &uses, RegionId region) {
+  std::vector<Code> common;
+  for (std::size_t k = 0; k < uses.size();) {
+    if (contains(region, uses[k])) return;
+    bool const together = differ_in_one_outcome(uses[k], region, common);
+    if (!together && !contains(uses[k], region)) {
+      ++k;
+      continue;
+    }
+    uses.erase(uses.begin() + static_cast<std::ptrdiff_t>(k));
+    if (!together) continue;
+    region = make(common);
+    k = 0;
   }
+  uses.push_back(region);
+}
+
+RegionId Regions::either(RegionId common, std::vector<RegionId> const &uses) {
+  if (uses.size() < 2 || uses.size() > most_alternatives) return common;
+  std::vector<Code> const around = codes(common);
+  std::vector<RegionId> key = {common};
+  for (RegionId use : uses) {
+    std::vector<Code> const all = codes(use);
+    std::vector<Code> rest;
+    std::set_difference(all.begin(), all.end(), around.begin(), around.end(), std::back_inserter(rest));
+    if (rest.empty()) return common;
+    key.push_back(make(rest));
+  }
+  std::sort(key.begin() + 1, key.end());
+  auto [found, is_new] = alternatives_region_.try_emplace(key, everywhere);
+  if (is_new) found->second = make_gate(common, {common, {key.begin() + 1, key.end()}});
   return found->second;
 }
 
@@ -123,17 +173,22 @@ bool has_conditions(Graph const &graph, std::vector<char> const &is_needed) {
   return false;
 }
 
-// From users to operands.
+// From users to operands. A node that is used in different regions has the list of them.
 void find_needs(Graph const &graph, std::vector<NodeId> const &roots, std::vector<char> const &is_needed,
                 std::vector<char> const &is_read, Placement &placement) {
   Regions &regions = placement.regions;
   std::vector<RegionId> &of_node = placement.of_node;
+  std::unordered_map<NodeId, std::vector<RegionId>> uses;
   for (NodeId root : roots) of_node[root] = everywhere;
   for (std::size_t id = graph.nodes.size(); id-- > 0;) {
     if (!is_needed[id]) continue;
     if (is_read[id]) {
       of_node[id] = everywhere;
       continue;
+    }
+    if (auto found = uses.find(static_cast<NodeId>(id)); found != uses.end()) {
+      of_node[id] = regions.either(of_node[id], found->second);
+      uses.erase(found);
     }
     RegionId const here = of_node[id] = regions.shortened(of_node[id]);
     Node const &node = graph.nodes[id];
@@ -145,7 +200,14 @@ void find_needs(Graph const &graph, std::vector<NodeId> const &roots, std::vecto
       }
       if (is_read[node.operand[i]]) continue;
       RegionId &region = of_node[node.operand[i]];
-      region = region == unknown ? use : regions.intersection(region, use);
+      if (region == unknown) region = use;
+      auto several = uses.find(node.operand[i]);
+      if (several == uses.end()) {
+        if (region == use || region == everywhere) continue;
+        several = uses.emplace(node.operand[i], std::vector<RegionId>{region}).first;
+      }
+      regions.add_use(several->second, use);
+      region = regions.intersection(region, use);
     }
   }
 }
