@@ -2,33 +2,20 @@
 
 #include "trace/call_stack.h"
 #include "trace/events.h"
+#include "trace/own_memory.h"
 #include "trace/pool.h"
 
 #include <algorithm>
 #include <charconv>
 #include <cstdlib>
 #include <cstring>
-#include <link.h>
-#include <pthread.h>
 #include <tuple>
 
 namespace symreal {
 
-__thread bool detail::recording = false;
-__thread std::uintptr_t detail::own_stack = 0, detail::own_stack_size = 0;
-
 namespace trace {
 
 namespace {
-
-// What the bookkeeping itself allocates is no memory of the kernel.
-class Pause {
-public:
-  Pause() { detail::recording = false; }
-  ~Pause() { detail::recording = true; }
-  Pause(Pause const &) = delete;
-  Pause &operator=(Pause const &) = delete;
-};
 
 // "file:line:column", as the rewriter writes it.
 Place parse_place(std::string_view place) {
@@ -43,19 +30,6 @@ Place parse_place(std::string_view place) {
   return {text, numbers[1], numbers[0]};
 }
 
-// The stack from its far end to the frame; all of it where no frame is given.
-void find_own_stack(void const *frame) {
-  pthread_attr_t attributes;
-  internal_check(pthread_getattr_np(pthread_self(), &attributes) == 0);
-  void *begin = nullptr;
-  std::size_t size = 0;
-  pthread_attr_getstack(&attributes, &begin, &size);
-  pthread_attr_destroy(&attributes);
-  auto const at = reinterpret_cast<std::uintptr_t>(frame);
-  detail::own_stack = reinterpret_cast<std::uintptr_t>(begin);
-  detail::own_stack_size = at - detail::own_stack < size ? at - detail::own_stack : size;
-}
-
 } // namespace
 
 State &State::current() {
@@ -67,27 +41,13 @@ State &State::current() {
 void State::begin(void const *frame) {
   *this = {};
   find_own_stack(frame);
-  find_constant_memory();
+  constant_memory_ = find_constant_memory();
   // Are we told of what is allocated?
   detail::recording = true;
   void *(*volatile allocate)(std::size_t) = std::malloc;
   void *block = allocate(sizeof(double));
   heap_is_known_ = (shadow_.at(block) & mark::own) != 0;
   std::free(block);
-}
-
-void State::find_constant_memory() {
-  dl_iterate_phdr(
-      [](dl_phdr_info *object, std::size_t, void *list) {
-        for (int i = 0; i < object->dlpi_phnum; ++i) {
-          auto const &part = object->dlpi_phdr[i];
-          bool const constant = (part.p_type == PT_LOAD && (part.p_flags & PF_W) == 0) || part.p_type == PT_GNU_RELRO;
-          std::uintptr_t const begin = object->dlpi_addr + part.p_vaddr;
-          if (constant) static_cast<std::vector<Bytes> *>(list)->push_back({begin, begin + part.p_memsz});
-        }
-        return 0;
-      },
-      &constant_memory_);
 }
 
 State::Site State::site_of(void const *address, char const *name, char const *place) const {
@@ -101,9 +61,8 @@ State::Site State::site_of(void const *address, char const *name, char const *pl
 // Is this the first time that the kernel meets a number that is not its own? From then on it is noted.
 bool State::in_question(void const *address) {
   if ((shadow_.at(address) & mark::judged) != 0) return false;
-  auto const at = reinterpret_cast<std::uintptr_t>(address);
   bool const constant = std::any_of(constant_memory_.begin(), constant_memory_.end(),
-                                    [at](Bytes const &bytes) { return bytes.begin <= at && at < bytes.end; });
+                                    [address](MemoryRange const &range) { return range.contains(address); });
   bool const unknown = !heap_is_known_ && site_of(address, "", "").name.empty();
   shadow_.add(address, sizeof(RealNumber), constant || unknown ? mark::own : mark::noted);
   overlooked_ = overlooked_ || (unknown && !constant);
@@ -254,53 +213,4 @@ std::vector<Frozen> State::end() {
 }
 
 } // namespace trace
-
-namespace detail {
-
-using trace::Pause;
-using trace::State;
-
-void note_static(void const *object, std::size_t size, char const *name, char const *place) noexcept {
-  Pause const pause;
-  State::current().named(object, size, name, place);
-}
-
-void note_read(RealNumber const *number, char const *name, char const *place) noexcept {
-  Pause const pause;
-  State::current().read(number, name, place);
-}
-
-void note_written(void const *begin, std::size_t size, char const *name, char const *place) noexcept {
-  Pause const pause;
-  State::current().written(begin, size, name, place);
-}
-
-void note_changed(void const *object, Visit visit, char const *name, char const *place) noexcept {
-  Pause const pause;
-  State::current().changed(object, visit, name, place);
-}
-
-void check_bits(void const *begin, std::size_t size, char const *name, char const *place) noexcept {
-  Pause const pause;
-  State::current().check_bits(begin, size, name, place);
-}
-
-void const *other_range_end(void const *end, bool is_last, char const *place) noexcept {
-  Pause const pause;
-  return State::current().other_range_end(end, is_last, place);
-}
-
-void scratch(void const *object, std::size_t size, Visit visit) noexcept {
-  if (!recording) return;
-  Pause const pause;
-  State::current().scratch(object, size, visit);
-}
-
-void annotated_bytes(void const *object, std::size_t size) noexcept {
-  if (!recording) return;
-  Pause const pause;
-  State::current().annotated(object, size);
-}
-
-} // namespace detail
 } // namespace symreal

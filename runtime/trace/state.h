@@ -3,6 +3,7 @@
 #pragma once
 
 #include "graph/graph.h"
+#include "trace/own_memory.h"
 #include "trace/shadow.h"
 
 #include <symreal/state.h>
@@ -76,9 +77,6 @@ private:
     bool is_last;
     char const *place;
   };
-  struct Bytes {
-    std::uintptr_t begin, end;
-  };
 
   bool in_question(void const *address);
   Site site_of(void const *address, char const *name, char const *place) const;
@@ -86,11 +84,10 @@ private:
   void report_lost(Site const &site);
   void forget_scratch();
   void warn_overlooked() const;
-  void find_constant_memory();
 
   Shadow shadow_;
   bool heap_is_known_ = false;
-  std::vector<Bytes> constant_memory_;                // of the program and its libraries
+  std::vector<MemoryRange> constant_memory_;          // of the program and its libraries
   std::map<void const *, Static, std::less<>> names_; // by address
   std::map<Site, Read> reads_;
   std::vector<Written> written_;

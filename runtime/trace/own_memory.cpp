@@ -1,0 +1,44 @@
+#include "trace/own_memory.h"
+
+#include "diagnostics/diagnostic.h"
+
+#include <link.h>
+#include <pthread.h>
+
+namespace symreal {
+
+__thread bool detail::recording = false;
+__thread std::uintptr_t detail::own_stack = 0, detail::own_stack_size = 0;
+
+namespace trace {
+
+void find_own_stack(void const *frame) {
+  pthread_attr_t attributes;
+  internal_check(pthread_getattr_np(pthread_self(), &attributes) == 0);
+  void *begin = nullptr;
+  std::size_t size = 0;
+  pthread_attr_getstack(&attributes, &begin, &size);
+  pthread_attr_destroy(&attributes);
+  auto const at = reinterpret_cast<std::uintptr_t>(frame);
+  detail::own_stack = reinterpret_cast<std::uintptr_t>(begin);
+  detail::own_stack_size = at - detail::own_stack < size ? at - detail::own_stack : size;
+}
+
+std::vector<MemoryRange> find_constant_memory() {
+  std::vector<MemoryRange> found;
+  dl_iterate_phdr(
+      [](dl_phdr_info *object, std::size_t, void *list) {
+        for (int i = 0; i < object->dlpi_phnum; ++i) {
+          auto const &part = object->dlpi_phdr[i];
+          bool const constant = (part.p_type == PT_LOAD && (part.p_flags & PF_W) == 0) || part.p_type == PT_GNU_RELRO;
+          std::uintptr_t const begin = object->dlpi_addr + part.p_vaddr;
+          if (constant) static_cast<std::vector<MemoryRange> *>(list)->push_back({begin, begin + part.p_memsz});
+        }
+        return 0;
+      },
+      &found);
+  return found;
+}
+
+} // namespace trace
+} // namespace symreal

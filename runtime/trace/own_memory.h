@@ -1,0 +1,34 @@
+// Which memory is the kernel's own, or constant, whatever the kernel does.
+#pragma once
+
+#include <symreal/state.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace symreal::trace {
+
+struct MemoryRange {
+  std::uintptr_t begin, end;
+  bool contains(void const *address) const {
+    auto const at = reinterpret_cast<std::uintptr_t>(address);
+    return begin <= at && at < end;
+  }
+};
+
+// The stack of this thread from its far end to the frame (all of it where no frame is given) is the kernel's own.
+void find_own_stack(void const *frame);
+
+// Read-only memory of the program and its libraries.
+std::vector<MemoryRange> find_constant_memory();
+
+// What the bookkeeping itself allocates is no memory of the kernel.
+class Pause {
+public:
+  Pause() { detail::recording = false; }
+  ~Pause() { detail::recording = true; }
+  Pause(Pause const &) = delete;
+  Pause &operator=(Pause const &) = delete;
+};
+
+} // namespace symreal::trace

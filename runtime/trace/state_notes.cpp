@@ -1,0 +1,55 @@
+// What the macros of a rewritten program tell: on to the State of the thread.
+#include "trace/own_memory.h"
+#include "trace/state.h"
+
+namespace symreal {
+
+namespace detail {
+
+using trace::Pause;
+using trace::State;
+
+void note_static(void const *object, std::size_t size, char const *name, char const *place) noexcept {
+  Pause const pause;
+  State::current().named(object, size, name, place);
+}
+
+void note_read(RealNumber const *number, char const *name, char const *place) noexcept {
+  Pause const pause;
+  State::current().read(number, name, place);
+}
+
+void note_written(void const *begin, std::size_t size, char const *name, char const *place) noexcept {
+  Pause const pause;
+  State::current().written(begin, size, name, place);
+}
+
+void note_changed(void const *object, Visit visit, char const *name, char const *place) noexcept {
+  Pause const pause;
+  State::current().changed(object, visit, name, place);
+}
+
+void check_bits(void const *begin, std::size_t size, char const *name, char const *place) noexcept {
+  Pause const pause;
+  State::current().check_bits(begin, size, name, place);
+}
+
+void const *other_range_end(void const *end, bool is_last, char const *place) noexcept {
+  Pause const pause;
+  return State::current().other_range_end(end, is_last, place);
+}
+
+void scratch(void const *object, std::size_t size, Visit visit) noexcept {
+  if (!recording) return;
+  Pause const pause;
+  State::current().scratch(object, size, visit);
+}
+
+void annotated_bytes(void const *object, std::size_t size) noexcept {
+  if (!recording) return;
+  Pause const pause;
+  State::current().annotated(object, size);
+}
+
+} // namespace detail
+} // namespace symreal
