@@ -38,9 +38,10 @@ Rewording rewording(Wrap const &wrap) {
   internal_failure("a use has a macro", __FILE__, __LINE__);
 }
 
-void add_types(Facts const &facts, std::set<Span> const &pragmas, ByFile &rewordings, Result &result) {
+void add_types(Facts const &facts, std::set<Span> const &pragmas, Ledger const &ledger, ByFile &rewordings,
+               Result &result) {
   for (TypeToken const &token : facts.types) {
-    if (meets(pragmas, token.span)) continue;
+    if (meets(pragmas, token.span) || ledger.is_kept(token.span)) continue;
     if (!meets(facts.quoted, token.span)) {
       if (!token.replacement.empty())
         rewordings[token.span.file].push_back({token.span.begin, token.span.end, token.replacement, "", true});
@@ -55,11 +56,12 @@ void add_types(Facts const &facts, std::set<Span> const &pragmas, ByFile &reword
 
 // A few places have no type in the syntax tree, such as the explicit instantiation of a function or an attribute. There
 // `double` follows its neighbours; if that is wrong the symbolic program does not compile.
-void add_unaccounted(Facts const &facts, std::set<Span> const &pragmas, ByFile &rewordings, Result &result) {
+void add_unaccounted(Facts const &facts, std::set<Span> const &pragmas, Ledger const &ledger, ByFile &rewordings,
+                     Result &result) {
   for (Span const &span : facts.doubles) {
     auto const known = facts.types.lower_bound({span, ""});
     bool const accounted = known != facts.types.end() && known->span == span;
-    if (accounted || meets(pragmas, span) || meets(facts.quoted, span)) continue;
+    if (accounted || meets(pragmas, span) || meets(facts.quoted, span) || ledger.stays_in_text(span)) continue;
     rewordings[span.file].push_back({span.begin, span.end, "REAL", "", true});
     result.diagnostics.push_back({DiagnosticId::unaccounted_double, Severity::warning,
                                   place_in(facts.files.at(span.file), span.begin),
@@ -116,6 +118,12 @@ void add_boundaries(Facts const &facts, Result &result) {
   }
 }
 
+void add_dependence(Facts const &facts, Result &result) {
+  for (auto const &[span, type] : facts.to_integers)
+    result.to_integers.push_back({place_in(facts.files.at(span.file), span.begin), type});
+  result.comparisons = facts.comparisons.size();
+}
+
 bool has_error(Result const &result) {
   return std::any_of(result.diagnostics.begin(), result.diagnostics.end(),
                      [](Diagnostic const &one) { return one.severity == Severity::error; });
@@ -150,19 +158,22 @@ Result decide(Facts facts) {
   if (facts.broken) return result;
   std::set<Span> pragmas;
   for (auto const &[span, pragma] : facts.pragmas) pragmas.insert(span);
+  Ledger const ledger(facts);
   ByFile rewordings;
-  add_types(facts, pragmas, rewordings, result);
-  add_unaccounted(facts, pragmas, rewordings, result);
+  add_types(facts, pragmas, ledger, rewordings, result);
+  add_unaccounted(facts, pragmas, ledger, rewordings, result);
   add_wraps(facts, pragmas, rewordings);
   add_selects(facts, rewordings, result);
   add_members(facts, rewordings);
   collect_kernels(facts, result);
   if (!has_error(result)) add_pragmas(facts, rewordings);
   add_boundaries(facts, result);
+  add_dependence(facts, result);
   for (auto const &[path, file] : facts.files) {
     std::vector<Edit> edits = compose(file.text, std::move(rewordings[path]));
     std::string text = apply_edits(file.text, edits);
-    result.files.push_back({path, file.display_path, file.text, std::move(text), std::move(edits)});
+    std::vector<Spelling> entries = ledger.entries(path, edits);
+    result.files.push_back({path, file.display_path, file.text, std::move(text), std::move(edits), std::move(entries)});
   }
   return result;
 }

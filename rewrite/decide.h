@@ -16,6 +16,27 @@ bool meets(std::set<Span> const &spans, Span const &span);
 
 Place place_in(FileFact const &file, std::size_t offset);
 
+// What becomes of every type that the files spell. A type that none of the facts accounts for is an internal error
+// (ledger.cpp).
+class Ledger {
+public:
+  explicit Ledger(Facts const &facts);
+
+  bool is_kept(Span const &span) const { return meets(kept_, span); }
+  // Kept, or part of a `long double`.
+  bool stays_in_text(Span const &span) const { return meets(kept_, span) || long_.count(span) != 0; }
+  // The entries of a file, which must agree with what was done to it.
+  std::vector<Spelling> entries(std::string const &path, std::vector<Edit> const &edits) const;
+
+private:
+  Spelling entry(FileFact const &file, SpelledType const &type) const;
+  std::string condition(SpelledType const &type) const;
+  TypeToken const *known(Span const &span) const;
+
+  Facts const &facts_;
+  std::set<Span> pragmas_, kept_, long_;
+};
+
 // The kernels that the pragmas ask for, and what is wrong with them (kernels.cpp).
 void collect_kernels(Facts const &facts, Result &result);
 

@@ -40,15 +40,45 @@ void refuse_quoted(Facts const &facts, DecisionFact &fact) {
   }
 }
 
+// Only where there is a decision on REALs its macro's other uses matter.
+void refuse_misuses(DecisionFact &fact) {
+  if (fact.alterations.empty() && fact.refusals.empty()) return;
+  fact.refusals.insert(fact.refusals.end(), fact.misuses.begin(), fact.misuses.end());
+}
+
+DecisionFact const *in_the_way(std::map<Span, DecisionFact> const &decisions, DecisionFact const &fact) {
+  if (!fact.refusals.empty() || !fact.needs) return &fact;
+  auto const needed = decisions.find(*fact.needs);
+  return needed == decisions.end() ? &fact : in_the_way(decisions, needed->second);
+}
+
+void report_decision(Facts const &facts, Span const &key, DecisionFact const &fact, Result &result) {
+  FileFact const &file = facts.files.at(key.file);
+  std::string kind = file.text.substr(key.begin, key.end - key.begin);
+  if (kind == "{" || (fact.alterations.empty() && fact.refusals.empty())) return; // a function's returns
+  if (kind == "?") kind = "?:";
+  Decision decision{place_in(file, key.begin), std::move(kind), is_made(facts.decisions, fact)};
+  DecisionFact const *blocked = in_the_way(facts.decisions, fact);
+  if (!decision.selectable && !blocked->refusals.empty()) {
+    decision.reason = blocked->refusals[0].reason;
+    decision.token = blocked->refusals[0].token;
+  }
+  result.decisions.push_back(std::move(decision));
+}
+
 } // namespace
 
 void add_selects(Facts &facts, std::map<std::string, std::vector<Rewording>> &rewordings, Result &result) {
-  for (auto &[key, fact] : facts.decisions) refuse_quoted(facts, fact);
+  for (auto &[key, fact] : facts.decisions) {
+    refuse_misuses(fact);
+    refuse_quoted(facts, fact);
+  }
   std::set<Span> kernels; // the braces of functions whose returned value is an output
   for (auto const &[span, pragma] : facts.pragmas)
     for (FunctionFact const &function : pragma.function)
       if (pragma.clause("output")) kernels.insert(function.brace);
   for (auto const &[key, fact] : facts.decisions) {
+    report_decision(facts, key, fact, result);
     result.refusals.insert(result.refusals.end(), fact.refusals.begin(), fact.refusals.end());
     if (!fact.refusals.empty())
       for (Refusal use : fact.uses) {

@@ -22,10 +22,27 @@ struct Span {
   auto operator<=>(Span const &) const = default;
 };
 
+// Why a type that is compiled stays as it is, where it does. The words for each are in ledger.cpp.
+enum Passive : unsigned char {
+  not_passive,
+  constant_variable,
+  static_member,
+  external_declaration,
+  template_value,
+  static_assertion,
+  enumerator,
+  constant_expression,
+  array_bound,
+  plain_template,
+  long_double,
+  complex_double,
+};
+
 // A token that spells a type: `double`, or the name of a library's typedef such as Vector3d.
 struct TypeToken {
   Span span;
   std::string replacement; // empty: it stays, and is known to
+  Passive why = not_passive;
   auto operator<=>(TypeToken const &) const = default;
 };
 
@@ -143,14 +160,32 @@ struct Alteration {
 struct DecisionFact {
   std::vector<Alteration> alterations; // none: nothing to change there
   std::vector<Refusal> refusals;
-  std::vector<Refusal> uses; // where nothing is in the way: a refusal elsewhere is in theirs too
-  std::optional<Span> needs; // the decision without which this one cannot be changed
+  std::vector<Refusal> misuses; // where its macro stands in the way of a select, if one is to be made
+  std::vector<Refusal> uses;    // where nothing is in the way: a refusal elsewhere is in theirs too
+  std::optional<Span> needs;    // the decision without which this one cannot be changed
+};
+
+// A `double` or `float` that the file spells, compiled or not (spelled_types.h).
+struct SpelledType {
+  enum class Where { code, macro, directive };
+  Span span;
+  bool is_float = false;
+  bool is_long = false;
+  bool kept = false; // its line says so
+  Where where = Where::code;
+  std::string name = {};                // of the macro or directive
+  std::vector<std::size_t> within = {}; // offsets of the directives that open the parts of #if around it
 };
 
 struct FileFact {
   std::string display_path;
   std::string text;
+  std::vector<SpelledType> spelled = {};
+  std::map<std::size_t, std::string> conditions = {}; // by the offset of a directive that opens a part of an #if
 };
+
+// What the preprocessor does to a token so that it never reaches the parser.
+enum class Consumed { dropped_argument, macro_name };
 
 struct Facts {
   std::map<std::string, FileFact> files; // by real path
@@ -158,6 +193,10 @@ struct Facts {
   std::set<Span> doubles; // every `double` that reached the parser, understood or not
   std::set<Wrap> wraps;
   std::map<Span, std::string> members;         // by the opening brace of a class: what holds REAL in it
+  std::set<Span> skipped;                      // parts of an #if that are not taken
+  std::map<Span, Consumed> consumed;           // tokens that may not have reached the parser
+  std::map<Span, std::string> to_integers;     // conversions of REALs, with the integer type
+  std::set<Span> comparisons;                  // of REALs, by the operator
   std::set<Span> quoted;                       // arguments that a macro stringifies or pastes: their text is data
   std::map<Span, PragmaFact> pragmas;          // by the span of the directive
   std::set<std::string> number_readers;        // variadic functions that read doubles themselves, by qualified name

@@ -228,9 +228,10 @@ void DecisionRecorder::choose_value(ConditionalOperator const *choice) {
 void DecisionRecorder::check_use_of_macro(ConditionalOperator const *choice) {
   if (seen_.count(choice) != 0 || choice->isInstantiationDependent() || !choice->getQuestionLoc().isMacroID()) return;
   std::optional<Span> const key = map_.token(choice->getQuestionLoc());
-  if (!key || facts_.decisions.count(*key) == 0) return;
-  refuse({*key, map_.frame(choice->getQuestionLoc()), choice->getCond()->getSourceRange()},
-         {choice->getQuestionLoc(), "a use of its macro outside of functions or in a constant expression"});
+  if (!key) return;
+  note({*key, map_.frame(choice->getQuestionLoc()), choice->getCond()->getSourceRange()},
+       {choice->getQuestionLoc(), "a use of its macro outside of functions or in a constant expression"},
+       facts_.decisions[*key].misuses);
 }
 
 } // namespace symreal::rewrite

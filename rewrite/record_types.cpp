@@ -12,10 +12,10 @@ void Recorder::report(DiagnosticId id, SourceLocation location, std::string mess
   facts_.diagnostics.push_back(std::move(diagnostic));
 }
 
-void Recorder::builtin_type(BuiltinTypeLoc type, bool passive) {
+void Recorder::builtin_type(BuiltinTypeLoc type, Passive passive) {
   if (type.getTypePtr()->getKind() == BuiltinType::LongDouble)
     for (SourceLocation const end : {type.getBeginLoc(), type.getEndLoc()})
-      if (std::optional<Span> const span = map_.token(end)) facts_.types.insert({*span, ""});
+      if (std::optional<Span> const span = map_.token(end)) facts_.types.insert({*span, "", long_double});
   if (type.getTypePtr()->getKind() != BuiltinType::Double) return;
   SourceLocation const location = type.getBeginLoc();
   if (!map_.in_roots(location)) return;
@@ -29,7 +29,7 @@ void Recorder::builtin_type(BuiltinTypeLoc type, bool passive) {
   }
   std::string const text = map_.text(*span, location);
   if (text == "double")
-    facts_.types.insert({*span, passive ? "" : "REAL"});
+    facts_.types.insert({*span, passive ? "" : "REAL", passive});
   else
     report(DiagnosticId::unaccounted_double, location, "a double spelled as '" + text + "'");
 }
@@ -37,8 +37,10 @@ void Recorder::builtin_type(BuiltinTypeLoc type, bool passive) {
 void Recorder::complex_type(ComplexTypeLoc type) {
   if (!map_.in_roots(type.getBeginLoc())) return;
   auto const *complex = type.getTypePtr()->getAs<ComplexType>();
-  if (complex && Reals::is_double(complex->getElementType()))
-    report(DiagnosticId::unconvertible_type, type.getBeginLoc(), "C's complex double has no symbolic counterpart");
+  if (!complex || !Reals::is_double(complex->getElementType())) return;
+  for (SourceLocation const end : {type.getBeginLoc(), type.getEndLoc()})
+    if (std::optional<Span> const span = map_.token(end)) facts_.types.insert({*span, "", complex_double});
+  report(DiagnosticId::unconvertible_type, type.getBeginLoc(), "C's complex double has no symbolic counterpart");
 }
 
 namespace {

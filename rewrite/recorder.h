@@ -19,7 +19,7 @@ public:
         facts_(facts) {}
 
   // Types (record_types.cpp).
-  void builtin_type(clang::BuiltinTypeLoc type, bool passive);
+  void builtin_type(clang::BuiltinTypeLoc type, Passive passive);
   void complex_type(clang::ComplexTypeLoc type);
   // A name outside the roots for a type with double in it: Eigen's Vector3d, double_t.
   void typedef_name(clang::TypedefNameDecl const *declaration, clang::SourceLocation name, bool qualified,
@@ -41,6 +41,10 @@ public:
   void deduced_return(clang::Stmt const *body);
   void deduced_elements(clang::Expr const *initializer);
   void c_declaration(clang::NamedDecl const *declaration);
+
+  // What depends on values, for the report of a scan (record_dependence.cpp).
+  void to_integer(clang::CastExpr const *cast);
+  void comparison(clang::BinaryOperator const *comparison);
 
   // What numbers are called (record_names.cpp).
   void named_variable(clang::VarDecl const *variable);

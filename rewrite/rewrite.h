@@ -19,6 +19,7 @@ struct Request {
   std::vector<std::string> sources; // as the user named them; a name ending in .c is parsed as C
   std::vector<std::string> roots;   // what may be rewritten besides the directories of the sources
   std::vector<std::string> flags;   // the compiler flags of every source
+  bool leave_out_broken = false;    // go on without the sources that do not compile
 };
 
 // A replacement on the original bytes of a file. Its length is never zero: an insertion takes the neighbouring
@@ -30,6 +31,24 @@ struct Edit {
   auto operator<=>(Edit const &) const = default;
 };
 
+// What becomes of a `double` that a file spells.
+enum class Fate {
+  converted, // to REAL
+  follows,   // converted as its neighbours are: the syntax tree does not say what it is part of
+  passive,   // compiled, and stays
+  diagnosed, // compiled, and an error says why it cannot be converted
+  inactive,  // not compiled in this configuration
+};
+
+// One entry of the ledger: there is one for each `double` and `float` in the files of the roots.
+struct Spelling {
+  Place place;
+  std::string type; // double, long double or float
+  Fate fate;
+  std::string reason;
+  std::string detail = {}; // of the reason: a macro's name, a directive
+};
+
 // A file within the roots that at least one source includes, changed or not.
 struct File {
   std::string path;         // real path
@@ -37,6 +56,7 @@ struct File {
   std::string original;
   std::string text; // the original with its edits; it has as many lines as the original
   std::vector<Edit> edits;
+  std::vector<Spelling> ledger;
 };
 
 // One dimension of an array section [low:length], in the source's own words.
@@ -88,6 +108,21 @@ struct Refusal {
   Place token;            // what is in the way
 };
 
+// A decision on REALs: whether both of its arms can be recorded, and if not, what is in the way.
+struct Decision {
+  Place place;
+  std::string kind; // if, ?:, for, while, do
+  bool selectable;
+  std::string reason = {};
+  Place token = {};
+};
+
+// A conversion of a REAL to an integer.
+struct IntegerConversion {
+  Place place;
+  std::string type;
+};
+
 struct Result {
   std::vector<File> files; // sorted by path; empty when a source does not compile
   std::vector<Kernel> kernels;
@@ -95,6 +130,10 @@ struct Result {
   std::vector<Boundary> boundaries;      // each also has its diagnostic
   std::vector<NamedStatement> names;     // by file, line and column
   std::vector<Refusal> refusals;         // in the order of their places
+  std::vector<Decision> decisions;       // by file and offset
+  std::vector<IntegerConversion> to_integers;
+  std::size_t comparisons = 0;       // of REALs
+  std::vector<std::string> left_out; // sources that do not compile, if the request allows it
   std::vector<Diagnostic> diagnostics;
 };
 

@@ -1,9 +1,11 @@
 #include "rewrite/clang.h"
 #include "rewrite/decide.h"
+#include "rewrite/merge.h"
 #include "rewrite/pragma_handler.h"
 #include "rewrite/quoted_arguments.h"
 #include "rewrite/rewrite.h"
 #include "rewrite/source_map.h"
+#include "rewrite/spelled_types.h"
 #include "rewrite/token_watch.h"
 #include "rewrite/visitor.h"
 
@@ -60,6 +62,7 @@ public:
     Preprocessor &preprocessor = compiler.getPreprocessor();
     preprocessor.AddPragmaHandler(make_pragma_handler(map_, facts_, index_).release()); // owned there from now on
     preprocessor.addPPCallbacks(make_quoted_argument_recorder(map_, facts_));
+    preprocessor.addPPCallbacks(make_skipped_text_recorder(map_, facts_));
     watch_tokens(preprocessor, map_, facts_);
   }
 
@@ -187,8 +190,19 @@ std::vector<std::string> real_roots(Request const &request) {
 Result run(Request const &request) {
   std::vector<std::string> const roots = real_roots(request);
   Facts facts;
-  for (std::string const &source : request.sources) record_source(request, roots, source, facts);
-  return decide(std::move(facts));
+  std::vector<std::string> left_out;
+  for (std::string const &source : request.sources) {
+    Facts found;
+    record_source(request, roots, source, found);
+    if (found.broken && request.leave_out_broken) {
+      left_out.push_back(source);
+      for (symreal::Diagnostic const &one : found.diagnostics) add_diagnostic(facts, one);
+    } else
+      merge(facts, std::move(found));
+  }
+  Result result = decide(std::move(facts));
+  result.left_out = std::move(left_out);
+  return result;
 }
 
 } // namespace symreal::rewrite

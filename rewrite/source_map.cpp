@@ -1,5 +1,7 @@
 #include "rewrite/source_map.h"
 
+#include "rewrite/spelled_types.h"
+
 namespace symreal::rewrite {
 
 std::string real_path(std::string const &name) {
@@ -123,7 +125,7 @@ void SourceMap::record_files(Facts &facts) const {
     std::string const real = real_path(name);
     if (!below_roots(real, roots_) || facts.files.count(real) != 0) continue;
     if (std::optional<llvm::StringRef> const text = at->second->getBufferDataIfLoaded())
-      facts.files[real] = {display_path(name), text->str()};
+      find_spelled_types(real, language_, facts.files[real] = {display_path(name), text->str()});
   }
 }
 

@@ -53,38 +53,41 @@ public:
 
   // Where double stays double.
   bool TraverseVarDecl(VarDecl *variable) {
-    Within const passive(passive_, variable->isConstexpr() || reals_.is_passive(variable));
+    Passive const why = variable->isConstexpr()       ? constant_variable
+                        : reals_.is_passive(variable) ? static_member
+                                                      : not_passive;
+    Within const passive(passive_, why);
     Within const constant(no_state_, variable->isFileVarDecl() || variable->isStaticDataMember());
     return Walk::TraverseVarDecl(variable);
   }
   bool TraverseFunctionDecl(FunctionDecl *function) {
-    Within const passive(passive_, reals_.external(function) != nullptr);
+    Within const passive(passive_, reals_.external(function) ? external_declaration : not_passive);
     return Walk::TraverseFunctionDecl(function);
   }
   bool TraverseNonTypeTemplateParmDecl(NonTypeTemplateParmDecl *parameter) {
-    Within const passive(passive_, true);
+    Within const passive(passive_, template_value);
     return Walk::TraverseNonTypeTemplateParmDecl(parameter);
   }
   bool TraverseStaticAssertDecl(StaticAssertDecl *assertion) {
-    Within const passive(passive_, true);
+    Within const passive(passive_, static_assertion);
     return Walk::TraverseStaticAssertDecl(assertion);
   }
   bool TraverseEnumConstantDecl(EnumConstantDecl *constant) {
-    Within const passive(passive_, true);
+    Within const passive(passive_, enumerator);
     return Walk::TraverseEnumConstantDecl(constant);
   }
   bool TraverseConstantExpr(ConstantExpr *constant) {
-    Within const passive(passive_, true);
+    Within const passive(passive_, constant_expression);
     return Walk::TraverseConstantExpr(constant);
   }
   bool TraverseConstantArrayTypeLoc(ConstantArrayTypeLoc type) {
     if (!TraverseTypeLoc(type.getElementLoc())) return false;
-    Within const passive(passive_, true);
+    Within const passive(passive_, array_bound);
     return TraverseStmt(type.getSizeExpr());
   }
   bool TraverseTemplateSpecializationTypeLoc(TemplateSpecializationTypeLoc type) {
-    Within const passive(passive_,
-                         Reals::is_passive_template(type.getTypePtr()->getTemplateName().getAsTemplateDecl()));
+    TemplateDecl const *declaration = type.getTypePtr()->getTemplateName().getAsTemplateDecl();
+    Within const passive(passive_, Reals::is_passive_template(declaration) ? plain_template : not_passive);
     return Walk::TraverseTemplateSpecializationTypeLoc(type);
   }
 
@@ -179,6 +182,10 @@ public:
     if (!passive_ && !no_state_) record_.pointer_cast(cast);
     return true;
   }
+  bool VisitCastExpr(CastExpr *cast) {
+    if (!passive_) record_.to_integer(cast);
+    return true;
+  }
   bool VisitCompoundAssignOperator(CompoundAssignOperator *assignment) {
     if (!passive_) record_.compound_assignment(assignment);
     return true;
@@ -240,6 +247,7 @@ public:
   }
   bool VisitBinaryOperator(BinaryOperator *binary) {
     if (!passive_) record_.named_target(binary);
+    if (!passive_ && binary->isComparisonOp()) record_.comparison(binary);
     if (!passive_ && !no_state_) {
       if (binary->isAssignmentOp()) record_.assignment(binary);
       record_.dependent_operands(binary);
@@ -248,17 +256,19 @@ public:
   }
 
 private:
-  // A flag that holds for the part of the tree below.
-  class Within {
+  // A flag that holds for the part of the tree below; the outermost says why.
+  template <class Flag> class Within {
   public:
-    Within(bool &flag, bool value) : flag_(flag), before_(flag) { flag = flag || value; }
+    Within(Flag &flag, Flag value) : flag_(flag), before_(flag) {
+      if (!flag) flag = value;
+    }
     ~Within() { flag_ = before_; }
     Within(Within const &) = delete;
     Within &operator=(Within const &) = delete;
 
   private:
-    bool &flag_;
-    bool const before_;
+    Flag &flag_;
+    Flag const before_;
   };
 
   void named_type(TypeLoc type, bool qualified, bool within_type) {
@@ -290,7 +300,7 @@ private:
   PragmaIndex const &index_;
   Facts &facts_;
   Recorder record_;
-  bool passive_ = false;
+  Passive passive_ = not_passive;
   bool no_state_ = false;
   FunctionDecl const *function_ = nullptr;
   bool in_template_ = false; // types may depend on its arguments

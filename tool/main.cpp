@@ -25,6 +25,7 @@ static int run(int argc, char **argv) {
   app.require_subcommand(1);
   app.footer("What follows -- are the compiler flags of the sources.\n"
              "Exit status: 0 clean, 1 error, 2 partly skipped, 3 verification failed, 4 output out of date.");
+  add_scan(app, session);
   add_generate(app, session);
   add_verify(app, session);
   add_rewrite(app, session);

@@ -1,6 +1,5 @@
-#include "rewrite/rewrite.h"
-
 #include "diagnostics/diagnostic.h"
+#include "tool/project_options.h"
 #include "tool/subcommands.h"
 
 #include <iostream>
@@ -10,7 +9,7 @@ namespace symreal::tool {
 namespace {
 
 struct Options {
-  rewrite::Request request;
+  ProjectOptions project;
   bool diff = false;
   std::string out_root;
 };
@@ -18,9 +17,7 @@ struct Options {
 void run(Options const &options, Session &session) {
   if (options.diff == !options.out_root.empty())
     fail(DiagnosticId::bad_option, {}, "one of --diff and --out-root says where the rewritten text goes");
-  rewrite::Request request = options.request;
-  request.flags = session.flags;
-  rewrite::Result result = rewrite::run(request);
+  rewrite::Result result = rewrite::run(options.project.complete(session.flags));
   for (Diagnostic const &diagnostic : result.diagnostics) {
     print(std::cerr, diagnostic);
     if (diagnostic.severity == Severity::error) session.status = error;
@@ -38,13 +35,7 @@ void run(Options const &options, Session &session) {
 void add_rewrite(CLI::App &app, Session &session) {
   CLI::App *command = app.add_subcommand("rewrite", "Show or write the sources in their symbolic form");
   auto options = std::make_shared<Options>();
-  command->add_option("sources", options->request.sources, "C and C++ sources")->required();
-  command
-      ->add_option("--root", options->request.roots,
-                   "A further directory whose files may be rewritten, besides the sources' own (repeatable)")
-      ->take_all()
-      ->allow_extra_args(false)
-      ->type_name("DIR");
+  options->project.add_to(*command);
   command->add_flag("--diff", options->diff, "Print a unified diff");
   command->add_option("--out-root", options->out_root, "Write a mirror of the files below this directory")
       ->type_name("DIR");

@@ -13,6 +13,7 @@ struct Session {
   int status = clean;
 };
 
+void add_scan(CLI::App &app, Session &session);
 void add_generate(CLI::App &app, Session &session);
 void add_verify(CLI::App &app, Session &session);
 void add_rewrite(CLI::App &app, Session &session);

@@ -1,0 +1,97 @@
+#include "rewrite/merge.h"
+
+#include <algorithm>
+
+namespace symreal::rewrite {
+namespace {
+
+void merge_item(ItemFact &item, ItemFact const &other) {
+  if (item.seen || !other.seen) return;
+  item = other;
+}
+
+void merge_pragma(PragmaFact &pragma, PragmaFact &&other) {
+  if (pragma.function.empty()) pragma.function = std::move(other.function);
+  if (!pragma.loop_targets) pragma.loop_targets = std::move(other.loop_targets);
+  pragma.tests_late |= other.tests_late;
+  for (std::size_t c = 0; c < pragma.clauses.size() && c < other.clauses.size(); ++c)
+    for (std::size_t i = 0; i < pragma.clauses[c].items.size() && i < other.clauses[c].items.size(); ++i)
+      merge_item(pragma.clauses[c].items[i], other.clauses[c].items[i]);
+}
+
+void add_refusals(std::vector<Refusal> &refusals, std::vector<Refusal> const &others) {
+  for (Refusal const &other : others)
+    if (std::none_of(refusals.begin(), refusals.end(),
+                     [&](Refusal const &known) { return to_string(known.condition) == to_string(other.condition); }))
+      refusals.push_back(other);
+}
+
+void merge_decision(DecisionFact &decision, DecisionFact &&other) {
+  if (!decision.alterations.empty() && !other.alterations.empty() && decision.alterations != other.alterations)
+    for (Refusal refusal : other.uses) {
+      refusal.reason = "that it reads differently in another source";
+      add_refusals(decision.refusals, {refusal});
+    }
+  add_refusals(decision.refusals, other.refusals);
+  add_refusals(decision.misuses, other.misuses);
+  add_refusals(decision.uses, other.uses);
+  if (decision.alterations.empty()) {
+    decision.alterations = std::move(other.alterations);
+    decision.needs = std::move(other.needs);
+  }
+}
+
+void merge_file(FileFact &file, FileFact &&other, Facts &facts) {
+  if (file.text != other.text)
+    add_diagnostic(
+        facts,
+        {DiagnosticId::changed_file, Severity::error, {file.display_path}, "this file changed while it was read"});
+}
+
+} // namespace
+
+void add_diagnostic(Facts &facts, Diagnostic const &diagnostic) {
+  for (Diagnostic const &known : facts.diagnostics)
+    if (known.id == diagnostic.id && to_string(known.place) == to_string(diagnostic.place) &&
+        known.message == diagnostic.message)
+      return;
+  facts.diagnostics.push_back(diagnostic);
+}
+
+void merge(Facts &facts, Facts &&other) {
+  // Named one by one, so that a new kind of fact does not compile until it is merged as well.
+  auto &[files, types, doubles, wraps, members, skipped, consumed, to_integers, comparisons, quoted, pragmas,
+         number_readers, by_hand, definitions, uses, names, decisions, externals, include_dirs, diagnostics, broken] =
+      other;
+  for (auto &[path, file] : files)
+    if (auto const [at, is_new] = facts.files.try_emplace(path, std::move(file)); !is_new)
+      merge_file(at->second, std::move(file), facts);
+  facts.types.merge(types);
+  facts.doubles.merge(doubles);
+  facts.wraps.merge(wraps);
+  facts.members.merge(members);
+  facts.skipped.merge(skipped);
+  facts.consumed.merge(consumed);
+  facts.to_integers.merge(to_integers);
+  facts.comparisons.merge(comparisons);
+  facts.quoted.merge(quoted);
+  for (auto &[span, pragma] : pragmas)
+    if (auto const [at, is_new] = facts.pragmas.try_emplace(span, std::move(pragma)); !is_new)
+      merge_pragma(at->second, std::move(pragma));
+  facts.number_readers.merge(number_readers);
+  facts.by_hand.insert(facts.by_hand.end(), by_hand.begin(), by_hand.end());
+  facts.definitions.merge(definitions);
+  facts.uses.merge(uses);
+  facts.names.merge(names);
+  for (auto &[span, decision] : decisions)
+    if (auto const [at, is_new] = facts.decisions.try_emplace(span, std::move(decision)); !is_new)
+      merge_decision(at->second, std::move(decision));
+  facts.externals.merge(externals);
+  for (std::string &directory : include_dirs)
+    if (std::find(facts.include_dirs.begin(), facts.include_dirs.end(), directory) == facts.include_dirs.end())
+      facts.include_dirs.push_back(std::move(directory));
+  for (Diagnostic const &diagnostic : diagnostics) add_diagnostic(facts, diagnostic);
+  facts.broken |= broken;
+}
+
+} // namespace symreal::rewrite

@@ -1,0 +1,2 @@
+#include "shared.h"
+double other(double x) { return half(x); }

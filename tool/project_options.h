@@ -1,0 +1,16 @@
+// Which sources a subcommand reads, and how they are compiled.
+#pragma once
+
+#include "rewrite/rewrite.h"
+#include "tool/options.h"
+
+namespace symreal::tool {
+
+struct ProjectOptions {
+  rewrite::Request request;
+
+  void add_to(CLI::App &app);
+  rewrite::Request complete(CompilerFlags const &flags) const;
+};
+
+} // namespace symreal::tool
