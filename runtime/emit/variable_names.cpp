@@ -10,8 +10,9 @@ namespace symreal {
 
 // Variables without a name, and the arrays of calls: t1, r1, s1, a1_2.
 static bool is_numbered(std::string const &name) {
-  bool const begins = std::string_view("arst").find(name[0]) != std::string_view::npos;
-  return begins && std::all_of(name.begin() + 1, name.end(), [](char c) { return c == '_' || (c >= '0' && c <= '9'); });
+  auto const is_digit = [](char c) { return c >= '0' && c <= '9'; };
+  return name.size() > 1 && std::string_view("arst").find(name[0]) != std::string_view::npos && is_digit(name[1]) &&
+         std::all_of(name.begin() + 2, name.end(), [&](char c) { return c == '_' || is_digit(c); });
 }
 
 // Names of the generated functions' own, besides keywords and the operations: arrays, the status, and words that some
