@@ -1,6 +1,7 @@
 #include "rewrite/visitor.h"
 
 #include "rewrite/boundaries.h"
+#include "rewrite/context_walk.h"
 #include "rewrite/externals.h"
 #include "rewrite/pragma_items.h"
 #include "rewrite/recorder.h"
@@ -11,103 +12,22 @@ namespace {
 
 using namespace clang;
 
-class Visitor : public RecursiveASTVisitor<Visitor> {
+class Visitor : public ContextWalk<Visitor> {
   using Walk = RecursiveASTVisitor<Visitor>;
 
 public:
   Visitor(ASTContext &context, SourceMap const &map, Reals const &reals, PragmaIndex const &index, Facts &facts)
-      : map_(map),
-        reals_(reals),
+      : ContextWalk(map, reals),
         index_(index),
         facts_(facts),
         record_(context, map, reals, facts) {}
 
   std::vector<FunctionDecl const *> definitions;
 
-  bool TraverseDecl(Decl *declaration) {
-    if (!declaration) return true;
-    if (!isa<TranslationUnitDecl>(declaration) && declaration->getLexicalDeclContext()->isFileContext() &&
-        !map_.in_roots(declaration->getLocation()) && !map_.in_roots(declaration->getBeginLoc()))
-      return true;
-    auto const *function = dyn_cast<FunctionDecl>(declaration);
-    if (!function) return Walk::TraverseDecl(declaration);
-    Within const dependent(in_template_, function->isDependentContext());
-    FunctionDecl const *const outer = std::exchange(function_, function);
-    bool const more = Walk::TraverseDecl(declaration);
-    function_ = outer;
-    return more;
-  }
-
-  bool TraverseLambdaExpr(LambdaExpr *lambda) {
-    Within const generic(in_template_, lambda->isGenericLambda());
-    FunctionDecl const *const outer = std::exchange(function_, lambda->getCallOperator());
-    bool const more = Walk::TraverseLambdaExpr(lambda);
-    function_ = outer;
-    return more;
-  }
-
-  // A capture without an initializer is no expression that could be wrapped.
-  bool TraverseLambdaCapture(LambdaExpr *lambda, LambdaCapture const *capture, Expr *initializer) {
-    return !lambda->isInitCapture(capture) || Walk::TraverseLambdaCapture(lambda, capture, initializer);
-  }
-
-  // Where double stays double.
-  bool TraverseVarDecl(VarDecl *variable) {
-    Passive const why = variable->isConstexpr()       ? constant_variable
-                        : reals_.is_passive(variable) ? static_member
-                                                      : not_passive;
-    Within const passive(passive_, why);
-    Within const constant(no_state_, variable->isFileVarDecl() || variable->isStaticDataMember());
-    return Walk::TraverseVarDecl(variable);
-  }
-  bool TraverseFunctionDecl(FunctionDecl *function) {
-    Within const passive(passive_, reals_.external(function) ? external_declaration : not_passive);
-    return Walk::TraverseFunctionDecl(function);
-  }
-  bool TraverseNonTypeTemplateParmDecl(NonTypeTemplateParmDecl *parameter) {
-    Within const passive(passive_, template_value);
-    return Walk::TraverseNonTypeTemplateParmDecl(parameter);
-  }
-  bool TraverseStaticAssertDecl(StaticAssertDecl *assertion) {
-    Within const passive(passive_, static_assertion);
-    return Walk::TraverseStaticAssertDecl(assertion);
-  }
-  bool TraverseEnumConstantDecl(EnumConstantDecl *constant) {
-    Within const passive(passive_, enumerator);
-    return Walk::TraverseEnumConstantDecl(constant);
-  }
-  bool TraverseConstantExpr(ConstantExpr *constant) {
-    Within const passive(passive_, constant_expression);
-    return Walk::TraverseConstantExpr(constant);
-  }
-  bool TraverseConstantArrayTypeLoc(ConstantArrayTypeLoc type) {
-    if (!TraverseTypeLoc(type.getElementLoc())) return false;
-    Within const passive(passive_, array_bound);
-    return TraverseStmt(type.getSizeExpr());
-  }
-  bool TraverseTemplateSpecializationTypeLoc(TemplateSpecializationTypeLoc type) {
-    TemplateDecl const *declaration = type.getTypePtr()->getTemplateName().getAsTemplateDecl();
-    Within const passive(passive_, Reals::is_passive_template(declaration) ? plain_template : not_passive);
-    return Walk::TraverseTemplateSpecializationTypeLoc(type);
-  }
-
-  // Operands that are not evaluated: their types count, their values do not.
-  bool TraverseUnaryExprOrTypeTraitExpr(UnaryExprOrTypeTraitExpr *expression) {
-    Within const unevaluated(no_state_, true);
-    return Walk::TraverseUnaryExprOrTypeTraitExpr(expression);
-  }
   bool TraverseDecltypeTypeLoc(DecltypeTypeLoc type) {
     Within const unevaluated(no_state_, true);
     if (!passive_) record_.deduced_elements(type.getUnderlyingExpr());
     return Walk::TraverseDecltypeTypeLoc(type);
-  }
-  bool TraverseCXXNoexceptExpr(CXXNoexceptExpr *expression) {
-    Within const unevaluated(no_state_, true);
-    return Walk::TraverseCXXNoexceptExpr(expression);
-  }
-  bool TraverseCXXTypeidExpr(CXXTypeidExpr *expression) {
-    Within const unevaluated(no_state_, true);
-    return Walk::TraverseCXXTypeidExpr(expression);
   }
 
   bool VisitBuiltinTypeLoc(BuiltinTypeLoc type) {
@@ -256,21 +176,6 @@ public:
   }
 
 private:
-  // A flag that holds for the part of the tree below; the outermost says why.
-  template <class Flag> class Within {
-  public:
-    Within(Flag &flag, Flag value) : flag_(flag), before_(flag) {
-      if (!flag) flag = value;
-    }
-    ~Within() { flag_ = before_; }
-    Within(Within const &) = delete;
-    Within &operator=(Within const &) = delete;
-
-  private:
-    Flag &flag_;
-    Flag const before_;
-  };
-
   void named_type(TypeLoc type, bool qualified, bool within_type) {
     if (passive_) return;
     if (auto const named = type.getAs<TypedefTypeLoc>())
@@ -295,15 +200,9 @@ private:
     if (!passive_ && !no_state_) record_.state(variable, reference, in_template_);
   }
 
-  SourceMap const &map_;
-  Reals const &reals_;
   PragmaIndex const &index_;
   Facts &facts_;
   Recorder record_;
-  Passive passive_ = not_passive;
-  bool no_state_ = false;
-  FunctionDecl const *function_ = nullptr;
-  bool in_template_ = false; // types may depend on its arguments
   llvm::SmallPtrSet<Expr const *, 32> decisions_;
 };
 

@@ -1,0 +1,123 @@
+// Walks the syntax tree within the roots and knows of each part what it stands in.
+#pragma once
+
+#include "rewrite/clang.h"
+#include "rewrite/reals.h"
+#include "rewrite/source_map.h"
+
+#include <utility>
+
+namespace symreal::rewrite {
+
+template <class Derived> class ContextWalk : public clang::RecursiveASTVisitor<Derived> {
+  using Walk = clang::RecursiveASTVisitor<Derived>;
+
+public:
+  ContextWalk(SourceMap const &map, Reals const &reals) : map_(map), reals_(reals) {}
+
+  bool TraverseDecl(clang::Decl *declaration) {
+    if (!declaration) return true;
+    if (!clang::isa<clang::TranslationUnitDecl>(declaration) && declaration->getLexicalDeclContext()->isFileContext() &&
+        !map_.in_roots(declaration->getLocation()) && !map_.in_roots(declaration->getBeginLoc()))
+      return true;
+    auto const *function = clang::dyn_cast<clang::FunctionDecl>(declaration);
+    if (!function) return Walk::TraverseDecl(declaration);
+    Within const dependent(in_template_, function->isDependentContext());
+    clang::FunctionDecl const *const outer = std::exchange(function_, function);
+    bool const more = Walk::TraverseDecl(declaration);
+    function_ = outer;
+    return more;
+  }
+
+  bool TraverseLambdaExpr(clang::LambdaExpr *lambda) {
+    Within const generic(in_template_, lambda->isGenericLambda());
+    clang::FunctionDecl const *const outer = std::exchange(function_, lambda->getCallOperator());
+    bool const more = Walk::TraverseLambdaExpr(lambda);
+    function_ = outer;
+    return more;
+  }
+
+  // A capture without an initializer is no expression that could be wrapped.
+  bool TraverseLambdaCapture(clang::LambdaExpr *lambda, clang::LambdaCapture const *capture, clang::Expr *initializer) {
+    return !lambda->isInitCapture(capture) || Walk::TraverseLambdaCapture(lambda, capture, initializer);
+  }
+
+  // Where double stays double.
+  bool TraverseVarDecl(clang::VarDecl *variable) {
+    Passive const why = variable->isConstexpr()       ? constant_variable
+                        : reals_.is_passive(variable) ? static_member
+                                                      : not_passive;
+    Within const passive(passive_, why);
+    Within const constant(no_state_, variable->isFileVarDecl() || variable->isStaticDataMember());
+    return Walk::TraverseVarDecl(variable);
+  }
+  bool TraverseFunctionDecl(clang::FunctionDecl *function) {
+    Within const passive(passive_, reals_.external(function) ? external_declaration : not_passive);
+    return Walk::TraverseFunctionDecl(function);
+  }
+  bool TraverseNonTypeTemplateParmDecl(clang::NonTypeTemplateParmDecl *parameter) {
+    Within const passive(passive_, template_value);
+    return Walk::TraverseNonTypeTemplateParmDecl(parameter);
+  }
+  bool TraverseStaticAssertDecl(clang::StaticAssertDecl *assertion) {
+    Within const passive(passive_, static_assertion);
+    return Walk::TraverseStaticAssertDecl(assertion);
+  }
+  bool TraverseEnumConstantDecl(clang::EnumConstantDecl *constant) {
+    Within const passive(passive_, enumerator);
+    return Walk::TraverseEnumConstantDecl(constant);
+  }
+  bool TraverseConstantExpr(clang::ConstantExpr *constant) {
+    Within const passive(passive_, constant_expression);
+    return Walk::TraverseConstantExpr(constant);
+  }
+  bool TraverseConstantArrayTypeLoc(clang::ConstantArrayTypeLoc type) {
+    if (!this->TraverseTypeLoc(type.getElementLoc())) return false;
+    Within const passive(passive_, array_bound);
+    return this->TraverseStmt(type.getSizeExpr());
+  }
+  bool TraverseTemplateSpecializationTypeLoc(clang::TemplateSpecializationTypeLoc type) {
+    clang::TemplateDecl const *declaration = type.getTypePtr()->getTemplateName().getAsTemplateDecl();
+    Within const passive(passive_, Reals::is_passive_template(declaration) ? plain_template : not_passive);
+    return Walk::TraverseTemplateSpecializationTypeLoc(type);
+  }
+
+  // Operands that are not evaluated: their types count, their values do not.
+  bool TraverseUnaryExprOrTypeTraitExpr(clang::UnaryExprOrTypeTraitExpr *expression) {
+    Within const unevaluated(no_state_, true);
+    return Walk::TraverseUnaryExprOrTypeTraitExpr(expression);
+  }
+  bool TraverseCXXNoexceptExpr(clang::CXXNoexceptExpr *expression) {
+    Within const unevaluated(no_state_, true);
+    return Walk::TraverseCXXNoexceptExpr(expression);
+  }
+  bool TraverseCXXTypeidExpr(clang::CXXTypeidExpr *expression) {
+    Within const unevaluated(no_state_, true);
+    return Walk::TraverseCXXTypeidExpr(expression);
+  }
+
+protected:
+  // A flag that holds for the part of the tree below; the outermost says why.
+  template <class Flag> class Within {
+  public:
+    Within(Flag &flag, Flag value) : flag_(flag), before_(flag) {
+      if (!flag) flag = value;
+    }
+    ~Within() { flag_ = before_; }
+    Within(Within const &) = delete;
+    Within &operator=(Within const &) = delete;
+
+  private:
+    Flag &flag_;
+    Flag const before_;
+  };
+
+  SourceMap const &map_;
+  Reals const &reals_;
+  Passive passive_ = not_passive; // double stays double
+  bool no_state_ = false;         // nothing is read or written while the program runs
+  bool in_template_ = false;      // types may depend on its arguments
+  clang::FunctionDecl const *function_ = nullptr;
+};
+
+} // namespace symreal::rewrite
