@@ -1,9 +1,11 @@
 // A guard that earlier guards imply is dropped.
 //
 // What is known after some guards: for a pair of operands which outcomes of comparing them are possible; for an operand
-// that is compared with constants also an interval; for any other condition its truth. A conjunction is two facts.
+// that is compared with constants also an interval; for any other condition its truth. A conjunction is two facts. What
+// an operand can be at all counts too: an index that was clamped needs no guard.
 #include "passes/compact.h"
 #include "passes/pass.h"
+#include "passes/value_range.h"
 
 #include <cmath>
 #include <limits>
@@ -32,17 +34,6 @@ unsigned with_operands_exchanged(unsigned set) {
   return (set & (equal | unordered)) | (set & less ? greater : 0u) | (set & greater ? less : 0u);
 }
 
-// Numbers between two bounds, which belong to it. x > c is x >= the double after c.
-struct Interval {
-  double low, high;
-  bool nan;
-
-  bool empty() const { return !(low <= high) && !nan; }
-  bool within(Interval const &other) const {
-    return (!(low <= high) || (low >= other.low && high <= other.high)) && (!nan || other.nan);
-  }
-};
-
 struct Literal {
   NodeId condition;
   bool holds;
@@ -50,7 +41,10 @@ struct Literal {
 
 class Knowledge {
 public:
-  Knowledge(Graph const &graph, FloatingPoint mode) : graph_(graph), strict_(mode == FloatingPoint::strict) {}
+  Knowledge(Graph const &graph, FloatingPoint mode)
+      : graph_(graph),
+        strict_(mode == FloatingPoint::strict),
+        ranges_(graph, mode) {}
 
   // Whether the literal follows from what was learnt.
   bool implies(Literal const &literal) const {
@@ -62,7 +56,7 @@ public:
     unsigned const possible = possible_outcomes(comparison);
     if ((possible & ~comparison.set) == 0) return true;
     if (!comparison.constant) return false;
-    Interval const known = interval(comparison.x);
+    Interval const known = ranges_.range(comparison.x);
     if (is_point_excluded(comparison)) return *comparison.constant < known.low || *comparison.constant > known.high;
     return known.within(allowed(comparison));
   }
@@ -74,7 +68,7 @@ public:
     unsigned const possible = possible_outcomes(comparison) & comparison.set;
     outcomes_[key(comparison)] = possible;
     if (!comparison.constant) return possible != 0;
-    Interval known = interval(comparison.x);
+    Interval known = ranges_.range(comparison.x);
     if (is_point_excluded(comparison)) {
       if (known.low == *comparison.constant) known.low = after(known.low);
       if (known.high == *comparison.constant) known.high = before(known.high);
@@ -82,7 +76,7 @@ public:
       Interval const other = allowed(comparison);
       known = {std::max(known.low, other.low), std::min(known.high, other.high), known.nan && other.nan};
     }
-    intervals_[comparison.x] = known;
+    ranges_.narrow(comparison.x, known);
     return possible != 0 && !known.empty();
   }
 
@@ -119,13 +113,6 @@ private:
     return strict_ ? any : any & ~unordered; // the others presume that no value is a NaN
   }
 
-  Interval interval(NodeId x) const {
-    auto known = intervals_.find(x);
-    if (known != intervals_.end()) return known->second;
-    constexpr double infinity = std::numeric_limits<double>::infinity(), largest = std::numeric_limits<double>::max();
-    return strict_ ? Interval{-infinity, infinity, true} : Interval{-largest, largest, false};
-  }
-
   static double after(double x) { return std::nextafter(x, std::numeric_limits<double>::infinity()); }
   static double before(double x) { return std::nextafter(x, -std::numeric_limits<double>::infinity()); }
 
@@ -146,8 +133,8 @@ private:
 
   Graph const &graph_;
   bool strict_;
+  ValueRanges ranges_;
   std::unordered_map<std::uint64_t, unsigned> outcomes_;
-  std::unordered_map<NodeId, Interval> intervals_;
   std::unordered_map<NodeId, bool> truth_;
 };
 
