@@ -156,6 +156,9 @@ void ArmWalker::assignment(Expr const *target) {
   VarDecl const *variable = home(target);
   if (variable && own_.count(variable) != 0)
     return block(place, "an assignment through " + words(target) + ", a reference of the arm");
+  auto const *reference = dyn_cast<DeclRefExpr>(target);
+  auto const *integer = reference ? dyn_cast<VarDecl>(reference->getDecl()) : nullptr;
+  if (integer && analysis_.reals_.is_symbolic_integer(integer)) return add_target(target);
   if (Reals::is_double(target->getType()) ? !analysis_.reals_.is_real(target)
                                           : !only_reals(target->getType(), analysis_.reals_))
     return block(place, "an assignment to " + words(target) + ", which is no REAL");

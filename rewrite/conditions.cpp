@@ -14,6 +14,11 @@ Expr const *bare(Expr const *expression) {
   }
 }
 
+// A REAL, or an integer that keeps its dependency.
+bool is_symbolic(Expr const *expression, Reals const &reals) {
+  return reals.is_real(expression) || reals.is_symbolic_integer(expression);
+}
+
 bool is_truth_value(Expr const *expression) {
   if (expression->getType()->isBooleanType()) return true;
   if (auto const *binary = dyn_cast<BinaryOperator>(expression))
@@ -65,8 +70,8 @@ public:
   explicit Comparisons(Reals const &reals) : reals_(reals) {}
   bool TraverseLambdaExpr(LambdaExpr *) { return true; }
   bool VisitBinaryOperator(BinaryOperator *binary) {
-    found =
-        found || (binary->isComparisonOp() && (reals_.is_real(binary->getLHS()) || reals_.is_real(binary->getRHS())));
+    found = found || (binary->isComparisonOp() &&
+                      (is_symbolic(binary->getLHS(), reals_) || is_symbolic(binary->getRHS(), reals_)));
     return !found;
   }
   bool found = false;
@@ -137,7 +142,7 @@ Conditions::Kind Conditions::visit(Expr const *expression, Condition &result) co
   if (auto const *binary = dyn_cast<BinaryOperator>(expression)) {
     if (binary->isLogicalOp()) return visit_joint(binary, result);
     bool const compares = binary->isComparisonOp() && binary->getOpcode() != BO_Cmp &&
-                          (reals_.is_real(binary->getLHS()) || reals_.is_real(binary->getRHS()));
+                          (is_symbolic(binary->getLHS(), reals_) || is_symbolic(binary->getRHS(), reals_));
     if (compares) {
       result.is_real = true;
       return Kind::real;

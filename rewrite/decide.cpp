@@ -30,7 +30,8 @@ Rewording rewording(Wrap const &wrap) {
   case Use::changed: return make("REAL_CHANGED(" + wrap.detail + ", ", ")");
   case Use::state: return make("REAL_STATE(", ", " + quoted(wrap.detail) + ")");
   case Use::linkage: return make("REAL_LINKAGE(", ")");
-  case Use::table: return make("REAL_TABLE(", ")");
+  case Use::integer: return make("REAL_INT(", ")");
+  case Use::table: return make("REAL_TABLE(" + wrap.detail + ", ", ")");
   case Use::external: return make("REAL_EXTERNAL(", ", " + wrap.detail + ")");
   case Use::cast: return make("(" + wrap.detail + ")(", ")");
   case Use::returned: return make("SYMREAL_RETURN(" + wrap.detail + ", ", ")");

@@ -51,8 +51,9 @@ enum class Use {
   returned,
   cast,
   conversion,
+  integer, // the type of an integer that stays symbolic
   linkage,
-  table,
+  table, // it is read at a symbolic index
   value,
   literal,
   external,
@@ -71,7 +72,7 @@ struct Wrap {
   Use use;
   // conversion, cast: the type; state: the declaration's place; returned, and the uses between literal and state: the
   // other arguments; value: the function of the program, if it is one, whose variadic argument the expression is;
-  // external: the other arguments
+  // external, table: the other arguments
   std::string detail;
   auto operator<=>(Wrap const &) const = default;
 };

@@ -32,6 +32,17 @@ void check_item(ClauseFact const &clause, ItemFact const &item, Result &result) 
     return wrong("is a const pointer to const, which can be given no copy to point to");
 }
 
+void check_table(ItemFact const &item, Result &result) {
+  bool const is_pointer = item.base_kind == Base::pointer || item.base_kind == Base::pointer_to_const ||
+                          item.base_kind == Base::const_pointer_to_const;
+  bool const has_extent = item.sections.size() == 1 && item.sections[0].low == "0" && item.section_on_base;
+  if (!is_pointer || !has_extent)
+    report(result, DiagnosticId::pragma_item, item.place,
+           "'" + item.label + "' is no table: table(pointer[0:n]) tells how much a pointer points to");
+  else if (!item.carries_real)
+    report(result, DiagnosticId::pragma_item, item.place, "'" + item.label + "' holds no double: it is " + item.type);
+}
+
 void check_returned_place(PragmaFact const &pragma, ClauseFact const &clause, Result &result) {
   for (ItemFact const &item : clause.items)
     if (item.is_return && !pragma.is_function)
@@ -74,6 +85,7 @@ void check(PragmaFact const &pragma, Result &result) {
         return;
       }
       if (annotates(clause)) check_item(clause, item, result);
+      if (clause.name == "table") check_table(item, result);
     }
     if (clause.name == "range" && (clause.items.size() != 2 || !after_input))
       report(result, DiagnosticId::pragma_syntax, clause.place,

@@ -51,8 +51,8 @@ private:
   }
 
   void check_name(std::string const &name, bool is_function) const {
-    static constexpr std::array<std::string_view, 7> anywhere = {"input",  "parameter", "constant", "scratch",
-                                                                 "output", "range",     "decisions"};
+    static constexpr std::array<std::string_view, 8> anywhere = {"input",  "parameter", "constant", "scratch",
+                                                                 "output", "range",     "table",    "decisions"};
     if (std::find(anywhere.begin(), anywhere.end(), name) != anywhere.end()) return;
     if (name == "external") fail(at_, "external(...) begins a pragma of its own");
     if (name == (is_function ? "call" : "generate") || (!is_function && name == "loop")) return;

@@ -53,6 +53,11 @@ std::string clause_text(PragmaFact const &pragma, ClauseFact const &clause) {
            pragma.loop_targets.value_or("") + ") ";
   if (clause.name == "range") return "SYMREAL_RANGE(" + with_real(clause.argument) + ") ";
   std::string text;
+  if (clause.name == "table") {
+    for (ItemFact const &item : clause.items)
+      text += "SYMREAL_TABLE(" + with_real(item.base) + ", " + with_real(item.sections[0].length) + ") ";
+    return text;
+  }
   for (ItemFact const &item : clause.items)
     if (!item.is_return) text += rebinding(clause, item) + annotation(clause.name, item) + " ";
   return text;

@@ -155,6 +155,7 @@ bool Reals::stays_double(Expr const *expression) const {
     expression = inner;
   }
   if (!is_double(expression->getType())) return true;
+  if (table_of(expression)) return false;
   if (isa<FloatingLiteral>(expression)) return true;
   if (auto const *unary = dyn_cast<UnaryOperator>(expression)) {
     if (unary->getOpcode() == UO_Plus || unary->getOpcode() == UO_Minus) return stays_double(unary->getSubExpr());

@@ -46,6 +46,25 @@ public:
     return found == externals_.end() ? nullptr : &found->second;
   }
 
+  // Integers that keep their dependency, as the class SymbolicInt (symbolic_ints.h).
+  static bool is_integer(clang::QualType type);
+  // Through what has no spelling of its own and through conversions between integers.
+  static clang::Expr const *spelled_integer(clang::Expr const *expression);
+  void add_symbolic_integer(clang::VarDecl const *variable) { symbolic_integers_.insert(variable); }
+  bool is_symbolic_integer(clang::VarDecl const *variable) const { return symbolic_integers_.contains(variable); }
+  bool is_symbolic_integer(clang::Expr const *expression) const;
+  // Does it depend on a REAL, if of the conversions these do?
+  bool integer_depends(clang::Expr const *expression,
+                       llvm::function_ref<bool(clang::CastExpr const *)> cast_does) const;
+  // lround and its like, whose result is symbolic.
+  bool rounds_to_integer(clang::FunctionDecl const *function) const;
+  // A conversion that is spelled so that its result stays symbolic.
+  void keep_integer(clang::CastExpr const *cast) { kept_casts_.insert(cast); }
+  bool keeps_integer(clang::CastExpr const *cast) const { return kept_casts_.contains(cast); }
+  // An element that is read at a symbolic index, and the array that it is of; null for any other expression.
+  void add_table_load(clang::Expr const *element, clang::Expr const *table) { table_loads_[element] = table; }
+  clang::Expr const *table_of(clang::Expr const *element) const { return table_loads_.lookup(element->IgnoreParens()); }
+
   bool in_roots(clang::Decl const *declaration) const { return map_.in_roots(declaration->getLocation()); }
 
   // A function of <math.h> or <cmath>, for which the runtime has an overload.
@@ -67,6 +86,9 @@ private:
 
   SourceMap const &map_;
   std::map<clang::FunctionDecl const *, External> externals_;
+  llvm::SmallPtrSet<clang::VarDecl const *, 8> symbolic_integers_;
+  llvm::SmallPtrSet<clang::CastExpr const *, 8> kept_casts_;
+  llvm::DenseMap<clang::Expr const *, clang::Expr const *> table_loads_;
 };
 
 } // namespace symreal::rewrite

@@ -46,6 +46,8 @@ void Recorder::implicit_cast(ImplicitCastExpr const *cast, bool decides) {
     if (cast->isPartOfExplicitCast() || decides || !Reals::is_double(from->getType()) || !reals_.is_real(from)) return;
     if (to->isSpecificBuiltinType(BuiltinType::LongDouble))
       report(DiagnosticId::long_double, from->getBeginLoc(), "a REAL is converted to long double");
+    else if (reals_.keeps_integer(cast))
+      wrap(from, Use::conversion, "REAL_INT(" + spelled(to, map_.language()) + ")");
     else
       wrap(from, Use::conversion, spelled(to, map_.language()));
     return;

@@ -37,6 +37,8 @@ void Recorder::read(Expr const *value) {
     if (comma->isCommaOp()) read(comma->getRHS());
   } else if (isa<UnaryOperator>(value) && cast<UnaryOperator>(value)->isIncrementDecrementOp()) {
     // noted as a step
+  } else if (Expr const *table = reals_.table_of(value)) {
+    object(table, Use::read); // any of its elements
   } else if (value->isGLValue() && Reals::is_double(value->getType())) {
     if (reals_.is_real(value) && may_outlive(value)) note(value, Use::read);
   } else

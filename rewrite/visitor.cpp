@@ -6,6 +6,7 @@
 #include "rewrite/pragma_items.h"
 #include "rewrite/recorder.h"
 #include "rewrite/selects.h"
+#include "rewrite/symbolic_ints.h"
 
 namespace symreal::rewrite {
 namespace {
@@ -211,6 +212,7 @@ private:
 void record_tree(ASTContext &context, SourceMap const &map, PragmaIndex const &index, Facts &facts) {
   Reals reals(map);
   record_externals(context, map, index, facts, reals);
+  record_symbolic_ints(context, map, facts, reals);
   Visitor visitor(context, map, reals, index, facts);
   visitor.TraverseDecl(context.getTranslationUnitDecl());
   attach_function_pragmas(visitor.definitions, map, reals, index, facts);

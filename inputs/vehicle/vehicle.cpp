@@ -21,15 +21,13 @@ static double limit(double x, double low, double high) {
   return x;
 }
 
-// The cell of a table is an integer: the one met while recording is kept, with a guard.
-#pragma symreal function decisions(guard)
 static double along(double const table[ANGLES], double degrees) {
+#pragma symreal table(table[0:ANGLES])
   double const s = limit(degrees, -10.0, 44.9) * 0.2 + 2.0;
   int const k = (int)s;
   return table[k] + (s - k) * (table[k + 1] - table[k]);
 }
 
-#pragma symreal function decisions(guard)
 static double thrust(double mach, double altitude) {
   double const s = std::clamp(mach / 0.2, 0.0, MACHS - 1.001), t = std::clamp(altitude / 3000.0, 0.0, ALTITUDES - 1.001);
   int const i = (int)s, j = (int)t;

@@ -16,6 +16,7 @@ Externals &Externals::current() {
 void Externals::begin() {
   tables_.clear();
   functions_.clear();
+  extents_.clear();
   last_effect_ = 0.0;
 }
 

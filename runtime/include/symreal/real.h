@@ -20,7 +20,7 @@
 #define REAL_EXTERNAL(function, ...) function
 #define REAL_LINKAGE(...) __VA_ARGS__
 #define REAL_INT(...) __VA_ARGS__
-#define REAL_TABLE(...) __VA_ARGS__
+#define REAL_TABLE(name, place, ...) __VA_ARGS__
 #define REAL_READ(name, place, ...) __VA_ARGS__
 #define REAL_WRITTEN(name, place, ...) __VA_ARGS__
 #define REAL_CHANGED(name, place, ...) __VA_ARGS__
@@ -34,6 +34,7 @@
 #define SYMREAL_DECLARE_SECTION(...)
 #define SYMREAL_SECTION(...)
 #define SYMREAL_RANGE(...)
+#define SYMREAL_TABLE(...)
 #define SYMREAL_REBIND(...)
 #define SYMREAL_FUNCTION(...)
 #define SYMREAL_ARGUMENT(...)
@@ -55,7 +56,7 @@
 #define REAL_STATE(object, place) (::symreal::state(object, #object, place))
 #define REAL_EXTERNAL(function, ...) (::symreal::external(function, {__VA_ARGS__}))
 #define REAL_INT(...) ::symreal::SymbolicInt<__VA_ARGS__>
-#define REAL_TABLE(...) (::symreal::table(__VA_ARGS__, #__VA_ARGS__))
+#define REAL_TABLE(name, place, ...) (::symreal::table(__VA_ARGS__, name, place))
 #define REAL_READ(name, place, ...) (::symreal::read(__VA_ARGS__, name, place))
 #define REAL_WRITTEN(name, place, ...) (::symreal::written(__VA_ARGS__, name, place))
 #define REAL_CHANGED(name, place, ...) (::symreal::changed(__VA_ARGS__, name, place))
@@ -77,7 +78,7 @@ public:                                                                         
 #define REAL_STATE(object, place) (object)
 #define REAL_EXTERNAL(function, ...) (function)
 #define REAL_INT(...) __VA_ARGS__
-#define REAL_TABLE(...) __VA_ARGS__
+#define REAL_TABLE(name, place, ...) (__VA_ARGS__)
 #define REAL_READ(name, place, ...) (__VA_ARGS__)
 #define REAL_WRITTEN(name, place, ...) (__VA_ARGS__)
 #define REAL_CHANGED(name, place, ...) (__VA_ARGS__)
@@ -112,6 +113,11 @@ public:                                                                         
                                                       return (__VA_ARGS__);                                            \
                                                     });
 #define SYMREAL_RANGE(low, high) ::symreal::set_range(low, high);
+#ifdef MBD_SYMBOLIC
+#define SYMREAL_TABLE(pointer, ...) ::symreal::declare_table(pointer, static_cast<std::size_t>(__VA_ARGS__));
+#else
+#define SYMREAL_TABLE(...)
+#endif
 #define SYMREAL_REBIND(pointer, low, count) pointer = ::symreal::rebind(pointer, low, count);
 /* The optional last argument is the call to record, counted from 1. */
 #define SYMREAL_FUNCTION(name, file, line, column, ...)                                                                \

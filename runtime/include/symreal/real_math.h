@@ -65,11 +65,12 @@ inline void sincos(RealNumber x, RealNumber *sine, RealNumber *cosine) noexcept 
   *cosine = cos(x);
 }
 
-// Rounding to an integer type is rounding and a conversion.
-inline long lround(RealNumber x) noexcept { return static_cast<long>(round(x)); }
-inline long long llround(RealNumber x) noexcept { return static_cast<long long>(round(x)); }
-inline long lrint(RealNumber x) noexcept { return static_cast<long>(rint(x)); }
-inline long long llrint(RealNumber x) noexcept { return static_cast<long long>(rint(x)); }
+// Rounding to an integer type is rounding and a conversion (symbolic_int.h).
+template <class T> class SymbolicInt;
+SymbolicInt<long> lround(RealNumber x) noexcept;
+SymbolicInt<long long> llround(RealNumber x) noexcept;
+SymbolicInt<long> lrint(RealNumber x) noexcept;
+SymbolicInt<long long> llrint(RealNumber x) noexcept;
 
 // Other results that are no real numbers: decided on the carried value and reported.
 inline RealNumber frexp(RealNumber x, int *exponent) noexcept { return std::frexp(static_cast<double>(x), exponent); }

@@ -6,7 +6,7 @@
 // would be negative in an unsigned type is a decision.
 #pragma once
 
-#include <symreal/real_math.h>
+#include <symreal/extremes.h>
 
 #include <iosfwd>
 #include <limits>
@@ -182,6 +182,15 @@ SYMREAL_INTEGER_COMPARISON(!=)
 template <class T> SymbolicInt<detail::Common<T, T>> operator-(SymbolicInt<T> x) noexcept { return T(0) - x; }
 template <class T> SymbolicInt<detail::Common<T, T>> operator+(SymbolicInt<T> x) noexcept { return T(0) + x; }
 
+template <class T> SymbolicInt<detail::Common<T, T>> abs(SymbolicInt<T> x) noexcept {
+  return SymbolicInt<detail::Common<T, T>>::from_number(abs(x.number()));
+}
+
+inline SymbolicInt<long> lround(RealNumber x) noexcept { return SymbolicInt<long>(round(x)); }
+inline SymbolicInt<long long> llround(RealNumber x) noexcept { return SymbolicInt<long long>(round(x)); }
+inline SymbolicInt<long> lrint(RealNumber x) noexcept { return SymbolicInt<long>(rint(x)); }
+inline SymbolicInt<long long> llrint(RealNumber x) noexcept { return SymbolicInt<long long>(rint(x)); }
+
 // y where the condition holds, else z; both are computed.
 template <class T, class U>
 SymbolicInt<std::common_type_t<T, U>> select(SymbolicBool condition, SymbolicInt<T> y, SymbolicInt<U> z) noexcept {
@@ -220,6 +229,7 @@ std::basic_ostream<Character, Traits> &operator<<(std::basic_ostream<Character, 
 } // namespace symreal
 
 namespace std {
+using symreal::abs;
 using symreal::clamp;
 using symreal::max;
 using symreal::min;
