@@ -56,7 +56,7 @@ struct File {
   std::string original;
   std::string text; // the original with its edits; it has as many lines as the original
   std::vector<Edit> edits;
-  std::vector<Spelling> ledger;
+  std::vector<Spelling> ledger = {};
 };
 
 // One dimension of an array section [low:length], in the source's own words.
