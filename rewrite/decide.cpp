@@ -174,7 +174,8 @@ Result decide(Facts facts) {
     std::vector<Edit> edits = compose(file.text, std::move(rewordings[path]));
     std::string text = apply_edits(file.text, edits);
     std::vector<Spelling> entries = ledger.entries(path, edits);
-    result.files.push_back({path, file.display_path, file.text, std::move(text), std::move(edits), std::move(entries)});
+    result.files.push_back({path, file.display_path, file.text, std::move(text), std::move(edits), std::move(entries),
+                            file.compiled_name});
   }
   return result;
 }

@@ -37,9 +37,10 @@ std::string unified_diff(File const &file) {
   Directory const directory;
   write_if_changed(directory.path + "/before", file.original);
   write_if_changed(directory.path + "/after", file.text);
-  std::string const command = "diff -u --label " + shell_quoted("a/" + file.display_path) + " --label " +
-                              shell_quoted("b/" + file.display_path) + " " + directory.path + "/before " +
-                              directory.path + "/after";
+  // A tab says where a name with blanks ends.
+  std::string const name = file.display_path + (file.display_path.find(' ') == std::string::npos ? "" : "\t");
+  std::string const command = "diff -u --label " + shell_quoted("a/" + name) + " --label " + shell_quoted("b/" + name) +
+                              " " + directory.path + "/before " + directory.path + "/after";
   std::string text;
   FILE *const stream = popen(command.c_str(), "r");
   if (!stream) fail(DiagnosticId::unreadable_file, {file.display_path}, "the program diff cannot be started");

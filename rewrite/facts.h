@@ -180,9 +180,11 @@ struct SpelledType {
 
 struct FileFact {
   std::string display_path;
+  std::string compiled_name; // as __FILE__ has it
   std::string text;
   std::vector<SpelledType> spelled = {};
   std::map<std::size_t, std::string> conditions = {}; // by the offset of a directive that opens a part of an #if
+  std::vector<std::pair<std::size_t, std::size_t>> directives = {};
 };
 
 // What the preprocessor does to a token so that it never reaches the parser.
@@ -193,13 +195,14 @@ struct Facts {
   std::set<TypeToken> types;
   std::set<Span> doubles; // every `double` that reached the parser, understood or not
   std::set<Wrap> wraps;
-  std::map<Span, std::string> members;         // by the opening brace of a class: what holds REAL in it
-  std::set<Span> skipped;                      // parts of an #if that are not taken
-  std::map<Span, Consumed> consumed;           // tokens that may not have reached the parser
-  std::map<Span, std::string> to_integers;     // conversions of REALs, with the integer type
-  std::set<Span> comparisons;                  // of REALs, by the operator
-  std::set<Span> quoted;                       // arguments that a macro stringifies or pastes: their text is data
-  std::map<Span, PragmaFact> pragmas;          // by the span of the directive
+  std::map<Span, std::string> members;              // by the opening brace of a class: what holds REAL in it
+  std::map<std::string, std::vector<bool>> reached; // by real path: the offsets of tokens that reached the parser
+  std::set<Span> skipped;                           // parts of an #if that are not taken
+  std::map<Span, Consumed> consumed;                // tokens that may not have reached the parser
+  std::map<Span, std::string> to_integers;          // conversions of REALs, with the integer type
+  std::set<Span> comparisons;                       // of REALs, by the operator
+  std::set<Span> quoted;                            // arguments that a macro stringifies or pastes: their text is data
+  std::map<Span, PragmaFact> pragmas;               // by the span of the directive
   std::set<std::string> number_readers;        // variadic functions that read doubles themselves, by qualified name
   std::vector<Kernel> by_hand;                 // generate_code("...") in a symbolic main that was written by hand
   std::set<std::string> definitions;           // mangled names of the functions that the sources define

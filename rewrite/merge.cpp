@@ -60,7 +60,7 @@ void add_diagnostic(Facts &facts, Diagnostic const &diagnostic) {
 
 void merge(Facts &facts, Facts &&other) {
   // Named one by one, so that a new kind of fact does not compile until it is merged as well.
-  auto &[files, types, doubles, wraps, members, skipped, consumed, to_integers, comparisons, quoted, pragmas,
+  auto &[files, types, doubles, wraps, members, reached, skipped, consumed, to_integers, comparisons, quoted, pragmas,
          number_readers, by_hand, definitions, uses, names, decisions, externals, include_dirs, diagnostics, broken] =
       other;
   for (auto &[path, file] : files)
@@ -70,6 +70,7 @@ void merge(Facts &facts, Facts &&other) {
   facts.doubles.merge(doubles);
   facts.wraps.merge(wraps);
   facts.members.merge(members);
+  reached.clear(); // of one source alone (configurations.h)
   facts.skipped.merge(skipped);
   facts.consumed.merge(consumed);
   facts.to_integers.merge(to_integers);

@@ -26,7 +26,7 @@ std::vector<std::string> write_mirror(std::vector<File> const &files, std::strin
     std::error_code error;
     std::filesystem::create_directories(path.parent_path(), error);
     if (error) fail(DiagnosticId::unwritable_output, {path.parent_path()}, error.message());
-    write_if_changed(path.string(), "#line 1 " + quoted(file.display_path) + "\n" + file.text);
+    write_if_changed(path.string(), "#line 1 " + quoted(file.compiled_name) + "\n" + file.text);
     written.push_back(path.string());
   }
   return written;

@@ -15,11 +15,24 @@
 
 namespace symreal::rewrite {
 
+// A source as its build compiles it.
+struct Compilation {
+  std::string source;
+  std::string directory; // in which the compiler runs; empty: that of this process
+  std::vector<std::string> flags;
+};
+
+// What compile_commands.json in the directory says about these sources, or about all of C and C++ if none are named;
+// response files are read. Throws compile_commands.
+std::vector<Compilation> read_compile_commands(std::string const &directory, std::vector<std::string> const &sources);
+
 struct Request {
-  std::vector<std::string> sources; // as the user named them; a name ending in .c is parsed as C
-  std::vector<std::string> roots;   // what may be rewritten besides the directories of the sources
-  std::vector<std::string> flags;   // the compiler flags of every source
-  bool leave_out_broken = false;    // go on without the sources that do not compile
+  std::vector<std::string> sources;           // as the user named them; a name ending in .c is parsed as C
+  std::vector<std::string> roots;             // what may be rewritten besides the directories of the sources
+  std::vector<std::string> flags;             // the compiler flags of every source
+  bool leave_out_broken = false;              // go on without the sources that do not compile
+  std::vector<Compilation> compilations = {}; // if any, instead of sources and flags
+  unsigned jobs = 0;                          // sources that are read at once, 0: one; the result does not depend on it
 };
 
 // A replacement on the original bytes of a file. Its length is never zero: an insertion takes the neighbouring
@@ -57,6 +70,7 @@ struct File {
   std::string text; // the original with its edits; it has as many lines as the original
   std::vector<Edit> edits;
   std::vector<Spelling> ledger = {};
+  std::string compiled_name = {}; // as __FILE__ has it
 };
 
 // One dimension of an array section [low:length], in the source's own words.

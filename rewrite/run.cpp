@@ -1,207 +1,118 @@
-#include "rewrite/clang.h"
+#include "rewrite/configurations.h"
 #include "rewrite/decide.h"
 #include "rewrite/merge.h"
-#include "rewrite/pragma_handler.h"
-#include "rewrite/quoted_arguments.h"
-#include "rewrite/rewrite.h"
+#include "rewrite/record_source.h"
 #include "rewrite/source_map.h"
-#include "rewrite/spelled_types.h"
-#include "rewrite/token_watch.h"
-#include "rewrite/visitor.h"
 
 #include <algorithm>
+#include <atomic>
+#include <condition_variable>
+#include <exception>
+#include <mutex>
+#include <thread>
 
 namespace symreal::rewrite {
 namespace {
 
-using namespace clang;
-
-// An error of the compiler, which becomes a diagnostic of ours when the whole source has been read.
-struct CompilerError {
-  std::string message;
-  Place place;
-  std::optional<Span> token;
-};
-
-class ErrorCollector : public DiagnosticConsumer {
-public:
-  ErrorCollector(std::vector<std::string> const &roots, std::vector<CompilerError> &errors)
-      : roots_(roots),
-        errors_(errors) {}
-
-  void BeginSourceFile(LangOptions const &language, Preprocessor const *) override { language_ = language; }
-  void HandleDiagnostic(DiagnosticsEngine::Level level, clang::Diagnostic const &info) override {
-    DiagnosticConsumer::HandleDiagnostic(level, info);
-    if (level < DiagnosticsEngine::Error) return;
-    llvm::SmallString<256> message;
-    info.FormatDiagnostic(message);
-    // Options that only the user's own compiler knows say nothing about the source.
-    if (!info.getLocation().isValid() && message.str().contains("unknown argument")) return;
-    CompilerError error{message.str().str(), {}, {}};
-    if (info.hasSourceManager() && info.getLocation().isValid()) {
-      SourceMap const map(info.getSourceManager(), language_, roots_);
-      error.place = map.place(info.getLocation());
-      error.token = map.token(info.getLocation());
-    }
-    errors_.push_back(std::move(error));
-  }
-
-private:
-  std::vector<std::string> const &roots_;
-  std::vector<CompilerError> &errors_;
-  LangOptions language_;
-};
-
-class Consumer : public ASTConsumer {
-public:
-  Consumer(CompilerInstance &compiler, std::vector<std::string> const &roots, bool ask_compiler, Facts &facts)
-      : compiler_(compiler),
-        map_(compiler.getSourceManager(), compiler.getLangOpts(), roots),
-        facts_(facts) {
-    index_.ask_compiler = ask_compiler;
-    Preprocessor &preprocessor = compiler.getPreprocessor();
-    preprocessor.AddPragmaHandler(make_pragma_handler(map_, facts_, index_).release()); // owned there from now on
-    preprocessor.addPPCallbacks(make_quoted_argument_recorder(map_, facts_));
-    preprocessor.addPPCallbacks(make_skipped_text_recorder(map_, facts_));
-    watch_tokens(preprocessor, map_, facts_);
-  }
-
-  void HandleTranslationUnit(ASTContext &context) override {
-    map_.record_files(facts_);
-    if (compiler_.getDiagnostics().hasErrorOccurred()) return;
-    record_tree(context, map_, index_, facts_);
-    record_include_directories();
-  }
-
-private:
-  void record_include_directories() {
-    HeaderSearch const &search = compiler_.getPreprocessor().getHeaderSearchInfo();
-    for (auto at = search.search_dir_begin(); at != search.search_dir_end(); ++at) {
-      if (!at->isNormalDir()) continue;
-      std::string const name = at->getName().str();
-      std::vector<std::string> &known = facts_.include_dirs;
-      if (std::find(known.begin(), known.end(), name) == known.end()) known.push_back(name);
-    }
-  }
-
-  CompilerInstance &compiler_;
-  SourceMap map_;
-  PragmaIndex index_;
-  Facts &facts_;
-};
-
-class Action : public ASTFrontendAction {
-public:
-  Action(std::vector<std::string> const &roots, bool ask_compiler, Facts &facts)
-      : roots_(roots),
-        ask_compiler_(ask_compiler),
-        facts_(facts) {}
-  std::unique_ptr<ASTConsumer> CreateASTConsumer(CompilerInstance &compiler, llvm::StringRef) override {
-    return std::make_unique<Consumer>(compiler, roots_, ask_compiler_, facts_);
-  }
-
-private:
-  std::vector<std::string> const &roots_;
-  bool ask_compiler_;
-  Facts &facts_;
-};
-
-// The compiler's command line without what only concerns its outputs.
-std::vector<std::string> command_line(Request const &request, std::string const &source) {
-  std::vector<std::string> words = {"clang",
-                                    "-fsyntax-only",
-                                    "-w",
-                                    "-Wno-error",
-                                    "-Qunused-arguments",
-                                    "-fno-caret-diagnostics",
-                                    "-resource-dir=" SYMREAL_CLANG_RESOURCES,
-                                    "-isystem",
-                                    SYMREAL_RUNTIME_INCLUDE,
-                                    "-ferror-limit=20"};
-  for (std::size_t i = 0; i < request.flags.size(); ++i) {
-    std::string const &flag = request.flags[i];
-    if (flag == "-o" || flag == "-MF" || flag == "-MT" || flag == "-MQ")
-      ++i;
-    else if (flag != "-c" && flag != "-S" && flag != "-E" && flag != "-Werror" && flag.rfind("-M", 0) != 0)
-      words.push_back(flag);
-  }
-  words.push_back(source);
-  return words;
+std::vector<Compilation> compilations(Request const &request) {
+  if (!request.compilations.empty()) return request.compilations;
+  std::vector<Compilation> result;
+  for (std::string const &source : request.sources) result.push_back({source, {}, request.flags});
+  return result;
 }
 
-void add(Facts &facts, DiagnosticId id, Place const &place, std::string message) {
-  for (symreal::Diagnostic const &known : facts.diagnostics)
-    if (known.id == id && to_string(known.place) == to_string(place)) return;
-  facts.diagnostics.push_back({id, Severity::error, place, std::move(message)});
+std::string absolute(Compilation const &compilation) {
+  llvm::SmallString<256> path(compilation.source);
+  if (!compilation.directory.empty()) llvm::sys::fs::make_absolute(compilation.directory, path);
+  return path.str().str();
 }
 
-// The errors that stand at a token of a pragma.
-void report_pragma_errors(std::vector<CompilerError> const &errors, Facts &facts) {
-  for (CompilerError const &error : errors) {
-    if (!error.token) continue;
-    for (auto const &[span, pragma] : facts.pragmas) {
-      if (span.file != error.token->file || error.token->begin < span.begin || span.end <= error.token->begin) continue;
-      if (error.message.find("undeclared") != std::string::npos)
-        add(facts, DiagnosticId::pragma_undeclared_name, error.place, error.message);
-      else if (error.message.rfind("expected", 0) == 0)
-        add(facts, DiagnosticId::pragma_position, pragma.place, "no statement can stand where this pragma stands");
-      else
-        add(facts, DiagnosticId::pragma_item, error.place, error.message);
-    }
-  }
-}
-
-std::vector<CompilerError> parse(Request const &request, std::vector<std::string> const &roots,
-                                 std::string const &source, bool ask_compiler, Facts &facts) {
-  std::vector<CompilerError> errors;
-  ErrorCollector collector(roots, errors);
-  IntrusiveRefCntPtr<FileManager> const files(new FileManager(FileSystemOptions()));
-  tooling::ToolInvocation invocation(command_line(request, source),
-                                     std::make_unique<Action>(roots, ask_compiler, facts), files.get());
-  invocation.setDiagnosticConsumer(&collector);
-  if (!invocation.run() && errors.empty()) errors.push_back({"the source cannot be parsed", {source}, {}});
-  return errors;
-}
-
-void record_source(Request const &request, std::vector<std::string> const &roots, std::string const &source,
-                   Facts &facts) {
-  if (!llvm::sys::fs::exists(source)) fail(DiagnosticId::unreadable_file, {}, "'" + source + "' cannot be read");
-  std::vector<CompilerError> const errors = parse(request, roots, source, true, facts);
-  if (errors.empty()) return;
-  facts.broken = true;
-  // Are the errors the source's own, or do they come from what its pragmas put in?
-  Facts without_pragmas;
-  std::vector<CompilerError> const own =
-      facts.pragmas.empty() ? errors : parse(request, roots, source, false, without_pragmas);
-  for (CompilerError const &error : own) add(facts, DiagnosticId::source_error, error.place, error.message);
-  if (own.empty()) report_pragma_errors(errors, facts);
-}
-
-std::vector<std::string> real_roots(Request const &request) {
+std::vector<std::string> real_roots(Request const &request, std::vector<Compilation> const &sources) {
   std::vector<std::string> roots;
   for (std::string const &root : request.roots) roots.push_back(real_path(root));
-  for (std::string const &source : request.sources)
-    roots.push_back(llvm::sys::path::parent_path(real_path(source)).str());
+  for (Compilation const &source : sources)
+    roots.push_back(llvm::sys::path::parent_path(real_path(absolute(source))).str());
+  std::sort(roots.begin(), roots.end());
+  roots.erase(std::unique(roots.begin(), roots.end()), roots.end());
   return roots;
 }
+
+// Sources are read in any order and merged in theirs.
+class Reading {
+public:
+  Reading(Request const &request, std::vector<Compilation> const &sources)
+      : request_(request),
+        sources_(sources),
+        roots_(real_roots(request, sources)) {}
+
+  Facts all() {
+    std::size_t const threads = std::min<std::size_t>(std::max(1U, request_.jobs), sources_.size());
+    std::vector<std::thread> helpers;
+    for (std::size_t i = 1; i < threads; ++i) helpers.emplace_back([this] { work(); });
+    work();
+    for (std::thread &helper : helpers) helper.join();
+    if (failure_) std::rethrow_exception(failure_);
+    configurations_.report(facts_);
+    return std::move(facts_);
+  }
+
+  std::vector<std::string> left_out;
+
+private:
+  void work() {
+    for (std::size_t mine = next_++; mine < sources_.size(); mine = next_++) {
+      Facts found;
+      std::exception_ptr problem;
+      try {
+        found = record_source(sources_[mine], roots_);
+      } catch (DiagnosticError const &error) {
+        if (request_.leave_out_broken) {
+          found.broken = true;
+          found.diagnostics.push_back(error.diagnostic());
+        } else
+          problem = std::current_exception();
+      } catch (...) {
+        problem = std::current_exception();
+      }
+      // Waits for those before it, so that few facts are held at a time.
+      std::unique_lock lock(mutex_);
+      turn_.wait(lock, [&] { return merged_ == mine; });
+      if (problem && !failure_) failure_ = problem;
+      if (!failure_) add(sources_[mine], std::move(found));
+      ++merged_;
+      turn_.notify_all();
+    }
+  }
+
+  void add(Compilation const &source, Facts &&found) {
+    if (found.broken && request_.leave_out_broken) {
+      left_out.push_back(source.source);
+      for (symreal::Diagnostic const &one : found.diagnostics) add_diagnostic(facts_, one);
+      return;
+    }
+    if (sources_.size() > 1) configurations_.add(source.source, found);
+    merge(facts_, std::move(found));
+  }
+
+  Request const &request_;
+  std::vector<Compilation> const &sources_;
+  std::vector<std::string> const roots_;
+  std::atomic<std::size_t> next_ = 0;
+  std::mutex mutex_;
+  std::condition_variable turn_;
+  std::size_t merged_ = 0;
+  Facts facts_;
+  Configurations configurations_;
+  std::exception_ptr failure_;
+};
 
 } // namespace
 
 Result run(Request const &request) {
-  std::vector<std::string> const roots = real_roots(request);
-  Facts facts;
-  std::vector<std::string> left_out;
-  for (std::string const &source : request.sources) {
-    Facts found;
-    record_source(request, roots, source, found);
-    if (found.broken && request.leave_out_broken) {
-      left_out.push_back(source);
-      for (symreal::Diagnostic const &one : found.diagnostics) add_diagnostic(facts, one);
-    } else
-      merge(facts, std::move(found));
-  }
-  Result result = decide(std::move(facts));
-  result.left_out = std::move(left_out);
+  std::vector<Compilation> const sources = compilations(request);
+  Reading reading(request, sources);
+  Result result = decide(reading.all());
+  result.left_out = std::move(reading.left_out);
   return result;
 }
 

@@ -20,11 +20,27 @@ bool below_roots(std::string const &real_path, std::vector<std::string> const &r
   return false;
 }
 
+SourceMap::SourceMap(clang::SourceManager const &sources, clang::LangOptions const &language,
+                     std::vector<std::string> const &roots)
+    : sources_(sources),
+      language_(language),
+      roots_(roots) {
+  llvm::SmallString<256> here;
+  if (!llvm::sys::fs::current_path(here)) here_ = here.str().str();
+  auto const directory = sources.getFileManager().getVirtualFileSystem().getCurrentWorkingDirectory();
+  directory_ = directory ? *directory : here_;
+}
+
+std::string SourceMap::real_path_of(llvm::StringRef name) const {
+  llvm::SmallString<256> real;
+  return sources_.getFileManager().getVirtualFileSystem().getRealPath(name, real) ? name.str() : real.str().str();
+}
+
 std::string const &SourceMap::path(clang::FileID file) const {
   auto const [at, is_new] = paths_.try_emplace(file.getHashValue());
   if (!is_new) return at->second;
   if (clang::OptionalFileEntryRef const entry = sources_.getFileEntryRefForID(file))
-    if (std::string real = real_path(entry->getName().str()); below_roots(real, roots_)) at->second = std::move(real);
+    if (std::string real = real_path_of(entry->getName()); below_roots(real, roots_)) at->second = std::move(real);
   return at->second;
 }
 
@@ -33,6 +49,18 @@ bool SourceMap::in_roots(clang::SourceLocation location) const {
 }
 
 std::string SourceMap::display_path(llvm::StringRef name) const {
+  if (directory_ == here_) return compiled_name(name);
+  auto const [at, is_new] = display_paths_.try_emplace(name.str());
+  if (!is_new) return at->second;
+  llvm::SmallString<256> path(name);
+  llvm::sys::fs::make_absolute(directory_, path);
+  llvm::sys::path::remove_dots(path, /*remove_dot_dot=*/true);
+  llvm::StringRef shown = path;
+  if (shown.consume_front(here_) && !shown.consume_front("/")) shown = path;
+  return at->second = shown.str();
+}
+
+std::string SourceMap::compiled_name(llvm::StringRef name) const {
   clang::OptionalFileEntryRef const main = sources_.getFileEntryRefForID(sources_.getMainFileID());
   if (!main || !main->getName().starts_with("./")) name.consume_front("./");
   return name.str();
@@ -50,6 +78,13 @@ std::optional<Span> SourceMap::token(clang::SourceLocation location) const {
   clang::SourceLocation const spelled = sources_.getSpellingLoc(location);
   unsigned const length = clang::Lexer::MeasureTokenLength(spelled, sources_, language_);
   return characters(spelled, spelled.getLocWithOffset(static_cast<int>(length)));
+}
+
+std::optional<Span> SourceMap::first_character(clang::SourceLocation location) const {
+  if (location.isInvalid()) return std::nullopt;
+  auto const [file, offset] = sources_.getDecomposedSpellingLoc(location);
+  std::string const &name = path(file);
+  return name.empty() ? std::nullopt : std::optional(Span{name, offset, offset + 1});
 }
 
 std::optional<Span> SourceMap::range(clang::SourceRange range) const {
@@ -122,10 +157,10 @@ std::string SourceMap::text_in(clang::FileID frame, Span const &span) const {
 void SourceMap::record_files(Facts &facts) const {
   for (auto at = sources_.fileinfo_begin(); at != sources_.fileinfo_end(); ++at) {
     std::string const name = at->first.getName().str();
-    std::string const real = real_path(name);
+    std::string const real = real_path_of(name);
     if (!below_roots(real, roots_) || facts.files.count(real) != 0) continue;
     if (std::optional<llvm::StringRef> const text = at->second->getBufferDataIfLoaded())
-      find_spelled_types(real, language_, facts.files[real] = {display_path(name), text->str()});
+      find_spelled_types(real, language_, facts.files[real] = {display_path(name), compiled_name(name), text->str()});
   }
 }
 

@@ -14,16 +14,16 @@ namespace symreal::rewrite {
 class SourceMap {
 public:
   SourceMap(clang::SourceManager const &sources, clang::LangOptions const &language,
-            std::vector<std::string> const &roots)
-      : sources_(sources),
-        language_(language),
-        roots_(roots) {}
+            std::vector<std::string> const &roots);
 
   // Does the location, seen through macros to where it is expanded, lie within the roots?
   bool in_roots(clang::SourceLocation location) const;
 
   // The token as it is spelled; nothing when that is outside the roots or was pasted together.
   std::optional<Span> token(clang::SourceLocation location) const;
+
+  // The first character of the token, as it is spelled.
+  std::optional<Span> first_character(clang::SourceLocation location) const;
 
   // The characters of an expression: where it is written, or inside the one macro body that holds all of it. Nothing
   // when it straddles a macro's edge or lies outside the roots.
@@ -51,8 +51,12 @@ public:
   clang::LangOptions const &language() const { return language_; }
 
 private:
-  // Clang names what a source in the current directory includes "./header.h", gcc (and so __FILE__) "header.h".
+  std::string real_path_of(llvm::StringRef name) const;
+  // As a message names a file: where the compiler's directory is not that of this process, below the latter's if it is
+  // there, else from the root.
   std::string display_path(llvm::StringRef name) const;
+  // Clang names what a source in the current directory includes "./header.h", gcc (and so __FILE__) "header.h".
+  std::string compiled_name(llvm::StringRef name) const;
   enum class Side { begin, end };
   clang::SourceLocation climb(clang::FileID frame, clang::SourceLocation location, Side side) const;
   // The real path of a file within the roots, else empty.
@@ -61,7 +65,9 @@ private:
   clang::SourceManager const &sources_;
   clang::LangOptions const &language_;
   std::vector<std::string> const &roots_;
+  std::string here_, directory_; // of this process and of the compiler
   mutable std::unordered_map<unsigned, std::string> paths_;
+  mutable std::unordered_map<std::string, std::string> display_paths_;
 };
 
 // Is the real path below one of the roots, and not a header of Symreal itself?

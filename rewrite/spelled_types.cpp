@@ -27,7 +27,7 @@ public:
         if (spelling().find("symreal: keep") != std::string::npos) keep_line();
         continue;
       }
-      if (starts_line_) in_directive_ = false;
+      if (starts_line_) end_directive(begin_);
       if (starts_line_ && token.is(tok::hash))
         begin_directive();
       else if (token.is(tok::raw_identifier))
@@ -36,6 +36,7 @@ public:
         before_ = {};
       starts_line_ = false;
     }
+    end_directive(text_.size());
     mark_kept();
   }
 
@@ -54,6 +55,11 @@ private:
     directive_begin_ = begin_;
     directive_.clear();
     before_ = {};
+  }
+
+  void end_directive(std::size_t end) {
+    if (in_directive_) file_.directives.push_back({directive_begin_, end});
+    in_directive_ = false;
   }
 
   void word(std::string const &word) {

@@ -31,6 +31,11 @@ private:
 void watch_tokens(Preprocessor &preprocessor, SourceMap const &map, Facts &facts) {
   preprocessor.addPPCallbacks(std::make_unique<MacroNames>(map, facts));
   preprocessor.setTokenWatcher([&map, &facts](Token const &token) {
+    if (std::optional<Span> const first = map.first_character(token.getLocation())) {
+      std::vector<bool> &reached = facts.reached[first->file];
+      if (reached.size() < first->end) reached.resize(first->end);
+      reached[first->begin] = true;
+    }
     if (token.is(tok::kw_double)) {
       if (std::optional<Span> const span = map.token(token.getLocation())) facts.doubles.insert(*span);
     } else if (token.is(tok::identifier))

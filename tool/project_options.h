@@ -8,6 +8,7 @@ namespace symreal::tool {
 
 struct ProjectOptions {
   rewrite::Request request;
+  std::string build; // the directory of compile_commands.json
 
   void add_to(CLI::App &app);
   rewrite::Request complete(CompilerFlags const &flags) const;

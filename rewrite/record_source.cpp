@@ -1,0 +1,216 @@
+#include "rewrite/record_source.h"
+
+#include "rewrite/merge.h"
+#include "rewrite/pragma_handler.h"
+#include "rewrite/quoted_arguments.h"
+#include "rewrite/source_map.h"
+#include "rewrite/spelled_types.h"
+#include "rewrite/token_watch.h"
+#include "rewrite/visitor.h"
+
+#include <algorithm>
+
+namespace symreal::rewrite {
+namespace {
+
+using namespace clang;
+
+// An error of the compiler, which becomes a diagnostic of ours when the whole source has been read.
+struct CompilerError {
+  std::string message;
+  Place place;
+  std::optional<Span> token;
+};
+
+class ErrorCollector : public DiagnosticConsumer {
+public:
+  ErrorCollector(std::vector<std::string> const &roots, std::vector<CompilerError> &errors)
+      : roots_(roots),
+        errors_(errors) {}
+
+  void BeginSourceFile(LangOptions const &language, Preprocessor const *) override { language_ = language; }
+  void HandleDiagnostic(DiagnosticsEngine::Level level, clang::Diagnostic const &info) override {
+    DiagnosticConsumer::HandleDiagnostic(level, info);
+    if (level < DiagnosticsEngine::Error) return;
+    llvm::SmallString<256> message;
+    info.FormatDiagnostic(message);
+    CompilerError error{message.str().str(), {}, {}};
+    if (info.hasSourceManager() && info.getLocation().isValid()) {
+      SourceMap const map(info.getSourceManager(), language_, roots_);
+      error.place = map.place(info.getLocation());
+      error.token = map.token(info.getLocation());
+    }
+    errors_.push_back(std::move(error));
+  }
+
+private:
+  std::vector<std::string> const &roots_;
+  std::vector<CompilerError> &errors_;
+  LangOptions language_;
+};
+
+class Consumer : public ASTConsumer {
+public:
+  Consumer(CompilerInstance &compiler, std::vector<std::string> const &roots, bool ask_compiler, Facts &facts)
+      : compiler_(compiler),
+        map_(compiler.getSourceManager(), compiler.getLangOpts(), roots),
+        facts_(facts) {
+    index_.ask_compiler = ask_compiler;
+    Preprocessor &preprocessor = compiler.getPreprocessor();
+    preprocessor.AddPragmaHandler(make_pragma_handler(map_, facts_, index_).release()); // owned there from now on
+    preprocessor.addPPCallbacks(make_quoted_argument_recorder(map_, facts_));
+    preprocessor.addPPCallbacks(make_skipped_text_recorder(map_, facts_));
+    watch_tokens(preprocessor, map_, facts_);
+  }
+
+  void HandleTranslationUnit(ASTContext &context) override {
+    map_.record_files(facts_);
+    if (compiler_.getDiagnostics().hasErrorOccurred()) return;
+    record_tree(context, map_, index_, facts_);
+    record_include_directories();
+  }
+
+private:
+  void record_include_directories() {
+    HeaderSearch const &search = compiler_.getPreprocessor().getHeaderSearchInfo();
+    for (auto at = search.search_dir_begin(); at != search.search_dir_end(); ++at) {
+      if (!at->isNormalDir()) continue;
+      std::string const name = at->getName().str();
+      std::vector<std::string> &known = facts_.include_dirs;
+      if (std::find(known.begin(), known.end(), name) == known.end()) known.push_back(name);
+    }
+  }
+
+  CompilerInstance &compiler_;
+  SourceMap map_;
+  PragmaIndex index_;
+  Facts &facts_;
+};
+
+class Action : public ASTFrontendAction {
+public:
+  Action(std::vector<std::string> const &roots, bool ask_compiler, Facts &facts)
+      : roots_(roots),
+        ask_compiler_(ask_compiler),
+        facts_(facts) {}
+  std::unique_ptr<ASTConsumer> CreateASTConsumer(CompilerInstance &compiler, llvm::StringRef) override {
+    return std::make_unique<Consumer>(compiler, roots_, ask_compiler_, facts_);
+  }
+
+private:
+  std::vector<std::string> const &roots_;
+  bool ask_compiler_;
+  Facts &facts_;
+};
+
+// The compiler's command line without what only concerns its outputs.
+std::vector<std::string> command_line(Compilation const &compilation) {
+  std::vector<std::string> words = {"clang",
+                                    "-fsyntax-only",
+                                    "-w",
+                                    "-Wno-error",
+                                    "-Qunused-arguments",
+                                    "-fno-caret-diagnostics",
+                                    "-resource-dir=" SYMREAL_CLANG_RESOURCES,
+                                    "-isystem",
+                                    SYMREAL_RUNTIME_INCLUDE,
+                                    "-ferror-limit=20"};
+  std::vector<std::string> const &flags = compilation.flags;
+  for (std::size_t i = 0; i < flags.size(); ++i) {
+    std::string const &flag = flags[i];
+    if (flag == "-o" || flag == "-MF" || flag == "-MT" || flag == "-MQ")
+      ++i;
+    else if (flag != "-c" && flag != "-S" && flag != "-E" && flag != "-Werror" && flag.rfind("-M", 0) != 0)
+      words.push_back(flag);
+  }
+  words.push_back("--");
+  words.push_back(compilation.source);
+  return words;
+}
+
+void add(Facts &facts, DiagnosticId id, Place const &place, std::string message) {
+  for (symreal::Diagnostic const &known : facts.diagnostics)
+    if (known.id == id && to_string(known.place) == to_string(place)) return;
+  facts.diagnostics.push_back({id, Severity::error, place, std::move(message)});
+}
+
+// The errors that stand at a token of a pragma.
+void report_pragma_errors(std::vector<CompilerError> const &errors, Facts &facts) {
+  for (CompilerError const &error : errors) {
+    if (!error.token) continue;
+    for (auto const &[span, pragma] : facts.pragmas) {
+      if (span.file != error.token->file || error.token->begin < span.begin || span.end <= error.token->begin) continue;
+      if (error.message.find("undeclared") != std::string::npos)
+        add(facts, DiagnosticId::pragma_undeclared_name, error.place, error.message);
+      else if (error.message.rfind("expected", 0) == 0)
+        add(facts, DiagnosticId::pragma_position, pragma.place, "no statement can stand where this pragma stands");
+      else
+        add(facts, DiagnosticId::pragma_item, error.place, error.message);
+    }
+  }
+}
+
+// Options that only the user's own compiler knows, or values of them, say nothing about the source: those that Clang
+// names in its complaints about the command line are left out. Was there one?
+bool leave_out_options(std::vector<CompilerError> const &errors, std::vector<std::string> &flags) {
+  std::size_t const before = flags.size();
+  for (CompilerError const &error : errors) {
+    if (error.place.line != 0) continue;
+    llvm::StringRef rest = error.message;
+    while (!(rest = rest.split('\'').second).empty()) {
+      auto const [name, next] = rest.split('\'');
+      rest = next;
+      std::erase_if(flags, [&, quoted = name](llvm::StringRef flag) {
+        bool const is_value = flag.starts_with("-") && flag.split('=').second == quoted && !quoted.empty();
+        return is_value ||
+               (quoted.starts_with("-") && (flag == quoted || (quoted.ends_with("=") && flag.starts_with(quoted))));
+      });
+    }
+  }
+  return flags.size() != before;
+}
+
+using FileSystem = IntrusiveRefCntPtr<llvm::vfs::FileSystem>;
+
+struct Parsed {
+  Facts facts;
+  std::vector<CompilerError> errors;
+};
+
+Parsed parse(Compilation compilation, FileSystem const &disk, std::vector<std::string> const &roots,
+             bool ask_compiler) {
+  while (true) {
+    Parsed parsed;
+    ErrorCollector collector(roots, parsed.errors);
+    IntrusiveRefCntPtr<FileManager> const files(new FileManager(FileSystemOptions(), disk));
+    tooling::ToolInvocation invocation(command_line(compilation),
+                                       std::make_unique<Action>(roots, ask_compiler, parsed.facts), files.get());
+    invocation.setDiagnosticConsumer(&collector);
+    bool const done = invocation.run();
+    if (leave_out_options(parsed.errors, compilation.flags)) continue;
+    if (!done && parsed.errors.empty())
+      parsed.errors.push_back({"the source cannot be parsed", {compilation.source}, {}});
+    return parsed;
+  }
+}
+
+} // namespace
+
+Facts record_source(Compilation const &compilation, std::vector<std::string> const &roots) {
+  // A file system with a directory of its own: several sources may be read at once.
+  FileSystem const disk(llvm::vfs::createPhysicalFileSystem().release());
+  if (!compilation.directory.empty() && disk->setCurrentWorkingDirectory(compilation.directory))
+    fail(DiagnosticId::compile_commands, {}, "the directory '" + compilation.directory + "' does not exist");
+  if (!disk->exists(compilation.source))
+    fail(DiagnosticId::unreadable_file, {}, "'" + compilation.source + "' cannot be read");
+  auto [facts, errors] = parse(compilation, disk, roots, true);
+  if (errors.empty()) return facts;
+  facts.broken = true;
+  // Are the errors the source's own, or do they come from what its pragmas put in?
+  std::vector<CompilerError> const own = facts.pragmas.empty() ? errors : parse(compilation, disk, roots, false).errors;
+  for (CompilerError const &error : own) add(facts, DiagnosticId::source_error, error.place, error.message);
+  if (own.empty()) report_pragma_errors(errors, facts);
+  return std::move(facts);
+}
+
+} // namespace symreal::rewrite

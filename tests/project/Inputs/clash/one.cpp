@@ -1,0 +1,3 @@
+#define AS_CONSTANT
+#include "shared.h"
+double one(double x) { return x * gravity; }

@@ -1,0 +1,2 @@
+#include "shared.h"
+double two(double x) { return x * gravity; }
