@@ -61,7 +61,10 @@ Overlay::Overlay(rewrite::Result const &rewritten, std::string directory)
     std::string path = directory_ + file.path;
     std::error_code ignored; // a directory that cannot be made shows when the file is written
     fs::create_directories(fs::path(path).parent_path(), ignored);
-    write_if_changed(path, "#line 1 " + quoted(file.display_path) + "\n" + file.text);
+    // A byte order mark is one only at the very beginning.
+    std::size_t const mark = file.text.starts_with("\xEF\xBB\xBF") ? 3 : 0;
+    write_if_changed(path, file.text.substr(0, mark) + "#line 1 " + quoted(file.display_path) + "\n" +
+                               file.text.substr(mark));
     by_name_[file.path] = i;
     by_name_[file.display_path] = i;
     by_name_[fs::path(file.display_path).lexically_normal().string()] = i;

@@ -70,13 +70,33 @@ void add_unaccounted(Facts const &facts, std::set<Span> const &pragmas, Ledger c
   }
 }
 
+// Is the expression one call of our macros, from the rewriting before? Then all that stands there has what it needs.
+bool is_rewritten(std::string const &text, Span const &span) {
+  if (text.compare(span.begin, 5, "REAL_") != 0 && text.compare(span.begin, 8, "SYMREAL_") != 0) return false;
+  std::size_t at = text.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ_", span.begin);
+  int depth = 0;
+  for (bool quoted = false; at < span.end; ++at) {
+    char const c = text[at];
+    if (quoted && c == '\\')
+      ++at;
+    else if (c == '"')
+      quoted = !quoted;
+    else if (!quoted && c == '(')
+      ++depth;
+    else if (!quoted && c == ')' && --depth == 0)
+      return at + 1 == span.end;
+    if (depth == 0) return false;
+  }
+  return false;
+}
+
 void add_wraps(Facts const &facts, std::set<Span> const &pragmas, ByFile &rewordings) {
   Wrap const *before = nullptr;
   for (Wrap const &wrap : facts.wraps) {
     // The same words in a macro or header that two sources name differently.
     bool const again = before && before->span == wrap.span && before->use == wrap.use;
     before = &wrap;
-    if (again) continue;
+    if (again || is_rewritten(facts.files.at(wrap.span.file).text, wrap.span)) continue;
     // The function reads the REALs itself, as REALs.
     if (wrap.use == Use::value && facts.number_readers.count(wrap.detail) != 0) continue;
     if (!meets(pragmas, wrap.span) && !meets(facts.quoted, wrap.span))
@@ -86,7 +106,8 @@ void add_wraps(Facts const &facts, std::set<Span> const &pragmas, ByFile &reword
 
 void add_members(Facts const &facts, ByFile &rewordings) {
   for (auto const &[brace, members] : facts.members)
-    rewordings[brace.file].push_back({brace.begin, brace.end, "", " REAL_MEMBERS(" + members + ")"});
+    if (facts.files.at(brace.file).text.compare(brace.end, 14, " REAL_MEMBERS(") != 0)
+      rewordings[brace.file].push_back({brace.begin, brace.end, "", " REAL_MEMBERS(" + members + ")"});
 }
 
 void add_pragmas(Facts const &facts, ByFile &rewordings) {

@@ -194,6 +194,12 @@ Parsed parse(Compilation compilation, FileSystem const &disk, std::vector<std::s
   }
 }
 
+bool names_real(std::vector<CompilerError> const &errors) {
+  return std::any_of(errors.begin(), errors.end(), [](CompilerError const &error) {
+    return error.message.find("'REAL") != std::string::npos || error.message.find("'SYMREAL_") != std::string::npos;
+  });
+}
+
 } // namespace
 
 Facts record_source(Compilation const &compilation, std::vector<std::string> const &roots) {
@@ -204,7 +210,13 @@ Facts record_source(Compilation const &compilation, std::vector<std::string> con
   if (!disk->exists(compilation.source))
     fail(DiagnosticId::unreadable_file, {}, "'" + compilation.source + "' cannot be read");
   auto [facts, errors] = parse(compilation, disk, roots, true);
-  if (errors.empty()) return facts;
+  if (names_real(errors)) {
+    // Rewritten before: with the header that says what REAL is it compiles as it did.
+    Compilation rewritten = compilation;
+    rewritten.flags.insert(rewritten.flags.end(), {"-include", "symreal/real.h"});
+    if (Parsed again = parse(rewritten, disk, roots, true); again.errors.empty()) return std::move(again.facts);
+  }
+  if (errors.empty()) return std::move(facts);
   facts.broken = true;
   // Are the errors the source's own, or do they come from what its pragmas put in?
   std::vector<CompilerError> const own = facts.pragmas.empty() ? errors : parse(compilation, disk, roots, false).errors;

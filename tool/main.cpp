@@ -29,6 +29,7 @@ static int run(int argc, char **argv) {
   add_generate(app, session);
   add_verify(app, session);
   add_rewrite(app, session);
+  add_undo(app, session);
   add_opt(app, session);
   add_explain(app, session);
   try {

@@ -10,7 +10,8 @@ struct ProjectOptions {
   rewrite::Request request;
   std::string build; // the directory of compile_commands.json
 
-  void add_to(CLI::App &app);
+  void add_to(CLI::App &app);       // all of them
+  void add_build_to(CLI::App &app); // -p and -j
   rewrite::Request complete(CompilerFlags const &flags) const;
 };
 

@@ -1,4 +1,7 @@
 #include "diagnostics/diagnostic.h"
+#include "program/tree_edit.h"
+#include "rewrite/fixes.h"
+#include "support/files.h"
 #include "tool/project_options.h"
 #include "tool/subcommands.h"
 
@@ -10,24 +13,39 @@ namespace {
 
 struct Options {
   ProjectOptions project;
-  bool diff = false;
-  std::string out_root;
+  bool diff = false, in_place = false;
+  std::string out_root, fixes;
 };
 
+void edit_in_place(rewrite::Result const &result) {
+  std::vector<program::Replacement> replacements;
+  for (rewrite::File const &file : result.files)
+    if (file.original != file.text) replacements.push_back({file.path, file.original, file.text});
+  std::string const directory = program::edit_tree(replacements);
+  std::cerr << replacements.size() << " files rewritten";
+  if (!replacements.empty())
+    std::cerr << "; compile them with -include symreal/real.h, take it back with: symreal undo " << directory;
+  std::cerr << "\n";
+}
+
 void run(Options const &options, Session &session) {
-  if (options.diff == !options.out_root.empty())
-    fail(DiagnosticId::bad_option, {}, "one of --diff and --out-root says where the rewritten text goes");
+  if (options.diff + options.in_place + !options.out_root.empty() + !options.fixes.empty() != 1)
+    fail(DiagnosticId::bad_option, {},
+         "one of --diff, --out-root, --in-place and --export-fixes says where the rewritten text goes");
   rewrite::Result result = rewrite::run(options.project.complete(session.flags));
   for (Diagnostic const &diagnostic : result.diagnostics) {
     print(std::cerr, diagnostic);
     if (diagnostic.severity == Severity::error) session.status = error;
   }
   if (session.status != clean) return;
-  if (!options.out_root.empty()) {
+  if (!options.out_root.empty())
     rewrite::write_mirror(result.files, options.out_root);
-    return;
-  }
-  for (rewrite::File const &file : result.files) std::cout << rewrite::unified_diff(file);
+  else if (!options.fixes.empty())
+    write_if_changed(options.fixes, rewrite::fixes_yaml(result.files));
+  else if (options.in_place)
+    edit_in_place(result);
+  else
+    for (rewrite::File const &file : result.files) std::cout << rewrite::unified_diff(file);
 }
 
 } // namespace
@@ -39,6 +57,10 @@ void add_rewrite(CLI::App &app, Session &session) {
   command->add_flag("--diff", options->diff, "Print a unified diff");
   command->add_option("--out-root", options->out_root, "Write a mirror of the files below this directory")
       ->type_name("DIR");
+  command->add_flag("--in-place", options->in_place,
+                    "Replace the files, all of them or none; symreal undo takes it back");
+  command->add_option("--export-fixes", options->fixes, "Write the edits as YAML for clang-apply-replacements")
+      ->type_name("FILE");
   command->callback([options, &session] { run(*options, session); });
 }
 

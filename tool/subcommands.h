@@ -17,6 +17,7 @@ void add_scan(CLI::App &app, Session &session);
 void add_generate(CLI::App &app, Session &session);
 void add_verify(CLI::App &app, Session &session);
 void add_rewrite(CLI::App &app, Session &session);
+void add_undo(CLI::App &app, Session &session);
 void add_opt(CLI::App &app, Session &session);
 void add_explain(CLI::App &app, Session &session);
 
