@@ -1,6 +1,7 @@
 #include "program/verification.h"
 #include "tool/console.h"
 #include "tool/subcommands.h"
+#include "tool/verify_numeric.h"
 #include "tool/verify_report.h"
 
 #include <iostream>
@@ -15,10 +16,20 @@ struct Options {
   std::vector<std::string> files; // sources, then the generated file
   program::VerificationOptions verification;
   CLI::Option *tolerance = nullptr;
+  NumericOptions numeric;
   bool json = false;
 };
 
+int run_numeric(CLI::App const &command, Options const &options, Session const &session) {
+  NumericOptions numeric = options.numeric;
+  numeric.project.request.sources = options.files;
+  numeric.project.request.roots = options.source.roots;
+  return verify_numeric(command, numeric, options.source.front.build.compiler, session);
+}
+
 int run(Options const &options, Session const &session) {
+  if (!options.numeric.project.build.empty() || options.numeric.project.request.jobs != 0)
+    fail(DiagnosticId::option_without_effect, {}, "-p and -j are for verify --numeric");
   if (options.files.size() < 2) fail(DiagnosticId::bad_option, {}, "verify takes sources and the generated C file");
   SourceOptions source = options.source;
   source.sources.assign(options.files.begin(), options.files.end() - 1);
@@ -56,7 +67,8 @@ int run(Options const &options, Session const &session) {
 void add_verify(CLI::App &app, Session &session) {
   CLI::App *command = app.add_subcommand("verify", "Compare the generated code with the original on many inputs");
   auto options = std::make_shared<Options>();
-  command->add_option("files", options->files, "The sources of the program, then the generated C file")->required();
+  command->add_option("files", options->files, "The sources of the program, then the generated C file");
+  options->numeric.add_to(*command);
   options->source.add_to(*command, false);
   program::VerificationOptions &verification = options->verification;
   command->add_option("--samples", verification.samples, "How many inputs to try")
@@ -70,7 +82,9 @@ void add_verify(CLI::App &app, Session &session) {
   options->tolerance = command->add_option("--tol", verification.tolerance, "Largest relative error in mode fast")
                            ->capture_default_str();
   command->add_flag("--json", options->json, "Print the result as JSON to standard output");
-  command->callback([options, &session] { session.status = run(*options, session); });
+  command->callback([options, command, &session] {
+    session.status = options->numeric.enabled ? run_numeric(*command, *options, session) : run(*options, session);
+  });
 }
 
 } // namespace symreal::tool

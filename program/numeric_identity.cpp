@@ -1,0 +1,145 @@
+#include "program/numeric_identity.h"
+
+#include "program/process.h"
+#include "rewrite/pragma_text.h"
+#include "support/files.h"
+
+#include <filesystem>
+#include <future>
+#include <optional>
+
+namespace symreal::program {
+namespace {
+
+namespace fs = std::filesystem;
+using Words = std::vector<std::string>;
+
+// Where the rewritten files lie: each below `top`, at its real path.
+class Shadow {
+public:
+  Shadow(rewrite::Result const &rewritten, std::string top) : rewritten_(rewritten), top_(std::move(top)) {
+    for (rewrite::File const &file : rewritten.files) write(file, file.compiled_name);
+  }
+
+  // The source under the name that this compilation gives it.
+  std::string source(std::string const &real, std::string const &name) const {
+    for (rewrite::File const &file : rewritten_.files)
+      if (file.path == real) write(file, name);
+    return top_ + real;
+  }
+
+  // The directory's or file's counterpart, if there is one.
+  std::optional<std::string> counterpart(std::string const &name, std::string const &directory) const {
+    std::error_code error;
+    std::string const path = top_ + fs::weakly_canonical(fs::path(directory) / name, error).string();
+    return !error && fs::exists(path) ? std::optional(path) : std::nullopt;
+  }
+
+private:
+  void write(rewrite::File const &file, std::string const &name) const {
+    std::string const path = top_ + file.path;
+    fs::create_directories(fs::path(path).parent_path());
+    std::size_t const mark = file.text.starts_with("\xEF\xBB\xBF") ? 3 : 0; // one only at the very beginning
+    write_if_changed(path,
+                     file.text.substr(0, mark) + "#line 1 " + rewrite::quoted(name) + "\n" + file.text.substr(mark));
+  }
+
+  rewrite::Result const &rewritten_;
+  std::string const top_;
+};
+
+// Without what chooses outputs; an object is wanted, of machine code.
+Words compiling(Words const &flags) {
+  Words words;
+  for (std::size_t i = 0; i < flags.size(); ++i) {
+    std::string const &flag = flags[i];
+    if (flag == "-o" || flag == "-MF" || flag == "-MT" || flag == "-MQ")
+      ++i;
+    else if (flag != "-c" && flag != "-S" && flag != "-E" && !flag.starts_with("-M") && !flag.starts_with("-flto") &&
+             !flag.starts_with("-Werror"))
+      words.push_back(flag);
+  }
+  return words;
+}
+
+std::string_view search_option(std::string_view flag) {
+  for (std::string_view option : {"-iquote", "-isystem", "-idirafter", "-I"})
+    if (flag.starts_with(option)) return option;
+  return {};
+}
+
+// Each search directory that has a counterpart is preceded by it, so that the order of the search stays.
+Words in_shadow(Words const &flags, Shadow const &shadow, std::string const &directory) {
+  Words words;
+  for (std::size_t i = 0; i < flags.size(); ++i) {
+    std::string const &flag = flags[i];
+    if (flag == "-include" && i + 1 < flags.size()) {
+      words.push_back(flag);
+      words.push_back(shadow.counterpart(flags[i + 1], directory).value_or(flags[i + 1]));
+      ++i;
+      continue;
+    }
+    std::string_view const option = search_option(flag);
+    bool const apart = flag == option && i + 1 < flags.size();
+    if (!option.empty())
+      if (auto const found = shadow.counterpart(apart ? flags[i + 1] : flag.substr(option.size()), directory))
+        words.insert(words.end(), {std::string(option), *found});
+    words.push_back(flag);
+    if (!option.empty() && apart) words.push_back(flags[++i]);
+  }
+  return words;
+}
+
+struct Object {
+  bool made = false;
+  std::string code, output;
+};
+
+Object compile(Words words, std::string const &file, std::string const &directory) {
+  words.insert(words.end(), {"-w", "-c", "-o", file});
+  Captured compiled = capture({.arguments = words, .directory = directory, .environment = {"LC_ALL=C"}});
+  if (compiled.outcome.success()) {
+    compiled = capture({.arguments = {"strip", "--strip-unneeded", file}});
+    if (compiled.outcome.success()) return {true, read_file(file), {}};
+  }
+  if (compiled.outcome.ending == Ending::not_started) return {false, {}, "'" + words[0] + "' cannot be started"};
+  return {false, {}, compiled.output.substr(0, compiled.output.find('\n'))};
+}
+
+} // namespace
+
+ObjectComparison compare_object_code(std::vector<rewrite::Compilation> const &sources, rewrite::Result const &rewritten,
+                                     Compilers const &compilers, Workspace const &workspace) {
+  Shadow const shadow(rewritten, workspace.directory("shadow"));
+  ObjectComparison result;
+  for (rewrite::Compilation const &one : sources) {
+    std::string const directory = one.directory.empty() ? fs::current_path().string() : one.directory;
+    std::string const real = fs::weakly_canonical(fs::path(directory) / one.source).string();
+    Words const flags = compiling(one.flags);
+    Words before = {one.source.ends_with(".c") ? compilers.c : compilers.cxx};
+    Words after = {before[0], "-include", SYMREAL_RUNTIME_INCLUDE "/symreal/real.h"};
+    Words const adapted = in_shadow(flags, shadow, directory);
+    before.insert(before.end(), flags.begin(), flags.end());
+    after.insert(after.end(), adapted.begin(), adapted.end());
+    before.push_back(one.source);
+    after.push_back(shadow.source(real, one.source));
+    auto original =
+        std::async(std::launch::async, [&] { return compile(before, workspace.file("before.o"), directory); });
+    Object const changed = compile(after, workspace.file("after.o"), directory);
+    Object const unchanged = original.get();
+    Place const place{one.source};
+    if (!unchanged.made)
+      result.diagnostics.push_back({DiagnosticId::numeric_original, Severity::error, place, unchanged.output});
+    else if (++result.compared; !changed.made)
+      result.diagnostics.push_back({DiagnosticId::numeric_difference, Severity::error, place,
+                                    "the rewritten source does not compile: " + changed.output});
+    else if (changed.code != unchanged.code)
+      result.diagnostics.push_back({DiagnosticId::numeric_difference, Severity::error, place,
+                                    "the object code of the rewritten source differs from the original's"});
+    else
+      ++result.identical;
+  }
+  return result;
+}
+
+} // namespace symreal::program

@@ -1,0 +1,44 @@
+#include "tool/verify_numeric.h"
+
+#include "diagnostics/diagnostic.h"
+#include "program/numeric_identity.h"
+
+#include <iostream>
+#include <set>
+
+namespace symreal::tool {
+
+void NumericOptions::add_to(CLI::App &app) {
+  app.add_flag("--numeric", enabled,
+               "Instead compare the object code of all sources before and after the rewriting, without the switch");
+  project.add_build_to(app);
+  app.add_option("--cc", c_compiler, "With --numeric: compiler of sources that end in .c")->capture_default_str();
+}
+
+int verify_numeric(CLI::App const &command, NumericOptions const &options, std::string const &cxx_compiler,
+                   Session const &session) {
+  static std::set<std::string> const known = {"files", "--root", "--cxx", "--cc", "--numeric", "-p", "-j"};
+  for (CLI::Option const *one : command.get_options())
+    if (one->count() != 0 && known.count(one->get_name()) == 0)
+      fail(DiagnosticId::option_without_effect, {}, one->get_name() + " is not for --numeric");
+  rewrite::Request const request = options.project.complete(session.flags);
+  std::vector<rewrite::Compilation> sources = request.compilations;
+  if (sources.empty())
+    for (std::string const &source : request.sources) sources.push_back({source, {}, request.flags});
+  rewrite::Result const rewritten = rewrite::run(request);
+  bool failed = false;
+  for (Diagnostic const &diagnostic : rewritten.diagnostics) {
+    print(std::cerr, diagnostic);
+    failed |= diagnostic.severity == Severity::error;
+  }
+  if (failed) return error;
+  program::Workspace const workspace(/*keep=*/false);
+  program::ObjectComparison const result =
+      program::compare_object_code(sources, rewritten, {options.c_compiler, cxx_compiler}, workspace);
+  for (Diagnostic const &diagnostic : result.diagnostics) print(std::cerr, diagnostic);
+  std::cout << result.identical << " of " << sources.size() << " translation units have identical object code\n";
+  if (result.identical != result.compared) return verification_failed;
+  return result.compared == sources.size() ? clean : error;
+}
+
+} // namespace symreal::tool
