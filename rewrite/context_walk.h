@@ -23,6 +23,7 @@ public:
     auto const *function = clang::dyn_cast<clang::FunctionDecl>(declaration);
     if (!function) return Walk::TraverseDecl(declaration);
     Within const dependent(in_template_, function->isDependentContext());
+    Within const allocates(no_state_, is_allocation(function)); // what it keeps is no state of a kernel
     clang::FunctionDecl const *const outer = std::exchange(function_, function);
     bool const more = Walk::TraverseDecl(declaration);
     function_ = outer;
@@ -118,6 +119,17 @@ protected:
   bool no_state_ = false;         // nothing is read or written while the program runs
   bool in_template_ = false;      // types may depend on its arguments
   clang::FunctionDecl const *function_ = nullptr;
+
+private:
+  static bool is_allocation(clang::FunctionDecl const *function) {
+    static llvm::StringSet<> const names = {"malloc",        "calloc",         "realloc",  "free",
+                                            "aligned_alloc", "posix_memalign", "memalign", "reallocarray"};
+    clang::OverloadedOperatorKind const kind = function->getOverloadedOperator();
+    if (kind == clang::OO_New || kind == clang::OO_Delete || kind == clang::OO_Array_New ||
+        kind == clang::OO_Array_Delete)
+      return true;
+    return function->isExternC() && names.contains(function->getName());
+  }
 };
 
 } // namespace symreal::rewrite

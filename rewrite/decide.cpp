@@ -29,6 +29,7 @@ Rewording rewording(Wrap const &wrap) {
   case Use::written: return make("REAL_WRITTEN(" + wrap.detail + ", ", ")");
   case Use::changed: return make("REAL_CHANGED(" + wrap.detail + ", ", ")");
   case Use::state: return make("REAL_STATE(", ", " + quoted(wrap.detail) + ")");
+  case Use::local_state: return make("REAL_LOCAL_STATE(", ", " + quoted(wrap.detail) + ")");
   case Use::linkage: return make("REAL_LINKAGE(", ")");
   case Use::integer: return make("REAL_INT(", ")");
   case Use::table: return make("REAL_TABLE(" + wrap.detail + ", ", ")");

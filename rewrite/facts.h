@@ -65,6 +65,7 @@ enum class Use {
   changed, // a library changes it
   bytes,   // the name of a function that moves or sets bytes
   state,
+  local_state, // of integers that only one function can name
 };
 
 struct Wrap {
@@ -92,6 +93,7 @@ struct ItemFact {
   // From the syntax tree.
   bool seen = false; // it stands where a statement can
   bool carries_real = false;
+  bool holds_integer = false;
   std::string type;
   Base base_kind = Base::object;
 };
@@ -113,7 +115,7 @@ struct FunctionFact {
     std::string name;
     Place place;
   };
-  std::vector<Value> values; // its parameters by value that hold REAL
+  std::vector<Value> values; // its parameters by value that hold numbers, and the integers among them that it uses
 };
 
 struct PragmaFact {

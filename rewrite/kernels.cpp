@@ -25,7 +25,10 @@ void check_item(ClauseFact const &clause, ItemFact const &item, Result &result) 
                           item.base_kind == Base::const_pointer_to_const;
   if (item.base_is_name && is_pointer && item.sections.empty())
     return wrong("is a pointer, which does not say how much it points to");
-  if (!item.carries_real) return wrong("holds no double: it is " + item.type);
+  bool const declares = clause.name == "constant" || clause.name == "scratch";
+  if (declares && !item.carries_real && !item.holds_integer)
+    return wrong("holds neither doubles nor integers: it is " + item.type);
+  if (!declares && !item.carries_real) return wrong("holds no double: it is " + item.type);
   if (!writes) return;
   if (item.base_kind == Base::const_object) return wrong("is const: the compiler may have used its value already");
   if (item.base_kind == Base::const_pointer_to_const)

@@ -66,6 +66,9 @@ ValueDecl const *look_up(std::string const &name, FunctionDecl const *function) 
   for (DeclContext const *scope = function->getDeclContext(); scope; scope = scope->getLookupParent()) {
     for (NamedDecl const *found : scope->lookup(wanted))
       if (auto const *value = dyn_cast<ValueDecl>(found)) return value;
+    for (UsingDirectiveDecl const *used : scope->using_directives()) // namespaces without a name are among them
+      for (NamedDecl const *found : used->getNominatedNamespace()->lookup(wanted))
+        if (auto const *value = dyn_cast<ValueDecl>(found)) return value;
     auto const *record = dyn_cast<CXXRecordDecl>(scope);
     if (!record || !record->hasDefinition()) continue;
     ValueDecl const *inherited = nullptr;
@@ -116,9 +119,11 @@ private:
 
 class Attacher {
 public:
-  Attacher(SourceMap const &map, Reals const &reals, PragmaIndex const &index, Facts &facts)
+  Attacher(SourceMap const &map, Reals const &reals, IntegerState const &integers, PragmaIndex const &index,
+           Facts &facts)
       : map_(map),
         reals_(reals),
+        integers_(integers),
         index_(index),
         facts_(facts) {}
 
@@ -167,7 +172,8 @@ private:
     fact.signature = normalised(text.substr(begin, end - begin));
     fact.returns_value = !function->getReturnType()->isVoidType();
     for (ParmVarDecl const *parameter : function->parameters())
-      if (parameter->getIdentifier() && reals_.carries_real(parameter->getType()))
+      if (parameter->getIdentifier() && (reals_.carries_real(parameter->getType()) ||
+                                         (parameter->isReferenced() && integers_.holds(parameter->getType()))))
         fact.values.push_back({parameter->getName().str(), map_.place(parameter->getLocation())});
     pragma.function = {fact};
   }
@@ -193,11 +199,19 @@ private:
       item.seen = true;
       item.type = declaration->getType().getAsString();
       item.carries_real = declaration->getType()->isDependentType() || reals_.mentions_real(declaration->getType());
+      item.holds_integer = holds_integer(declaration->getType());
       note_declaration(item, declaration, reals_);
     }
     for (ClauseFact &clause : pragma.clauses) // expressions that begin with no plain name: nothing is known
       for (ItemFact &item : clause.items)
         if (!item.seen) item.seen = item.carries_real = true;
+  }
+
+  // The object itself, or what it points or refers to.
+  bool holds_integer(QualType type) const {
+    while (type->isPointerType() || type->isReferenceType() || type->isArrayType())
+      type = type->isArrayType() ? type->getAsArrayTypeUnsafe()->getElementType() : type->getPointeeType();
+    return integers_.holds(type);
   }
 
   void refuse_changes(ItemFact const &item, std::string const &name, ValueDecl const *declaration,
@@ -241,13 +255,14 @@ private:
 
   SourceMap const &map_;
   Reals const &reals_;
+  IntegerState const &integers_;
   PragmaIndex const &index_;
   Facts &facts_;
 };
 
 } // namespace
 
-void note_item(Stmt const *statement, SourceMap const &map, Reals const &reals, PragmaIndex const &index,
+void note_item(Stmt const *statement, Reals const &reals, IntegerState const &integers, PragmaIndex const &index,
                Facts &facts) {
   auto const *expression = dyn_cast<Expr>(statement);
   auto const *cast = expression ? dyn_cast<CStyleCastExpr>(expression->IgnoreImplicit()) : nullptr;
@@ -263,12 +278,12 @@ void note_item(Stmt const *statement, SourceMap const &map, Reals const &reals, 
   bool const has_extents = !item.sections.empty() && what->getType()->isPointerType();
   item.carries_real = what->isTypeDependent() ||
                       (has_extents ? reals.mentions_real(what->getType()) : reals.carries_real(what->getType()));
-  (void)map;
+  item.holds_integer = integers.holds(has_extents ? what->getType()->getPointeeType() : what->getType());
 }
 
 void attach_function_pragmas(std::vector<FunctionDecl const *> const &definitions, SourceMap const &map,
-                             Reals const &reals, PragmaIndex const &index, Facts &facts) {
-  Attacher attacher(map, reals, index, facts);
+                             Reals const &reals, IntegerState const &integers, PragmaIndex const &index, Facts &facts) {
+  Attacher attacher(map, reals, integers, index, facts);
   for (auto const &[span, start] : index.function_pragmas)
     if (facts.pragmas[span].function.empty()) attacher.attach(span, start, definitions);
 }

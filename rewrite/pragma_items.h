@@ -4,6 +4,7 @@
 
 #include "rewrite/clang.h"
 #include "rewrite/facts.h"
+#include "rewrite/integer_state.h"
 #include "rewrite/pragma_handler.h"
 #include "rewrite/reals.h"
 #include "rewrite/source_map.h"
@@ -13,11 +14,11 @@
 namespace symreal::rewrite {
 
 // If the statement of a block is one that a pragma stands for, notes that its item was seen there, and its type.
-void note_item(clang::Stmt const *statement, SourceMap const &map, Reals const &reals, PragmaIndex const &index,
+void note_item(clang::Stmt const *statement, Reals const &reals, IntegerState const &integers, PragmaIndex const &index,
                Facts &facts);
 
 // Gives each function pragma of this source the definition that follows it, and records its return statements.
 void attach_function_pragmas(std::vector<clang::FunctionDecl const *> const &definitions, SourceMap const &map,
-                             Reals const &reals, PragmaIndex const &index, Facts &facts);
+                             Reals const &reals, IntegerState const &integers, PragmaIndex const &index, Facts &facts);
 
 } // namespace symreal::rewrite

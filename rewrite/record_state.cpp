@@ -9,7 +9,9 @@ using namespace clang;
 void Recorder::note(Expr const *expression, Use use, Expr const *named) {
   SourceLocation const begin = expression->getBeginLoc();
   if (!map_.in_roots(begin)) return;
-  if (Expr const *base = Storage::base(expression)) judged_.insert(base);
+  // Whether the bytes of an integer are also those of a number is another question.
+  Expr const *base = Storage::base(expression);
+  if (base && (isa<DeclRefExpr>(base) || !IntegerState::is_integer(expression->getType()))) judged_.insert(base);
   std::optional<Span> const span = map_.range(expression->getSourceRange());
   if (!span) {
     report(DiagnosticId::split_expression, begin,
@@ -23,6 +25,22 @@ void Recorder::note(Expr const *expression, Use use, Expr const *named) {
   std::string name = normalised(map_.text(words ? *words : *span, begin));
   if (name.size() > longest) name.replace(longest, std::string::npos, "...");
   facts_.wraps.insert({*span, use, quoted(name) + ", " + quoted(to_string(map_.place(named->getBeginLoc())))});
+}
+
+// The value of an integer is used, or it gets a new one.
+void Recorder::integer(Expr const *expression, Use use) {
+  if (expression->isTypeDependent() || !may_outlive(expression)) return;
+  auto const *reference = dyn_cast_or_null<DeclRefExpr>(Storage::base(expression));
+  auto const *variable = reference ? dyn_cast<VarDecl>(reference->getDecl()) : nullptr;
+  if (variable && integers_.is_fixed(variable)) return;
+  // A macro of a library, such as errno.
+  SourceLocation const begin = expression->getBeginLoc();
+  if (begin.isMacroID() && !map_.token(begin)) return;
+  if (IntegerState::has_address(expression)) return note(expression, use);
+  std::optional<Span> const span = map_.range(expression->getSourceRange());
+  std::string const name = span ? normalised(map_.text(*span, begin)) : "this";
+  report(DiagnosticId::integer_not_looked_at, begin, "whether '" + name + "' is hidden state is not looked at",
+         Severity::warning);
 }
 
 bool Recorder::may_outlive(Expr const *expression) const { return storage_.home(expression) == Home::elsewhere; }
@@ -41,7 +59,9 @@ void Recorder::read(Expr const *value) {
     object(table, Use::read); // any of its elements
   } else if (value->isGLValue() && Reals::is_double(value->getType())) {
     if (reals_.is_real(value) && may_outlive(value)) note(value, Use::read);
-  } else
+  } else if (value->isGLValue() && IntegerState::is_integer(value->getType()))
+    integer(value, Use::read);
+  else
     object(value, Use::read);
 }
 
@@ -53,7 +73,9 @@ void Recorder::assignment(BinaryOperator const *assignment) {
     for (auto const *member = dyn_cast<MemberExpr>(left); member;
          member = dyn_cast<MemberExpr>(member->getBase()->IgnoreParenImpCasts()))
       judged_.insert(member);
-  if (!Reals::is_double(left->getType()))
+  if (IntegerState::is_integer(left->getType()))
+    integer(left, use);
+  else if (!Reals::is_double(left->getType()))
     object(left, use);
   else if (reals_.is_real(left) && may_outlive(left))
     note(left, use);
@@ -61,7 +83,10 @@ void Recorder::assignment(BinaryOperator const *assignment) {
 
 void Recorder::step(UnaryOperator const *step) {
   Expr const *operand = step->getSubExpr()->IgnoreParens();
-  if (!operand->isTypeDependent() && Reals::is_double(operand->getType()) && may_outlive(operand))
+  if (operand->isTypeDependent()) return;
+  if (IntegerState::is_integer(operand->getType()))
+    integer(operand, Use::read);
+  else if (Reals::is_double(operand->getType()) && may_outlive(operand))
     note(operand, Use::read);
 }
 
@@ -106,15 +131,18 @@ void Recorder::dependent_call(CallExpr const *call) {
 // `for (double x : list)` copies elements without a word.
 void Recorder::copied_elements(CXXForRangeStmt const *loop) {
   QualType const type = loop->getLoopVariable()->getType();
-  if (type->isDependentType() || type->isReferenceType() || !reals_.carries_real(type)) return;
+  if (type->isDependentType() || type->isReferenceType() || !holds_state(type)) return;
   object(loop->getRangeInit(), Use::read);
 }
 
 void Recorder::state(VarDecl const *variable, Expr const *reference, bool is_dependent) {
   if (!variable->hasGlobalStorage() || reals_.is_passive(variable) || variable->getType()->isReferenceType()) return;
-  if (variable->getType()->isDependentType() || !reals_.carries_real(variable->getType())) return;
+  if (variable->getType()->isDependentType() || !holds_state(variable->getType())) return;
   if (context_.getBaseElementType(variable->getType()).isConstQualified()) return;
-  wrap(reference, Use::state, to_string(map_.place(variable->getCanonicalDecl()->getLocation())));
+  bool const of_numbers = reals_.carries_real(variable->getType());
+  if (!of_numbers && integers_.is_fixed(variable)) return;
+  wrap(reference, variable->isStaticLocal() && !of_numbers ? Use::local_state : Use::state,
+       to_string(map_.place(variable->getCanonicalDecl()->getLocation())));
   // Where types are not known yet, every mention counts as a use.
   if (is_dependent && !judged_.contains(reference)) note(reference, Use::read);
 }
@@ -130,7 +158,7 @@ void Recorder::members(CXXRecordDecl const *record) {
     return;
   std::string list;
   for (CXXBaseSpecifier const &base : record->bases()) {
-    if (!base.getType()->isDependentType() && !reals_.carries_real(base.getType())) continue;
+    if (!base.getType()->isDependentType() && !holds_state(base.getType())) continue;
     std::optional<Span> const span = map_.range(base.getTypeSourceInfo()->getTypeLoc().getSourceRange());
     if (!span) continue;
     list.append(", static_cast<").append(with_real(map_.text(*span, base.getBeginLoc()))).append(" const &>(*this)");
@@ -138,7 +166,8 @@ void Recorder::members(CXXRecordDecl const *record) {
   for (FieldDecl const *field : record->fields()) {
     QualType const type = field->getType();
     if (!field->getIdentifier() || field->isBitField() || type->isReferenceType() || type->isPointerType()) continue;
-    if (type->isDependentType() || reals_.carries_real(type)) list.append(", ").append(field->getNameAsString());
+    if (IntegerState::is_integer(type) && !IntegerState::has_address(field)) continue;
+    if (type->isDependentType() || holds_state(type)) list.append(", ").append(field->getNameAsString());
   }
   std::optional<Span> const brace = map_.token(record->getBraceRange().getBegin());
   if (list.empty() || !brace || record->getBraceRange().getBegin().isMacroID()) return;

@@ -53,7 +53,7 @@ void Recorder::object(Expr const *expression, Use use) {
   if (expression->isTypeDependent() || type->isPointerType() || Reals::is_double(type)) return;
   if (!expression->isGLValue() && !Storage::is_view(type)) return;
   if (!type->isRecordType() && !type->isArrayType()) return;
-  if (reals_.carries_real(type) && may_outlive(expression)) note(expression, use);
+  if (holds_state(type) && may_outlive(expression)) note(expression, use);
 }
 
 void Recorder::library_arguments(FunctionDecl const *function, Arguments arguments) {

@@ -3,6 +3,7 @@
 
 #include "rewrite/clang.h"
 #include "rewrite/facts.h"
+#include "rewrite/integer_state.h"
 #include "rewrite/reals.h"
 #include "rewrite/source_map.h"
 #include "rewrite/storage.h"
@@ -11,10 +12,12 @@ namespace symreal::rewrite {
 
 class Recorder {
 public:
-  Recorder(clang::ASTContext &context, SourceMap const &map, Reals const &reals, Facts &facts)
+  Recorder(clang::ASTContext &context, SourceMap const &map, Reals const &reals, IntegerState const &integers,
+           Facts &facts)
       : context_(context),
         map_(map),
         reals_(reals),
+        integers_(integers),
         storage_(reals),
         facts_(facts) {}
 
@@ -80,6 +83,8 @@ private:
   // `named`: the expression that gives the name and the place, if it is another one.
   void note(clang::Expr const *expression, Use use, clang::Expr const *named = nullptr);
   bool may_outlive(clang::Expr const *expression) const;
+  void integer(clang::Expr const *expression, Use use);
+  bool holds_state(clang::QualType type) const { return reals_.carries_real(type) || integers_.holds(type); }
   void object(clang::Expr const *expression, Use use);
   void library_arguments(clang::FunctionDecl const *function, Arguments arguments);
   void library_object(clang::CallExpr const *call, clang::FunctionDecl const *function, clang::Expr const *object);
@@ -94,6 +99,7 @@ private:
   clang::ASTContext &context_;
   SourceMap const &map_;
   Reals const &reals_;
+  IntegerState const &integers_;
   Storage const storage_;
   Facts &facts_;
   llvm::SmallPtrSet<clang::Expr const *, 32> judged_; // names whose use is noted already

@@ -17,11 +17,13 @@ class Visitor : public ContextWalk<Visitor> {
   using Walk = RecursiveASTVisitor<Visitor>;
 
 public:
-  Visitor(ASTContext &context, SourceMap const &map, Reals const &reals, PragmaIndex const &index, Facts &facts)
+  Visitor(ASTContext &context, SourceMap const &map, Reals const &reals, IntegerState const &integers,
+          PragmaIndex const &index, Facts &facts)
       : ContextWalk(map, reals),
+        integers_(integers),
         index_(index),
         facts_(facts),
-        record_(context, map, reals, facts) {}
+        record_(context, map, reals, integers, facts) {}
 
   std::vector<FunctionDecl const *> definitions;
 
@@ -153,7 +155,7 @@ public:
     return true;
   }
   bool VisitCompoundStmt(CompoundStmt *block) {
-    for (Stmt const *statement : block->body()) note_item(statement, map_, reals_, index_, facts_);
+    for (Stmt const *statement : block->body()) note_item(statement, reals_, integers_, index_, facts_);
     return true;
   }
 
@@ -201,6 +203,7 @@ private:
     if (!passive_ && !no_state_) record_.state(variable, reference, in_template_);
   }
 
+  IntegerState const &integers_;
   PragmaIndex const &index_;
   Facts &facts_;
   Recorder record_;
@@ -213,9 +216,10 @@ void record_tree(ASTContext &context, SourceMap const &map, PragmaIndex const &i
   Reals reals(map);
   record_externals(context, map, index, facts, reals);
   record_symbolic_ints(context, map, facts, reals);
-  Visitor visitor(context, map, reals, index, facts);
+  IntegerState const integers(context, map);
+  Visitor visitor(context, map, reals, integers, index, facts);
   visitor.TraverseDecl(context.getTranslationUnitDecl());
-  attach_function_pragmas(visitor.definitions, map, reals, index, facts);
+  attach_function_pragmas(visitor.definitions, map, reals, integers, index, facts);
   record_decisions(context, map, reals, index, facts);
   record_boundaries(context, visitor.definitions, map, reals, facts);
 }

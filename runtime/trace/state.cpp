@@ -50,7 +50,7 @@ void State::begin(void const *frame) {
   std::free(block);
 }
 
-State::Site State::site_of(void const *address, char const *name, char const *place) const {
+Site State::site_of(void const *address, char const *name, char const *place) const {
   auto next = names_.upper_bound(address);
   if (next == names_.begin()) return {name, place};
   auto const &[begin, object] = *--next;
@@ -58,21 +58,35 @@ State::Site State::site_of(void const *address, char const *name, char const *pl
   return offset < object.size ? object.site : Site{name, place};
 }
 
-// Is this the first time that the kernel meets a number that is not its own? From then on it is noted.
-bool State::in_question(void const *address) {
-  if ((shadow_.at(address) & mark::judged) != 0) return false;
+// Does what lies there outlive the kernel, so that others may change or read it?
+bool State::outlives(void const *address) {
+  if ((shadow_.at(address) & mark::own) != 0) return false;
   bool const constant = std::any_of(constant_memory_.begin(), constant_memory_.end(),
                                     [address](MemoryRange const &range) { return range.contains(address); });
   bool const unknown = !heap_is_known_ && site_of(address, "", "").name.empty();
-  shadow_.add(address, sizeof(RealNumber), constant || unknown ? mark::own : mark::noted);
+  if (constant || unknown) shadow_.add(address, 1, mark::own);
   overlooked_ = overlooked_ || (unknown && !constant);
   return !constant && !unknown;
 }
 
-void State::named(void const *object, std::size_t size, char const *name, char const *place) {
-  if ((shadow_.at(object) & mark::named) != 0) return;
+// Is this the first time that the kernel meets a number that is not its own? From then on it is noted.
+bool State::in_question(void const *address) {
+  if ((shadow_.at(address) & mark::judged) != 0 || !outlives(address)) return false;
+  shadow_.add(address, sizeof(RealNumber), mark::noted);
+  return true;
+}
+
+// Small objects share a word.
+void State::named(void const *object, std::size_t size, detail::Scope scope, char const *name, char const *place) {
+  if ((shadow_.at(object) & mark::named) != 0 && names_.contains(object)) return;
   shadow_.add(object, 1, mark::named);
-  names_[object] = {size, {name, place}};
+  names_[object] = {size, {name, place, scope}};
+}
+
+State::Read &State::read_at(Site const &site) {
+  auto [found, is_new] = reads_.try_emplace(site);
+  if (is_new) found->second.stack = call_stack();
+  return found->second;
 }
 
 void State::read(RealNumber const *number, char const *name, char const *place) {
@@ -82,10 +96,22 @@ void State::read(RealNumber const *number, char const *name, char const *place) 
     written_.push_back({number, sizeof *number, site});
     return;
   }
-  auto [found, is_new] = reads_.try_emplace(site);
-  if (is_new) found->second.stack = call_stack();
-  found->second.numbers.push_back(number);
-  found->second.values.push_back(number->plain());
+  Read &read = read_at(site);
+  read.numbers.push_back(number);
+  read.values.push_back(number->plain());
+}
+
+void State::read(IntegerObject integer, char const *name, char const *place) {
+  if (integers_.is_noted(integer.address) || !outlives(integer.address)) return;
+  Site const site = site_of(integer.address, name, place);
+  (void)read_at(site);
+  integers_.note(integer, site, Integers::First::read);
+}
+
+void State::written(IntegerObject integer, char const *name, char const *place) {
+  if (!integers_.is_noted(integer.address) && outlives(integer.address))
+    integers_.note(integer, site_of(integer.address, name, place), Integers::First::written);
+  integers_.change(integer.address);
 }
 
 void State::check_bits(void const *begin, std::size_t size, char const *name, char const *place) {
@@ -120,7 +146,12 @@ void State::changed(void const *object, detail::Visit visit, char const *name, c
   changed_.push_back({object, visit, site_of(object, name, place)});
 }
 
-void State::annotated(void const *begin, std::size_t size) { shadow_.add(begin, size, mark::annotated); }
+void State::annotated(void const *begin, std::size_t size) {
+  auto const at = reinterpret_cast<std::uintptr_t>(begin);
+  std::uintptr_t const first = (at + 7) / 8 * 8, last = (at + size) / 8 * 8;
+  if (first < last) shadow_.add(static_cast<char const *>(begin) + (first - at), last - first, mark::annotated);
+  if (first != at || last != at + size) integers_.annotate(begin, size);
+}
 
 void State::scratch(void const *object, std::size_t size, detail::Visit visit) {
   scratch_.push_back({object, size, visit});
@@ -142,6 +173,7 @@ void State::moved(void *block, std::size_t size, void *to, std::size_t new_size)
   marks.resize((new_size + 7) / 8, mark::own);
   shadow_.set(block, size, mark::freed);
   shadow_.paste(to, marks);
+  integers_.move(block, size, to);
 }
 
 // Does the number hold a node that nobody will read, now that the kernel ends? It becomes ordinary again.
@@ -164,8 +196,27 @@ void State::forget_scratch() {
     auto forget = [this](RealNumber const *number) { (void)is_lost(number); };
     for (std::size_t k = 0; k < one.size / sizeof(RealNumber); ++k)
       forget(static_cast<RealNumber const *>(one.object) + k);
-    Numbers numbers(forget);
+    struct {
+      State &state;
+      void operator()(RealNumber const *number) const { (void)state.is_lost(number); }
+      void operator()(IntegerObject integer) const { state.integers_.forget(integer); }
+    } owned{*this};
+    Numbers numbers(owned);
     one.visit(one.object, numbers);
+    integers_.forget(one.object, one.size);
+  }
+}
+
+// An integer that was read keeps the value that it had then; one that has changed is lost.
+void State::judge_integers() {
+  for (Integers::Noted const &one : integers_.noted()) {
+    if ((shadow_.at(one.integer.address) & (mark::freed | mark::annotated)) != 0) continue;
+    if (integers_.is_annotated(one.integer)) continue;
+    bool const private_scratch = !one.is_read && one.site.scope == detail::Scope::function;
+    if (one.is_lost() && !private_scratch)
+      report_lost(one.site);
+    else if (one.is_read)
+      reads_[one.site].integers.push_back(one.value());
   }
 }
 
@@ -180,6 +231,7 @@ void State::warn_overlooked() const {
 std::vector<Frozen> State::end() {
   detail::recording = false;
   forget_scratch();
+  judge_integers();
   std::vector<Frozen> frozen;
   for (auto &[site, read] : reads_) {
     Frozen state{std::string(site.name), parse_place(site.place), {}, std::move(read.stack)};
@@ -189,6 +241,7 @@ std::vector<Frozen> State::end() {
       else if ((shadow_.at(read.numbers[k]) & mark::annotated) == 0)
         state.values.push_back(read.values[k]);
     }
+    state.values.insert(state.values.end(), read.integers.begin(), read.integers.end());
     if (!state.values.empty()) frozen.push_back(std::move(state));
   }
   for (Written const &one : written_)

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "graph/graph.h"
+#include "trace/integers.h"
 #include "trace/own_memory.h"
 #include "trace/shadow.h"
 
@@ -25,8 +26,10 @@ public:
   void begin(void const *frame);
 
   // A reference to an object of static storage duration: from here on its numbers go by this name.
-  void named(void const *object, std::size_t size, char const *name, char const *place);
+  void named(void const *object, std::size_t size, detail::Scope scope, char const *name, char const *place);
   void read(RealNumber const *number, char const *name, char const *place);
+  void read(IntegerObject integer, char const *name, char const *place);
+  void written(IntegerObject integer, char const *name, char const *place);
   void written(void const *begin, std::size_t size, char const *name, char const *place);
   void changed(void const *object, detail::Visit visit, char const *name, char const *place);
   void check_bits(void const *begin, std::size_t size, char const *name, char const *place);
@@ -43,11 +46,6 @@ public:
   std::vector<Frozen> end();
 
 private:
-  // Where the source names an object: literals of the program, or the name of a static object and its place.
-  struct Site {
-    std::string_view name, place;
-    auto operator<=>(Site const &) const = default;
-  };
   struct Static {
     std::size_t size;
     Site site;
@@ -55,6 +53,7 @@ private:
   struct Read {
     std::vector<RealNumber const *> numbers;
     std::vector<double> values;
+    std::vector<double> integers;      // that are frozen, known when the kernel ends
     std::vector<std::uintptr_t> stack; // of the first
   };
   struct Written {
@@ -78,11 +77,14 @@ private:
     char const *place;
   };
 
+  bool outlives(void const *address);
   bool in_question(void const *address);
   Site site_of(void const *address, char const *name, char const *place) const;
+  Read &read_at(Site const &site);
   bool is_lost(RealNumber const *number);
   void report_lost(Site const &site);
   void forget_scratch();
+  void judge_integers();
   void warn_overlooked() const;
 
   Shadow shadow_;
@@ -90,6 +92,7 @@ private:
   std::vector<MemoryRange> constant_memory_;          // of the program and its libraries
   std::map<void const *, Static, std::less<>> names_; // by address
   std::map<Site, Read> reads_;
+  Integers integers_;
   std::vector<Written> written_;
   std::vector<Changed> changed_;
   std::vector<Scratch> scratch_;

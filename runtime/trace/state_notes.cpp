@@ -9,9 +9,9 @@ namespace detail {
 using trace::Pause;
 using trace::State;
 
-void note_static(void const *object, std::size_t size, char const *name, char const *place) noexcept {
+void note_static(void const *object, std::size_t size, Scope scope, char const *name, char const *place) noexcept {
   Pause const pause;
-  State::current().named(object, size, name, place);
+  State::current().named(object, size, scope, name, place);
 }
 
 void note_read(RealNumber const *number, char const *name, char const *place) noexcept {
@@ -22,6 +22,16 @@ void note_read(RealNumber const *number, char const *name, char const *place) no
 void note_written(void const *begin, std::size_t size, char const *name, char const *place) noexcept {
   Pause const pause;
   State::current().written(begin, size, name, place);
+}
+
+void note_integer_read(IntegerObject integer, char const *name, char const *place) noexcept {
+  Pause const pause;
+  State::current().read(integer, name, place);
+}
+
+void note_integer_written(IntegerObject integer, char const *name, char const *place) noexcept {
+  Pause const pause;
+  State::current().written(integer, name, place);
 }
 
 void note_changed(void const *object, Visit visit, char const *name, char const *place) noexcept {

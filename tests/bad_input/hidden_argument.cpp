@@ -14,6 +14,6 @@ double control(Gains gains, double x, double v, double dt) { return gains.p * x 
 
 int main() { std::printf("%g\n", control({2.0, 3.0, 1}, 0.5, 0.25, 0.01)); }
 
-// CHECK: hidden_argument.cpp:13:22: error: kernel 'control' reads 'gains' (2), which is neither input nor parameter [SYM017]
+// CHECK: hidden_argument.cpp:13:22: error: kernel 'control' reads 'gains' (2, 1), which are neither input nor parameter [SYM017]
 // CHECK: hidden_argument.cpp:13:56: error: kernel 'control' reads 'dt' (0.01), which is neither input nor parameter [SYM017]
 // CHECK-NOT: SYM017]

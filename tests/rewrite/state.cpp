@@ -23,12 +23,12 @@ double step(double x) {
   double old = previous;
   // CHECK: REAL_WRITTEN("previous", {{.*}}, REAL_STATE(previous, "state.cpp:{{[0-9]+}}:17")) = x;
   previous = x;
-  // CHECK: x += REAL_READ("gain", {{.*}}, REAL_STATE(gain, "state.cpp:{{[0-9]+}}:8")) * REAL_READ("table[1][2]", {{.*}}, REAL_STATE(table, "state.cpp:{{[0-9]+}}:8")[1][2]) * fixed + list[1] + counter;
+  // CHECK: x += REAL_READ("gain", {{.*}}, REAL_STATE(gain, "state.cpp:{{[0-9]+}}:8")) * REAL_READ("table[1][2]", {{.*}}, REAL_STATE(table, "state.cpp:{{[0-9]+}}:8")[1][2]) * fixed + list[1] + REAL_READ("counter", {{.*}}, REAL_STATE(counter, "state.cpp:{{[0-9]+}}:5"));
   x += gain * table[1][2] * fixed + list[1] + counter;
   // CHECK: x += REAL_READ("model.x", {{.*}}, REAL_STATE(model, "state.cpp:{{[0-9]+}}:85").x) + REAL_READ("Model::shared", {{.*}}, REAL_STATE(Model::shared, "state.cpp:{{[0-9]+}}:30")) + REAL_READ("model.shared", {{.*}}, REAL_STATE(REAL_STATE(model, {{.*}}).shared, {{.*}})) + Model::factor;
   x += model.x + Model::shared + model.shared + Model::factor;
   // CHECK: REAL_CHANGED("history", {{.*}}, REAL_STATE(history, "state.cpp:{{[0-9]+}}:21")).push_back(x);
   history.push_back(x);
-  // CHECK: return old + sizeof(gain) + sizeof table + REAL_STATE(model, "{{.*}}").n;
+  // CHECK: return old + sizeof(gain) + sizeof table + REAL_READ("model.n", {{.*}}, REAL_STATE(model, "{{.*}}").n);
   return old + sizeof(gain) + sizeof table + model.n;
 }

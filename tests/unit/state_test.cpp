@@ -149,6 +149,32 @@ TEST_F(HeapState, WholeObjectsTellTheirNumbers) {
   EXPECT_EQ(kernel.frozen(), (Values{{"older", {1.0, 3.0, 4.0}}}));
 }
 
+TEST_F(HeapState, IntegersShareWords) {
+  auto older = std::make_unique<short[]>(4);
+  for (int i = 0; i < 4; i++) older[i] = static_cast<short>(-1 - i);
+  Kernel kernel;
+  declare_object<Kind::constant>(older[1]);
+  for (int i = 0; i < 3; i++) symreal::read(older[i], "older[i]", "a.cpp:1:1");
+  written(older[3], "older[3]", "a.cpp:1:1") = 1;
+  symreal::read(older[3], "older[3]", "a.cpp:2:1");
+  detail::scratch(&older[3], sizeof older[3], detail::visit<short>);
+  EXPECT_EQ(kernel.frozen(), (Values{{"older[i]", {-1.0, -3.0}}}));
+}
+
+TEST_F(HeapState, IntegersMoveWithTheirBlock) {
+  auto *block = static_cast<int *>(std::malloc(2 * sizeof(int)));
+  block[0] = 2, block[1] = 3;
+  Kernel kernel;
+  symreal::read(block[0], "block", "a.cpp:1:1");
+  block = static_cast<int *>(std::realloc(block, 1000 * sizeof(int)));
+  symreal::read(block[0], "block", "a.cpp:1:1");
+  symreal::read(block[1], "block", "a.cpp:1:1");
+  block[999] = 4;
+  symreal::read(block[999], "block", "a.cpp:1:1");
+  EXPECT_EQ(kernel.frozen(), (Values{{"block", {2.0, 3.0}}}));
+  std::free(block);
+}
+
 TEST_F(HeapState, RangesAreNotedByTheirSecondEnd) {
   auto older = std::make_unique<RealNumber[]>(4);
   for (int i = 0; i < 4; i++) older[i] = i;

@@ -33,6 +33,7 @@ void end_object(std::size_t const *extents, std::size_t rank) noexcept;
 // These bytes are annotated, so they are no hidden state.
 void annotated_bytes(void const *object, std::size_t size) noexcept;
 void note_read(RealNumber const *number, char const *name, char const *place) noexcept;
+void note_integer_read(IntegerObject integer, char const *name, char const *place) noexcept;
 using Visit = void (*)(void const *object, Numbers &numbers);
 template <class T> void visit(void const *object, Numbers &numbers) { numbers.visit(*static_cast<T const *>(object)); }
 // What these bytes, and the numbers that the object owns when the kernel ends, hold then does not matter.
@@ -105,9 +106,26 @@ template <class T> void walk(T &object, bool is_temporary, std::vector<std::size
 
 } // namespace detail
 
-using Extents = std::vector<std::size_t>;
+// How many elements a section has in each dimension. They are fixed in the result, so a variable that is one need not
+// be declared constant as well.
+struct Extents : std::vector<std::size_t> {
+  std::vector<IntegerObject> variables;
 
-template <class... Count> Extents extents(Count... count) { return {static_cast<std::size_t>(count)...}; }
+  template <class T> void add(T &&count) {
+    push_back(static_cast<std::size_t>(count));
+    if constexpr (std::is_lvalue_reference_v<T> && detail::is_integer<std::remove_cvref_t<T>>)
+      variables.push_back(IntegerObject::of(count));
+  }
+  void declare() const {
+    for (IntegerObject const &variable : variables) detail::annotated_bytes(variable.address, variable.size);
+  }
+};
+
+template <class... Count> Extents extents(Count &&...count) {
+  Extents result;
+  (result.add(std::forward<Count>(count)), ...);
+  return result;
+}
 
 template <class T> void annotate(Kind kind, char const *label, SourcePlace place, T &&object) {
   if (!detail::begin_object(detail::program, kind, label, place)) return;
@@ -120,6 +138,7 @@ template <class T> void annotate(Kind kind, char const *label, SourcePlace place
 template <class Element>
 void annotate_section(Kind kind, char const *label, SourcePlace place, Extents shape, Element element) {
   if (!detail::begin_object(detail::program, kind, label, place)) return;
+  if constexpr (detail::program == detail::Program::symbolic) shape.declare();
   Extents inner, *wanted = &inner;
   detail::each_index(shape, [&](std::size_t const *index) {
     decltype(auto) part = element(index);
@@ -137,7 +156,10 @@ template <Kind kind, class T> void declare_object(T const &object) {
     detail::scratch(&object, sizeof object, detail::visit<T>);
   } else {
     detail::annotated_bytes(&object, sizeof object);
-    auto declare = [](RealNumber const *number) { detail::annotated_bytes(number, sizeof *number); };
+    struct {
+      void operator()(RealNumber const *number) const { detail::annotated_bytes(number, sizeof *number); }
+      void operator()(IntegerObject integer) const { detail::annotated_bytes(integer.address, integer.size); }
+    } declare;
     Numbers(declare).visit(object);
   }
 }
@@ -151,8 +173,10 @@ template <Kind kind, class T> void declare(char const *label, SourcePlace place,
 template <Kind kind, class Element>
 void declare_section(char const *label, SourcePlace place, Extents const &shape, Element element) {
   if (!detail::begin_object(detail::program, kind, label, place)) return;
-  if constexpr (detail::program == detail::Program::symbolic)
+  if constexpr (detail::program == detail::Program::symbolic) {
+    shape.declare();
     detail::each_index(shape, [&](std::size_t const *index) { declare_object<kind>(element(index)); });
+  }
   detail::end_object(nullptr, 0);
 }
 
@@ -189,7 +213,11 @@ public:
   template <class T> void argument(char const *name, char const *place, T const &object) const noexcept {
     if constexpr (detail::program == detail::Program::symbolic) {
       if (!active_) return;
-      auto judge = [&](RealNumber const *number) { detail::note_read(number, name, place); };
+      struct {
+        char const *name, *place;
+        void operator()(RealNumber const *number) const { detail::note_read(number, name, place); }
+        void operator()(IntegerObject integer) const { detail::note_integer_read(integer, name, place); }
+      } judge{name, place};
       Numbers(judge).visit(object);
     }
   }

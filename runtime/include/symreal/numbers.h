@@ -9,6 +9,8 @@
 
 namespace symreal {
 
+template <class T> class SymbolicInt; // holds a number and nothing else
+
 namespace detail {
 
 template <class T, class = void> struct is_matrix : std::false_type {};
@@ -24,29 +26,71 @@ template <class T> struct is_complex<
     T, std::enable_if_t<std::is_same_v<typename T::value_type, std::decay_t<decltype(std::declval<T &>().imag())>>>>
     : std::true_type {};
 
+template <class> inline constexpr bool is_symbolic_int = false;
+template <class T> inline constexpr bool is_symbolic_int<SymbolicInt<T>> = true;
+
+template <class T> constexpr bool integer_type() {
+  if constexpr (std::is_integral_v<T> || std::is_enum_v<T>) return sizeof(T) <= 8;
+  return false;
+}
+template <class T> inline constexpr bool is_integer = integer_type<T>();
+// Text is data of another kind.
+template <class T> inline constexpr bool is_text =
+    std::is_same_v<T, char> || std::is_same_v<T, wchar_t> || std::is_same_v<T, char16_t> || std::is_same_v<T, char32_t>;
+
 } // namespace detail
 
-// Visits the numbers in an object and in the storage that it owns. Pointers that own nothing are not followed.
+// An integer, a truth value or an enumerator in memory.
+struct IntegerObject {
+  void const *address;
+  unsigned char size; // in bytes, at most 8
+  bool is_signed;
+
+  template <class T> static IntegerObject of(T const &object) {
+    bool is_signed = false;
+    if constexpr (std::is_enum_v<T>)
+      is_signed = std::is_signed_v<std::underlying_type_t<T>>;
+    else
+      is_signed = std::is_signed_v<T>;
+    return {const_cast<std::remove_cv_t<T> const *>(&object), sizeof object, is_signed};
+  }
+};
+
+// Visits the numbers and integers in an object and in the storage that it owns. Pointers that own nothing are not
+// followed.
 //
 // A class of the rewritten sources tells its members itself: the rewriter gives it a function `symreal_members`.
 class Numbers {
 public:
-  // `found` is called with the address of each number, and must outlive this object.
+  // `found` is called with the address of each number and, if it takes them, with each integer. It must outlive this
+  // object.
   template <class Found> explicit Numbers(Found &found)
       : context_(&found),
-        found_([](void *context, RealNumber const *number) { (*static_cast<Found *>(context))(number); }) {}
+        found_([](void *context, RealNumber const *number) { (*static_cast<Found *>(context))(number); }) {
+    if constexpr (std::is_invocable_v<Found &, IntegerObject>)
+      found_integer_ = [](void *context, IntegerObject integer) { (*static_cast<Found *>(context))(integer); };
+  }
 
   template <class T> static constexpr bool may_hold = std::is_class_v<T> || std::is_union_v<T> || std::is_array_v<T>;
 
   template <class... T> void visit(T const &...objects) { (one(objects), ...); }
 
 private:
+  template <class T> static constexpr bool holds_elements() {
+    return !std::is_floating_point_v<T> && !detail::is_text<T>;
+  }
+
   template <class T> void one(T const &object) {
     if constexpr (std::is_same_v<T, RealNumber>) {
       found_(context_, &object);
+    } else if constexpr (detail::is_symbolic_int<T>) {
+      words(object);
+    } else if constexpr (detail::is_integer<T>) {
+      if (found_integer_) found_integer_(context_, IntegerObject::of(object));
     } else if constexpr (!may_hold<T>) {
     } else if constexpr (std::is_array_v<T>) {
-      for (auto const &part : object) one(part);
+      if constexpr (!detail::is_text<std::remove_cv_t<std::remove_extent_t<T>>>)
+        for (auto const &part : object) one(part);
     } else if constexpr (requires(Numbers &numbers) { object.symreal_members(numbers); }) {
       object.symreal_members(*this);
     } else if constexpr (detail::is_complex<T>::value) {
@@ -59,7 +103,7 @@ private:
           for (decltype(object.cols()) j = 0; j < object.cols(); ++j) one(object(i, j));
     } else if constexpr (detail::is_sequence<T const>::value) {
       if constexpr (std::is_lvalue_reference_v<decltype(object[0])>)
-        if constexpr (!std::is_arithmetic_v<std::remove_cvref_t<decltype(object[0])>>)
+        if constexpr (holds_elements<std::remove_cvref_t<decltype(object[0])>>())
           for (decltype(object.size()) i = 0; i < object.size(); ++i) one(object[i]);
     } else if constexpr (requires { object.begin() != object.end(); }) {
       if constexpr (!std::is_same_v<std::remove_cvref_t<decltype(*object.begin())>, T>)
@@ -97,6 +141,7 @@ private:
 
   void *context_;
   void (*found_)(void *, RealNumber const *);
+  void (*found_integer_)(void *, IntegerObject) = nullptr;
 };
 
 } // namespace symreal

@@ -17,6 +17,7 @@
 #define REAL_VALUE(...) __VA_ARGS__
 #define REAL_TO(type, ...) __VA_ARGS__
 #define REAL_STATE(object, place) object
+#define REAL_LOCAL_STATE(object, place) object
 #define REAL_EXTERNAL(function, ...) function
 #define REAL_LINKAGE(...) __VA_ARGS__
 #define REAL_INT(...) __VA_ARGS__
@@ -54,6 +55,7 @@
 #define REAL_VALUE(...) (::symreal::value(__VA_ARGS__))
 #define REAL_TO(type, ...) (static_cast<type>(__VA_ARGS__))
 #define REAL_STATE(object, place) (::symreal::state(object, #object, place))
+#define REAL_LOCAL_STATE(object, place) (::symreal::local_state(object, #object, place))
 #define REAL_EXTERNAL(function, ...) (::symreal::external(function, {__VA_ARGS__}))
 #define REAL_INT(...) ::symreal::SymbolicInt<__VA_ARGS__>
 #define REAL_TABLE(name, place, ...) (::symreal::table(__VA_ARGS__, name, place))
@@ -76,6 +78,7 @@ public:                                                                         
 #define REAL_VALUE(...) (__VA_ARGS__)
 #define REAL_TO(type, ...) (static_cast<type>(__VA_ARGS__))
 #define REAL_STATE(object, place) (object)
+#define REAL_LOCAL_STATE(object, place) (object)
 #define REAL_EXTERNAL(function, ...) (function)
 #define REAL_INT(...) __VA_ARGS__
 #define REAL_TABLE(name, place, ...) (__VA_ARGS__)

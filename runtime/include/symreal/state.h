@@ -2,8 +2,9 @@
 // rewriter wraps such uses; while a kernel is recorded each address is judged once.
 //
 // An address is the kernel's own if it lies on the stack below the frame in which the kernel began or in a heap block
-// that was allocated since, or if the kernel wrote it before reading it. Any other number that it reads is baked in,
-// unless it is annotated; any other number that it leaves with a node in it is state that is no output.
+// that was allocated since, or if the kernel wrote it before reading it. Any other number or integer that it reads is
+// baked in, unless it is annotated; any other number that it leaves with a node in it, and any other integer that it
+// changes, is state that is no output.
 #pragma once
 
 #include <symreal/annotate.h>
@@ -24,7 +25,10 @@ inline bool on_own_stack(void const *address) noexcept {
   return reinterpret_cast<std::uintptr_t>(address) - own_stack < own_stack_size;
 }
 
-void note_static(void const *object, std::size_t size, char const *name, char const *place) noexcept;
+enum class Scope { any, function };
+// `scope`: function where nobody but one function can name the object.
+void note_static(void const *object, std::size_t size, Scope scope, char const *name, char const *place) noexcept;
+void note_integer_written(IntegerObject integer, char const *name, char const *place) noexcept;
 void note_written(void const *begin, std::size_t size, char const *name, char const *place) noexcept;
 // The object outlives this statement: if it still exists when the kernel ends, its numbers are looked at again.
 void note_changed(void const *object, Visit visit, char const *name, char const *place) noexcept;
@@ -33,15 +37,35 @@ void check_bits(void const *begin, std::size_t size, char const *name, char cons
 // The ends of a range come in any order; the second to come gets the other.
 void const *other_range_end(void const *end, bool is_last, char const *place) noexcept;
 
+// What to do with each part of an object that is read.
+struct ReadParts {
+  char const *name, *place;
+  void operator()(RealNumber const *number) const noexcept {
+    if (!on_own_stack(number)) note_read(number, name, place);
+  }
+  void operator()(IntegerObject integer) const noexcept {
+    if (!on_own_stack(integer.address)) note_integer_read(integer, name, place);
+  }
+};
+struct WrittenParts {
+  char const *name, *place;
+  void operator()(RealNumber const *number) const noexcept {
+    if (!on_own_stack(number)) note_written(number, sizeof *number, name, place);
+  }
+  void operator()(IntegerObject integer) const noexcept {
+    if (!on_own_stack(integer.address)) note_integer_written(integer, name, place);
+  }
+};
+
 template <class T> void read_object(T &object, char const *name, char const *place) noexcept {
   using Plain = std::remove_cv_t<T>;
   if constexpr (std::is_same_v<Plain, RealNumber>) {
-    if (!on_own_stack(&const_cast<Plain const &>(object))) note_read(const_cast<Plain const *>(&object), name, place);
+    ReadParts{name, place}(const_cast<Plain const *>(&object));
+  } else if constexpr (is_integer<Plain>) {
+    ReadParts{name, place}(IntegerObject::of(object));
   } else if constexpr (Numbers::may_hold<Plain>) {
-    auto judge = [&](RealNumber const *number) {
-      if (!on_own_stack(number)) note_read(number, name, place);
-    };
-    Numbers(judge).visit(object);
+    ReadParts parts{name, place};
+    Numbers(parts).visit(object);
     if constexpr (!std::is_const_v<T>)
       if (!on_own_stack(&object)) note_changed(&object, visit<Plain>, name, place);
   }
@@ -49,12 +73,12 @@ template <class T> void read_object(T &object, char const *name, char const *pla
 
 template <class T> void write_object(T &object, char const *name, char const *place) noexcept {
   if constexpr (std::is_same_v<T, RealNumber>) {
-    if (!on_own_stack(&object)) note_written(&object, sizeof object, name, place);
+    WrittenParts{name, place}(&object);
+  } else if constexpr (is_integer<std::remove_cv_t<T>>) {
+    WrittenParts{name, place}(IntegerObject::of(object));
   } else if constexpr (Numbers::may_hold<T>) {
-    auto note = [&](RealNumber const *number) {
-      if (!on_own_stack(number)) note_written(number, sizeof *number, name, place);
-    };
-    Numbers(note).visit(object);
+    WrittenParts parts{name, place};
+    Numbers(parts).visit(object);
     if (!on_own_stack(&object)) note_changed(&object, visit<T>, name, place);
   }
 }
@@ -64,7 +88,16 @@ template <class T> void write_object(T &object, char const *name, char const *pl
 // A reference to an object of static storage duration: what is read of it later is called by its name.
 template <class T> constexpr T &state(T &object, char const *name, char const *place) noexcept {
   if (!__builtin_is_constant_evaluated() && detail::recording)
-    detail::note_static(const_cast<std::remove_cv_t<T> const *>(&object), sizeof object, name, place);
+    detail::note_static(const_cast<std::remove_cv_t<T> const *>(&object), sizeof object, detail::Scope::any, name,
+                        place);
+  return object;
+}
+
+// The same for one that is declared in a function: nobody else can read what is left in it.
+template <class T> constexpr T &local_state(T &object, char const *name, char const *place) noexcept {
+  if (!__builtin_is_constant_evaluated() && detail::recording)
+    detail::note_static(const_cast<std::remove_cv_t<T> const *>(&object), sizeof object, detail::Scope::function, name,
+                        place);
   return object;
 }
 

@@ -1,0 +1,61 @@
+// The integers among the hidden state of a recording. Generated code does not compute with them: what the kernel read
+// of them is baked in, and what it changed is lost.
+//
+// Several may share a word of memory, so what is known about each is kept here rather than in the Shadow.
+#pragma once
+
+#include <symreal/state.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+namespace symreal::trace {
+
+// Where the source names an object: literals of the program, or the name of a static object and its place.
+struct Site {
+  std::string_view name, place;
+  detail::Scope scope = detail::Scope::any;
+  auto operator<=>(Site const &) const = default;
+};
+
+class Integers {
+public:
+  struct Noted {
+    IntegerObject integer;
+    Site site;
+    std::uint64_t before; // its bits when it was noted
+    bool is_read;         // before the kernel wrote it
+    bool is_written = false;
+    bool is_scratch = false;
+
+    double value() const; // that it had when it was noted
+    bool is_lost() const { return (is_written || bits(integer) != before) && !is_scratch; }
+  };
+  enum class First { read, written };
+
+  bool is_noted(void const *address) const { return index_.contains(address); }
+  void note(IntegerObject integer, Site const &site, First first);
+  void change(void const *address);
+  // Bytes that share a word with others; whole words are marked in the Shadow.
+  void annotate(void const *begin, std::size_t size);
+  bool is_annotated(IntegerObject integer) const;
+  // What is left in these bytes does not matter.
+  void forget(void const *begin, std::size_t size);
+  void forget(IntegerObject integer);
+  void move(void const *block, std::size_t size, void const *to);
+
+  // In the order in which the kernel met them.
+  std::vector<Noted> const &noted() const { return noted_; }
+
+private:
+  static std::uint64_t bits(IntegerObject integer);
+
+  std::vector<Noted> noted_;
+  std::unordered_map<void const *, std::size_t> index_;              // by address
+  std::unordered_map<std::uintptr_t, std::uint8_t> annotated_bytes_; // a bit for each byte, by word
+};
+
+} // namespace symreal::trace

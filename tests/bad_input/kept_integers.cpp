@@ -1,0 +1,51 @@
+// Integers that the kernel changes and that outlive it: generated code would not change them.
+// RUN: not %symreal generate %s -o %t.c 2>&1 | FileCheck %s
+// RUN: not ls %t.c
+
+#include <cstdio>
+
+static int calls = 0;
+
+class Filter {
+public:
+  double sum_ = 0;
+  double step(double x) {
+    for (i_ = 0; i_ < 3; i_++) sum_ += x;
+    started_ = true;
+    return sum_;
+  }
+
+private:
+  int i_;
+  bool started_ = true;
+};
+
+double step(Filter &filter, double x) {
+  static int i, phase; // i is written before it is read, and nobody else can read it
+  for (i = 0; i < 2; i++) x += 1;
+  switch (phase) {
+  case 0: phase = 1; return x;
+  default: return filter.step(x);
+  }
+}
+
+#pragma symreal function input(x) scratch(filter.sum_) constant(filter.sum_) output(return) call(2)
+double run(Filter &filter, double x, int *status) {
+  calls++;
+  *status = 0;
+  return step(filter, x);
+}
+
+int main() {
+  int status = 5;
+  Filter filter;
+  std::printf("%g\n", run(filter, 0.5, &status) + run(filter, 0.5, &status));
+}
+
+// CHECK-DAG: kept_integers.cpp:7:12: error: 'calls' is written by the kernel and is no output [SYM053]
+// CHECK-DAG: kept_integers.cpp:13:10: error: 'i_' is written by the kernel and is no output [SYM053]
+// CHECK-DAG: kept_integers.cpp:14:5: error: 'started_' is written by the kernel and is no output [SYM053]
+// CHECK-DAG: kept_integers.cpp:35:3: error: '*status' is written by the kernel and is no output [SYM053]
+// CHECK-NOT: 'i'
+// CHECK-NOT: 'phase'
+// CHECK: way out:
