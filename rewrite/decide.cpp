@@ -34,6 +34,7 @@ Rewording rewording(Wrap const &wrap) {
   case Use::integer: return make("REAL_INT(", ")");
   case Use::table: return make("REAL_TABLE(" + wrap.detail + ", ", ")");
   case Use::external: return make("REAL_EXTERNAL(", ", " + wrap.detail + ")");
+  case Use::function: return make("REAL_FUNCTION(" + wrap.detail + ", ", ")");
   case Use::cast: return make("(" + wrap.detail + ")(", ")");
   case Use::returned: return make("SYMREAL_RETURN(" + wrap.detail + ", ", ")");
   }

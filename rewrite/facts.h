@@ -57,6 +57,7 @@ enum class Use {
   value,
   literal,
   external,
+  function,    // of <cmath>, as a value; the other arguments: how many it takes
   range_begin, // the ends of a range that a library reads
   range_end,
   bits,    // its bytes are used as something else than numbers

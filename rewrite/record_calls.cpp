@@ -94,6 +94,7 @@ void Recorder::call(CallExpr const *call) {
       reals_.carries_real(call->getArg(0)->getType()) != reals_.carries_real(call->getType()))
     report(DiagnosticId::reinterpretation, call->getBeginLoc(), "the bytes of a REAL are used as another type");
   Expr const *callee = call->getCallee()->IgnoreParenImpCasts();
+  callees_.insert(callee);
   if (Reals::External const *external = reals_.external(function))
     return wrap(callee, Use::external, external->arguments);
   bool overloaded = false;
@@ -104,25 +105,6 @@ void Recorder::call(CallExpr const *call) {
   std::vector<Expr const *> all(call->arg_begin(), call->arg_end());
   if (isa<CXXOperatorCallExpr>(call) && isa<CXXMethodDecl>(function) && !all.empty()) all.erase(all.begin());
   arguments(function, written_arguments(all), overloaded);
-}
-
-namespace {
-
-class NumberReads : public RecursiveASTVisitor<NumberReads> {
-public:
-  bool VisitVAArgExpr(VAArgExpr *read) {
-    found = found || Reals::is_double(read->getType());
-    return true;
-  }
-  bool found = false;
-};
-
-} // namespace
-
-void Recorder::variadic_definition(FunctionDecl const *function) {
-  NumberReads reads;
-  reads.TraverseStmt(function->getBody());
-  if (reads.found) facts_.number_readers.insert(function->getQualifiedNameAsString());
 }
 
 void Recorder::construction(CXXConstructExpr const *construction) {
@@ -158,8 +140,12 @@ void Recorder::arguments(FunctionDecl const *function, Arguments arguments, bool
     }
     if (outside)
       outside_argument(function, i, arguments[i]);
-    else if (i >= function->getNumParams() && function->isVariadic() && reals_.is_real(arguments[i]))
+    else if (i < function->getNumParams() || !function->isVariadic())
+      continue;
+    else if (reals_.is_real(arguments[i]))
       wrap(arguments[i], Use::value, function->getQualifiedNameAsString());
+    else if (may_be_truth(arguments[i])) // the program itself may compute with it
+      wrap(arguments[i], Use::conversion, "int");
   }
 }
 
@@ -210,7 +196,7 @@ void Recorder::outside_argument(FunctionDecl const *function, unsigned index, Ex
   std::string const name = "'" + function->getQualifiedNameAsString() + "', which is outside the roots";
   if (index >= function->getNumParams()) {
     if (!function->isVariadic()) return;
-    if (real)
+    if (real || may_be_truth(argument))
       wrap(argument, Use::value);
     else if (argument->getType()->isPointerType() && !reads_numbers(function) &&
              Reals::is_double(argument->getType()->getPointeeType()))

@@ -99,6 +99,16 @@ void Recorder::explicit_cast(ExplicitCastExpr const *cast) {
     report(DiagnosticId::reinterpretation, cast->getBeginLoc(), source.getAsString() + " is looked at as a REAL");
 }
 
+// sin as a value: the overload for REAL is one that has no address.
+void Recorder::function_value(DeclRefExpr const *name) {
+  auto const *function = dyn_cast<FunctionDecl>(name->getDecl());
+  if (!function || !reals_.is_math(function) || callees_.contains(name) || function->isVariadic()) return;
+  if (!Reals::is_double(function->getReturnType())) return;
+  for (ParmVarDecl const *parameter : function->parameters())
+    if (!Reals::is_double(parameter->getType()) || parameter->getType()->isReferenceType()) return;
+  wrap(name, Use::function, std::to_string(function->getNumParams()));
+}
+
 void Recorder::compound_assignment(CompoundAssignOperator const *assignment) {
   Expr const *left = assignment->getLHS();
   if (assignment->isTypeDependent() || Reals::is_double(left->getType())) return;

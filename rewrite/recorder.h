@@ -32,6 +32,8 @@ public:
   void call(clang::CallExpr const *call);
   void symbolic_main(clang::CallExpr const *call, clang::FunctionDecl const *function);
   void construction(clang::CXXConstructExpr const *construction);
+  void function_value(clang::DeclRefExpr const *name);
+  void dependent_variadic_call(clang::CallExpr const *call);
   void variadic_definition(clang::FunctionDecl const *function);
   void converting_construction(clang::CXXConstructExpr const *construction);
 
@@ -78,6 +80,7 @@ private:
                         bool overloaded, unsigned count);
   void outside_argument(clang::FunctionDecl const *function, unsigned index, clang::Expr const *argument);
   bool takes_only(clang::FunctionDecl const *function) const;
+  bool may_be_truth(clang::Expr const *argument) const;
 
   void moved_bytes(clang::CallExpr const *call, clang::FunctionDecl const *function);
   // `named`: the expression that gives the name and the place, if it is another one.
@@ -102,7 +105,8 @@ private:
   IntegerState const &integers_;
   Storage const storage_;
   Facts &facts_;
-  llvm::SmallPtrSet<clang::Expr const *, 32> judged_; // names whose use is noted already
+  llvm::SmallPtrSet<clang::Expr const *, 32> judged_;  // names whose use is noted already
+  llvm::SmallPtrSet<clang::Expr const *, 32> callees_; // names of functions that are called there
 };
 
 } // namespace symreal::rewrite

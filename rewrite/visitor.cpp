@@ -59,6 +59,7 @@ public:
   bool VisitCallExpr(CallExpr *call) {
     if (passive_ || !map_.in_roots(call->getBeginLoc())) return true;
     record_.call(call);
+    record_.dependent_variadic_call(call);
     if (no_state_) return true;
     record_.state_of_call(call);
     record_.dependent_call(call);
@@ -147,6 +148,7 @@ public:
   }
   bool VisitDeclRefExpr(DeclRefExpr *reference) {
     if (auto const *variable = dyn_cast<VarDecl>(reference->getDecl())) state(variable, reference);
+    if (!passive_) record_.function_value(reference);
     return true;
   }
   bool VisitMemberExpr(MemberExpr *member) {

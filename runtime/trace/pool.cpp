@@ -44,7 +44,8 @@ Pool::Columns Pool::wanted_columns() {
 
 void Pool::begin(Columns columns) {
   static std::atomic<std::uint8_t> last_generation = 0;
-  generation_ = ++last_generation;
+  do generation_ = ++last_generation;
+  while (generation_ == 0); // which says that nothing is recorded
   recording_ = true;
   table_.clear();
   values_.clear();

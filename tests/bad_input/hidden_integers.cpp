@@ -1,4 +1,5 @@
 // Integers that the program could change and that a kernel reads are baked in like numbers. They may share a word.
+// RUN: rm -f %t.c
 // RUN: not %symreal generate %s -o %t.c 2>&1 | FileCheck %s
 // RUN: not ls %t.c
 // RUN: %symreal generate %s -o %t.c --frozen=allow 2>&1 | FileCheck %s --check-prefix=LISTED --implicit-check-not=SYM017
@@ -58,14 +59,14 @@ int main() {
   if (swapped) configure(Law::linear, 1);
 }
 
-// CHECK: hidden_integers.cpp:12:12: error: kernel 'series' reads 'law' (1), which is neither input nor parameter [SYM017]
-// CHECK: hidden_integers.cpp:13:23: error: kernel 'series' reads 'doubled' (1), which is
-// CHECK: hidden_integers.cpp:16:14: error: kernel 'series' reads 'order' (1), which is
-// CHECK: hidden_integers.cpp:31:25: error: kernel 'series' reads 'terms_' (2), which is
+// CHECK: hidden_integers.cpp:13:12: error: kernel 'series' reads 'law' (1), which is neither input nor parameter [SYM017]
+// CHECK: hidden_integers.cpp:14:23: error: kernel 'series' reads 'doubled' (1), which is
+// CHECK: hidden_integers.cpp:17:14: error: kernel 'series' reads 'order' (1), which is
+// CHECK: hidden_integers.cpp:32:25: error: kernel 'series' reads 'terms_' (2), which is
 // CHECK: note: called from series(
-// CHECK: hidden_integers.cpp:32:22: error: kernel 'series' reads 'powers_' (2, 3), which are
-// CHECK: hidden_integers.cpp:33:26: error: kernel 'series' reads 'options_' (5, -1, 1), which are
-// CHECK: hidden_integers.cpp:44:65: error: kernel 'series' reads 'degree' (3), which is
-// CHECK: hidden_integers.cpp:50:{{[0-9]+}}: error: kernel 'series' reads '*shift' (4e+09), which is neither input nor parameter [SYM017]
+// CHECK: hidden_integers.cpp:33:22: error: kernel 'series' reads 'powers_' (2, 3), which are
+// CHECK: hidden_integers.cpp:34:26: error: kernel 'series' reads 'options_' (5, -1, 1), which are
+// CHECK: hidden_integers.cpp:45:65: error: kernel 'series' reads 'degree' (3), which is
+// CHECK: hidden_integers.cpp:51:{{[0-9]+}}: error: kernel 'series' reads '*shift' (4e+09), which is neither input nor parameter [SYM017]
 // CHECK-NOT: SYM017]
 // LISTED: baked in        law = 1  (

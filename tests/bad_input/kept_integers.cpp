@@ -1,4 +1,5 @@
 // Integers that the kernel changes and that outlive it: generated code would not change them.
+// RUN: rm -f %t.c
 // RUN: not %symreal generate %s -o %t.c 2>&1 | FileCheck %s
 // RUN: not ls %t.c
 
@@ -42,10 +43,10 @@ int main() {
   std::printf("%g\n", run(filter, 0.5, &status) + run(filter, 0.5, &status));
 }
 
-// CHECK-DAG: kept_integers.cpp:7:12: error: 'calls' is written by the kernel and is no output [SYM053]
-// CHECK-DAG: kept_integers.cpp:13:10: error: 'i_' is written by the kernel and is no output [SYM053]
-// CHECK-DAG: kept_integers.cpp:14:5: error: 'started_' is written by the kernel and is no output [SYM053]
-// CHECK-DAG: kept_integers.cpp:35:3: error: '*status' is written by the kernel and is no output [SYM053]
+// CHECK-DAG: kept_integers.cpp:8:12: error: 'calls' is written by the kernel and is no output [SYM053]
+// CHECK-DAG: kept_integers.cpp:14:10: error: 'i_' is written by the kernel and is no output [SYM053]
+// CHECK-DAG: kept_integers.cpp:15:5: error: 'started_' is written by the kernel and is no output [SYM053]
+// CHECK-DAG: kept_integers.cpp:36:3: error: '*status' is written by the kernel and is no output [SYM053]
 // CHECK-NOT: 'i'
 // CHECK-NOT: 'phase'
 // CHECK: way out:

@@ -53,7 +53,7 @@ int elsewhere(double x) {
   std::printf("%d", k);
   // CHECK: bool flags[3] = {};
   bool flags[3] = {};
-  // CHECK: flags[k] = *p > 1;
+  // CHECK: flags[k] = REAL_READ({{.*}}, *p) > 1;
   flags[k] = *p > 1;
   // CHECK: for (int j = 0; j < REAL_TO(int, k) && j < (int)x; ++j) plain(j);
   for (int j = 0; j < k && j < (int)x; ++j) plain(j);

@@ -77,7 +77,7 @@ public:
 
 private:
   template <class T> static constexpr bool holds_elements() {
-    return !std::is_floating_point_v<T> && !detail::is_text<T>;
+    return (std::is_class_v<T> || !std::is_floating_point_v<T>) && !detail::is_text<T>;
   }
 
   template <class T> void one(T const &object) {

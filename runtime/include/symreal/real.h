@@ -19,6 +19,7 @@
 #define REAL_STATE(object, place) object
 #define REAL_LOCAL_STATE(object, place) object
 #define REAL_EXTERNAL(function, ...) function
+#define REAL_FUNCTION(count, ...) __VA_ARGS__
 #define REAL_LINKAGE(...) __VA_ARGS__
 #define REAL_INT(...) __VA_ARGS__
 #define REAL_TABLE(name, place, ...) __VA_ARGS__
@@ -57,6 +58,16 @@
 #define REAL_STATE(object, place) (::symreal::state(object, #object, place))
 #define REAL_LOCAL_STATE(object, place) (::symreal::local_state(object, #object, place))
 #define REAL_EXTERNAL(function, ...) (::symreal::external(function, {__VA_ARGS__}))
+#define REAL_FUNCTION(count, ...) SYMREAL_FUNCTION_##count(__VA_ARGS__)
+#define SYMREAL_FUNCTION_1(...)                                                                                        \
+  (*static_cast<REAL (*)(REAL)>([](REAL symreal_x) -> REAL { return __VA_ARGS__(symreal_x); }))
+#define SYMREAL_FUNCTION_2(...)                                                                                        \
+  (*static_cast<REAL (*)(REAL, REAL)>(                                                                                 \
+      [](REAL symreal_x, REAL symreal_y) -> REAL { return __VA_ARGS__(symreal_x, symreal_y); }))
+#define SYMREAL_FUNCTION_3(...)                                                                                        \
+  (*static_cast<REAL (*)(REAL, REAL, REAL)>([](REAL symreal_x, REAL symreal_y, REAL symreal_z) -> REAL {               \
+    return __VA_ARGS__(symreal_x, symreal_y, symreal_z);                                                               \
+  }))
 #define REAL_INT(...) ::symreal::SymbolicInt<__VA_ARGS__>
 #define REAL_TABLE(name, place, ...) (::symreal::table(__VA_ARGS__, name, place))
 #define REAL_READ(name, place, ...) (::symreal::read(__VA_ARGS__, name, place))
@@ -80,6 +91,7 @@ public:                                                                         
 #define REAL_STATE(object, place) (object)
 #define REAL_LOCAL_STATE(object, place) (object)
 #define REAL_EXTERNAL(function, ...) (function)
+#define REAL_FUNCTION(count, ...) __VA_ARGS__
 #define REAL_INT(...) __VA_ARGS__
 #define REAL_TABLE(name, place, ...) (__VA_ARGS__)
 #define REAL_READ(name, place, ...) (__VA_ARGS__)

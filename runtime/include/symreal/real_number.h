@@ -22,6 +22,18 @@ namespace symreal {
 
 class RealNumber;
 
+} // namespace symreal
+
+// Code that asks for a floating-point number means RealNumber, too, and would take its other way otherwise. The
+// standard reserves these specialisations; the libraries at hand honour them, in std::is_arithmetic and the concepts as
+// well.
+template <> struct std::is_floating_point<symreal::RealNumber> : std::true_type {};
+template <> struct std::is_floating_point<symreal::RealNumber const> : std::true_type {};
+template <> struct std::is_floating_point<symreal::RealNumber volatile> : std::true_type {};
+template <> struct std::is_floating_point<symreal::RealNumber const volatile> : std::true_type {};
+
+namespace symreal {
+
 namespace detail {
 
 inline constexpr std::uint64_t node_tag = 0xFFF2'C3u; // bits 63..40
@@ -129,6 +141,10 @@ static_assert(std::is_trivially_copyable_v<RealNumber> && std::is_trivially_defa
 class SymbolicBool {
 public:
   constexpr SymbolicBool(bool value) noexcept : condition_(value) {}
+  // Written out: compilers refuse to pass a class with a constructor of its own through `...`, where it would arrive as
+  // bytes that nobody understands.
+  constexpr SymbolicBool(SymbolicBool const &other) noexcept : condition_(other.condition_) {}
+  constexpr SymbolicBool &operator=(SymbolicBool const &) = default;
   // From a comparison's node, or from 0 or 1.
   static constexpr SymbolicBool from_condition(RealNumber condition) noexcept {
     SymbolicBool result(false);
@@ -194,6 +210,12 @@ SYMREAL_COMPOUND(/)
 // The carried value: the number that the program would have here. For printing; no dependency is recorded.
 inline double value(RealNumber x) noexcept { return x.is_node() ? detail::needed_value(x) : x.plain(); }
 template <class T, class = std::enable_if_t<std::is_arithmetic_v<T>>> constexpr T value(T x) noexcept { return x; }
+inline bool value(SymbolicBool x) noexcept { return value(x.condition()) != 0; }
+// What a template prints besides numbers.
+template <class T, class = std::enable_if_t<!std::is_arithmetic_v<std::decay_t<T>>>>
+constexpr T &&value(T &&x) noexcept {
+  return static_cast<T &&>(x);
+}
 
 // y where the condition holds, else z; both are computed.
 [[gnu::always_inline]] inline RealNumber select(SymbolicBool condition, RealNumber y, RealNumber z) noexcept {

@@ -155,7 +155,7 @@ public:
 
   template <class To, class From> void *move(To *to, From *from, std::size_t size) const noexcept {
     if (detail::recording) {
-      if constexpr (std::is_arithmetic_v<To>) detail::check_bits(from, size, name_, place_);
+      if constexpr (std::is_arithmetic_v<To> && !std::is_class_v<To>) detail::check_bits(from, size, name_, place_);
       each(from, size, [this](auto &object) { detail::read_object(std::as_const(object), name_, place_); });
       each(to, size, [this](auto &object) { detail::write_object(object, name_, place_); });
     }

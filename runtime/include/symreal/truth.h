@@ -28,6 +28,8 @@ public:
   template <class T, class = std::enable_if_t<std::is_integral_v<T>>> SymbolicInteger(T value) noexcept
       : value_(value) {}
   SymbolicInteger(SymbolicBool condition) noexcept : value_(condition) {}
+  SymbolicInteger(SymbolicInteger const &other) noexcept : value_(other.value_) {} // as that of SymbolicBool
+  SymbolicInteger &operator=(SymbolicInteger const &) = default;
   static SymbolicInteger from_number(RealNumber number) noexcept {
     SymbolicInteger result(0);
     result.value_ = number;
@@ -43,6 +45,8 @@ public:
 private:
   RealNumber value_;
 };
+
+inline int value(SymbolicInteger x) noexcept { return static_cast<int>(value(x.number())); }
 
 template <class T> inline constexpr bool is_number_or_truth =
     std::is_arithmetic_v<T> || std::is_same_v<T, RealNumber> || std::is_same_v<T, SymbolicBool> ||
