@@ -100,6 +100,8 @@ private:
       return;
     }
     if (reals_.external(callee)) return;
+    // It is called through a table of virtual functions, whose entries are referred to where an object is made.
+    if (callee->isPureVirtual()) return;
     if (callee->isDefaulted() || callee->isImplicit() || !reals_.in_roots(callee) || !carries(callee)) return;
     std::string mangled = names_.getName(callee);
     UseFact use{mangled,

@@ -86,8 +86,9 @@ public:
   void set_range(double low, double high) override {
     if (graph_.inputs.empty()) return;
     Place const last = graph_.inputs.back().place;
+    // Those of the pragma that no range before this one was given to.
     for (Object &input : graph_.inputs)
-      if (input.place.line == last.line && input.place.file == last.file) input.range = {low, high};
+      if (!input.range && input.place.line == last.line && input.place.file == last.file) input.range = {low, high};
   }
 
   void end(std::string const &name, std::string const &output_file, Place const &place) override {
