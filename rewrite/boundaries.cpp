@@ -128,15 +128,32 @@ private:
   llvm::SmallPtrSet<FunctionDecl const *, 32> seen_;
 };
 
-// The variables of the source itself, whose initialisers run.
-class Variables : public RecursiveASTVisitor<Variables> {
+// The variables of the source itself, whose initialisers run, and the functions that it instantiates for others:
+// `template class Angle<double>;`.
+class Objects : public RecursiveASTVisitor<Objects> {
 public:
   std::vector<VarDecl const *> found;
+  std::vector<FunctionDecl const *> instantiated;
   bool TraverseFunctionDecl(FunctionDecl *) { return true; }
+  bool VisitClassTemplateDecl(ClassTemplateDecl *declaration) {
+    for (ClassTemplateSpecializationDecl const *specialization : declaration->specializations())
+      for (FunctionDecl const *method : specialization->methods()) instantiate(method);
+    return true;
+  }
+  bool VisitFunctionTemplateDecl(FunctionTemplateDecl *declaration) {
+    for (FunctionDecl const *function : declaration->specializations()) instantiate(function);
+    return true;
+  }
   bool VisitVarDecl(VarDecl *variable) {
     if (variable->hasGlobalStorage() && variable->hasInit() && !variable->getDeclContext()->isDependentContext())
       found.push_back(variable);
     return true;
+  }
+
+private:
+  void instantiate(FunctionDecl const *function) {
+    if (function->getTemplateSpecializationKind() == TSK_ExplicitInstantiationDefinition && function->isDefined())
+      instantiated.push_back(function);
   }
 };
 
@@ -153,9 +170,13 @@ void record_boundaries(ASTContext &context, std::vector<FunctionDecl const *> co
   }
   for (Decl *declaration : context.getTranslationUnitDecl()->decls()) {
     if (!map.in_roots(declaration->getLocation())) continue;
-    Variables variables;
-    variables.TraverseDecl(declaration);
-    for (VarDecl const *variable : variables.found) reachable.start(variable);
+    Objects objects;
+    objects.TraverseDecl(declaration);
+    for (VarDecl const *variable : objects.found) reachable.start(variable);
+    for (FunctionDecl const *function : objects.instantiated) {
+      facts.definitions.insert(names.getName(function));
+      reachable.start(function);
+    }
   }
   reachable.run();
 }
