@@ -2,6 +2,7 @@
 
 #include "program/compiler_errors.h"
 #include "program/process.h"
+#include "support/installation.h"
 
 #include <algorithm>
 #include <atomic>
@@ -35,16 +36,25 @@ Words const reference_flags = {
 // its operands are ordinary. gcc does as much by default, clang when told.
 constexpr char const *no_speculation = "-ftrapping-math";
 
-Words compile_command(BuildRequest const &request, Variant variant, Overlay const &overlay, std::string const &source,
-                      std::string const &object) {
-  Words words = {request.compiler};
-  append(words, overlay.include_flags());
-  append(words, adapted_flags(request.flags, variant));
+} // namespace
+
+Words variant_flags(Words const &flags, Variant variant) {
+  Words words = adapted_flags(flags, variant);
   if (variant != Variant::own_flags) append(words, reference_flags);
   if (variant == Variant::symbolic) words.emplace_back(no_speculation);
   words.push_back("-w");
   words.emplace_back(define(variant));
-  append(words, {"-I", SYMREAL_RUNTIME_INCLUDE, "-include", "symreal/real.h"});
+  return words;
+}
+
+namespace {
+
+Words compile_command(BuildRequest const &request, Variant variant, Overlay const &overlay, std::string const &source,
+                      std::string const &object) {
+  Words words = {request.compiler};
+  append(words, overlay.include_flags());
+  append(words, variant_flags(request.flags, variant));
+  append(words, {"-I", runtime_include(), "-include", "symreal/real.h"});
   append(words, {"-iquote", std::filesystem::absolute(source).parent_path().string()});
   append(words, {"-x", "c++", "-c", overlay.compiled_path(source), "-o", object});
   return words;
@@ -70,7 +80,7 @@ Words link_command(BuildRequest const &request, Variant variant, Words const &ob
   append(words, objects);
   std::copy_if(request.flags.begin(), request.flags.end(), std::back_inserter(words), is_for_linker);
   append(words, request.link);
-  append(words, {SYMREAL_RUNTIME_LIBRARY, "-o", executable});
+  append(words, {runtime_library(), "-o", executable});
   return words;
 }
 

@@ -28,6 +28,9 @@ struct BuildRequest {
 // a C standard becomes a C++ one, and c++20 is the default. What changes the numbers stays in Variant::own_flags.
 std::vector<std::string> adapted_flags(std::vector<std::string> const &flags, Variant variant = Variant::replay);
 
+// How a source is compiled in the variant, with the user's flags in it; needs the runtime's headers besides.
+std::vector<std::string> variant_flags(std::vector<std::string> const &flags, Variant variant);
+
 // Whether a build with these flags may give other numbers than the reference build.
 bool change_numbers(std::vector<std::string> const &flags);
 

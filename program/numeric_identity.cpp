@@ -3,6 +3,7 @@
 #include "program/process.h"
 #include "rewrite/pragma_text.h"
 #include "support/files.h"
+#include "support/installation.h"
 
 #include <filesystem>
 #include <future>
@@ -117,7 +118,7 @@ ObjectComparison compare_object_code(std::vector<rewrite::Compilation> const &so
     std::string const real = fs::weakly_canonical(fs::path(directory) / one.source).string();
     Words const flags = compiling(one.flags);
     Words before = {one.source.ends_with(".c") ? compilers.c : compilers.cxx};
-    Words after = {before[0], "-include", SYMREAL_RUNTIME_INCLUDE "/symreal/real.h"};
+    Words after = {before[0], "-include", runtime_include() + "/symreal/real.h"};
     Words const adapted = in_shadow(flags, shadow, directory);
     before.insert(before.end(), flags.begin(), flags.end());
     after.insert(after.end(), adapted.begin(), adapted.end());

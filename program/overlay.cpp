@@ -1,9 +1,11 @@
 #include "program/overlay.h"
 
 #include "support/files.h"
+#include "support/installation.h"
 
 #include <algorithm>
 #include <filesystem>
+#include <regex>
 #include <set>
 
 namespace symreal::program {
@@ -58,17 +60,51 @@ Overlay::Overlay(rewrite::Result const &rewritten, std::string directory)
       include_dirs_(rewritten.include_dirs) {
   for (std::size_t i = 0; i < files_.size(); ++i) {
     rewrite::File const &file = files_[i];
-    std::string path = directory_ + file.path;
-    std::error_code ignored; // a directory that cannot be made shows when the file is written
-    fs::create_directories(fs::path(path).parent_path(), ignored);
-    // A byte order mark is one only at the very beginning.
-    std::size_t const mark = file.text.starts_with("\xEF\xBB\xBF") ? 3 : 0;
-    write_if_changed(path, file.text.substr(0, mark) + "#line 1 " + quoted(file.display_path) + "\n" +
-                               file.text.substr(mark));
     by_name_[file.path] = i;
+    by_name_[file.compiled_name] = i;
     by_name_[file.display_path] = i;
     by_name_[fs::path(file.display_path).lexically_normal().string()] = i;
   }
+  for (rewrite::File const &file : files_) write(file);
+}
+
+void Overlay::write(rewrite::File const &file) const {
+  std::string const path = directory_ + file.path;
+  std::error_code ignored; // a directory that cannot be made shows when the file is written
+  fs::create_directories(fs::path(path).parent_path(), ignored);
+  // A byte order mark is one only at the very beginning.
+  std::size_t const mark = file.text.starts_with("\xEF\xBB\xBF") ? 3 : 0;
+  write_if_changed(path, file.text.substr(0, mark) + "#line 1 " + quoted(file.compiled_name) + "\n" +
+                             redirected(file.text.substr(mark)));
+  // A symbolic link to the file is found beside what includes it.
+  fs::path const named(file.compiled_name);
+  std::string const link = directory_ + real_path(named.parent_path() / "") + "/" + named.filename().string();
+  if (link == path || fs::exists(fs::symlink_status(link, ignored))) return;
+  fs::create_directories(fs::path(link).parent_path(), ignored);
+  fs::create_symlink(path, link, ignored);
+}
+
+// A header included by its full path would be read as it was.
+std::string Overlay::redirected(std::string const &text) const {
+  static std::regex const include("^([ \\t]*#[ \\t]*include[ \\t]*[\"<])(/[^\">\\n]*)");
+  if (text.find("\"/") == text.npos && text.find("</") == text.npos) return text;
+  std::string result;
+  for (std::size_t begin = 0; begin < text.size();) {
+    std::size_t const end = std::min(text.find('\n', begin), text.size() - 1) + 1;
+    std::string const line = text.substr(begin, end - begin);
+    std::smatch found;
+    bool const moves = line.size() < 4096 && line.find("include") != line.npos &&
+                       std::regex_search(line, found, include) && find(found[2]) != nullptr;
+    result += moves ? found[1].str() + directory_ + find(found[2])->path + found.suffix().str() : line;
+    begin = end;
+  }
+  return result;
+}
+
+std::optional<std::string> Overlay::counterpart(std::string const &name) const {
+  std::string const path = directory_ + real_path(name);
+  std::error_code error;
+  return fs::exists(path, error) ? std::optional(path) : std::nullopt;
 }
 
 std::string Overlay::compiled_path(std::string const &source) const { return directory_ + real_path(source); }
@@ -92,6 +128,43 @@ std::vector<std::string> Overlay::include_flags() const {
   return flags;
 }
 
+std::vector<std::string> Overlay::search_flags(std::vector<std::string> const &flags) const {
+  static constexpr std::string_view searching[] = {"-iquote", "-isystem", "-idirafter", "-I"};
+  std::vector<std::string> words;
+  std::set<std::string> searched; // a directory that is named again, to be searched last, would be searched only there
+  for (std::size_t i = 0; i < flags.size(); ++i) {
+    std::string const &flag = flags[i];
+    bool const has_operand = i + 1 < flags.size();
+    auto const option = std::find_if(std::begin(searching), std::end(searching),
+                                     [&](std::string_view one) { return flag.starts_with(one); });
+    if ((flag == "-include" || flag == "-imacros") && has_operand) {
+      words.insert(words.end(), {flag, counterpart(flags[i + 1]).value_or(flags[i + 1])});
+      ++i;
+    } else if (option == std::end(searching)) {
+      words.push_back(flag);
+    } else {
+      bool const apart = flag == *option && has_operand;
+      std::string const directory = apart ? flags[++i] : flag.substr(option->size());
+      searched.insert(real_path(directory));
+      if (auto const found = counterpart(directory)) words.insert(words.end(), {std::string(*option), *found});
+      words.insert(words.end(), {std::string(*option), directory});
+    }
+  }
+  // Last come the directories of the environment (CPATH), and those of files outside the roots beside rewritten ones.
+  for (std::string const &directory : include_dirs_)
+    if (auto const found = counterpart(directory); found && searched.insert(real_path(directory)).second)
+      words.insert(words.end(), {"-idirafter", *found});
+  for (rewrite::File const &file : files_)
+    if (searched.insert(fs::path(file.path).parent_path().string()).second)
+      words.insert(words.end(), {"-idirafter", fs::path(file.path).parent_path().string()});
+  return words;
+}
+
+bool Overlay::contains(std::string const &file) const {
+  if (!directory_.empty()) return find(file) != nullptr;
+  return !file.starts_with("/usr/") && !file.starts_with(runtime_include()) && file.find("/runtime/") == file.npos;
+}
+
 rewrite::File const *Overlay::find(std::string const &file) const {
   auto at = by_name_.find(file);
   if (at == by_name_.end()) at = by_name_.find(fs::path(file).lexically_normal().string());
@@ -103,6 +176,7 @@ rewrite::File const *Overlay::find(std::string const &file) const {
 
 Place Overlay::original(Place place) const {
   rewrite::File const *file = find(place.file);
+  if (directory_.empty()) place.column = 0;
   if (!file) return place;
   place.file = file->display_path;
   std::size_t start = line_start(file->text, place.line);

@@ -8,6 +8,7 @@
 #include "rewrite/rewrite.h"
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,9 @@ namespace symreal::program {
 
 class Overlay {
 public:
+  // Of a program that was built elsewhere: every file counts as rewritten but those of the system and Symreal's own,
+  // and columns are not known.
+  Overlay() = default;
   // Writes the files below `directory`.
   Overlay(rewrite::Result const &rewritten, std::string directory);
 
@@ -22,14 +26,20 @@ public:
   std::string compiled_path(std::string const &source) const;
   // To stand before the user's own flags, so that rewritten headers are found first.
   std::vector<std::string> include_flags() const;
+  // The user's flags with the counterpart of each search directory before it, so that the order of the search stays,
+  // and with that of each header that they include.
+  std::vector<std::string> search_flags(std::vector<std::string> const &flags) const;
 
   // True for the name (as the user or an #include spells it) of a rewritten file.
-  bool contains(std::string const &file) const { return find(file) != nullptr; }
+  bool contains(std::string const &file) const;
   // A place as the compiler or the debug information of the rewritten program tells it, in the user's source.
   Place original(Place place) const;
 
 private:
   rewrite::File const *find(std::string const &file) const;
+  std::string redirected(std::string const &text) const;
+  std::optional<std::string> counterpart(std::string const &name) const;
+  void write(rewrite::File const &file) const;
 
   std::string directory_;
   std::vector<rewrite::File> files_;

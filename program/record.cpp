@@ -130,7 +130,8 @@ void resolve(Graph &graph, Symbolizer &symbolizer) {
 Diagnostic explain_missing(rewrite::Kernel const &kernel, bool begun, Outcome const &outcome) {
   Diagnostic diagnostic{DiagnosticId::kernel_not_reached, Severity::error, kernel.place, ""};
   if (!kernel.annotations.empty()) diagnostic.place = kernel.annotations.front().place;
-  std::string waited_for = begun                ? fmt::format("the end of kernel '{}'", kernel.name)
+  std::string waited_for = kernel.name.empty()  ? std::string(begun ? "the end of a kernel" : "a kernel")
+                           : begun              ? fmt::format("the end of kernel '{}'", kernel.name)
                            : kernel.is_function ? fmt::format("a call of function '{}'", kernel.name)
                                                 : fmt::format("the annotations of kernel '{}'", kernel.name);
   switch (outcome.ending) {
@@ -160,6 +161,16 @@ bool has_error(std::vector<Diagnostic> const &diagnostics) {
                      [](Diagnostic const &diagnostic) { return diagnostic.severity == Severity::error; });
 }
 
+// Of a program whose sources are not at hand.
+std::vector<rewrite::Kernel> kernels_of(Events const &events) {
+  std::vector<rewrite::Kernel> kernels;
+  for (RecordedKernel const &recorded : events.kernels) {
+    kernels.emplace_back().name = recorded.name;
+    kernels.back().output_file = recorded.output_file;
+  }
+  return kernels;
+}
+
 Command command(std::string const &executable, RunOptions const &options) {
   Command command{.arguments = {executable},
                   .directory = options.directory,
@@ -179,7 +190,8 @@ Recording record(std::string const &executable, RunOptions const &options, rewri
   program.environment = {"SYMREAL_RECORD=" + directory, "SYMREAL_DECISIONS=" + options.decisions,
                          "SYMREAL_FP=" + options.floating_point,
                          options.places ? "SYMREAL_PLACES=1" : "SYMREAL_PLACES=0"};
-  if (!options.run_on) program.environment.push_back("SYMREAL_KERNELS=" + std::to_string(wanted.size()));
+  if (!options.run_on && !wanted.empty())
+    program.environment.push_back("SYMREAL_KERNELS=" + std::to_string(wanted.size()));
   Outcome outcome = run(program, sink);
 
   Recording recording;
@@ -191,7 +203,10 @@ Recording record(std::string const &executable, RunOptions const &options, rewri
   for (Decision const &decision : events.decisions) recording.diagnostics.push_back(explain(decision, symbolizer));
   for (Decision const &settled : events.settled) recording.diagnostics.push_back(remark(settled, symbolizer));
   bool explained = has_error(recording.diagnostics);
-  for (rewrite::Kernel const &kernel : wanted) {
+  std::vector<rewrite::Kernel> const kernels = wanted.empty() ? kernels_of(events) : wanted;
+  if (kernels.empty() && !explained)
+    recording.diagnostics.push_back(explain_missing({}, !events.started.empty(), outcome));
+  for (rewrite::Kernel const &kernel : kernels) {
     auto found = std::find_if(events.kernels.begin(), events.kernels.end(),
                               [&](RecordedKernel const &recorded) { return is_recording_of(recorded, kernel); });
     if (found != events.kernels.end()) {

@@ -38,7 +38,8 @@ struct Recording {
   double seconds = 0;
 };
 
-// `wanted`: the kernels that must be recorded. `sink` receives the program's output.
+// `wanted`: the kernels that must be recorded; none: those that are, at least one. `sink` receives the program's
+// output.
 Recording record(std::string const &executable, RunOptions const &options, rewrite::Result const &rewritten,
                  std::vector<rewrite::Kernel> const &wanted, Overlay const &overlay, Workspace const &workspace,
                  LineSink const &sink);

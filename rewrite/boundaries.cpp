@@ -77,6 +77,13 @@ public:
     }
   }
 
+  bool carries(FunctionDecl const *function) const {
+    if (reals_.mentions_real(function->getType())) return true;
+    auto const *method = dyn_cast<CXXMethodDecl>(function);
+    QualType const object = method ? method->getASTContext().getRecordType(method->getParent()) : QualType();
+    return method && reals_.mentions_real(object);
+  }
+
 private:
   // The last places on the way to a call: within the roots, since the call may stand in a library's template, and in
   // the source itself, since it may stand in a header.
@@ -111,13 +118,6 @@ private:
                 map_.place(from.roots),
                 map_.place(from.source)};
     facts_.uses.try_emplace(std::move(mangled), std::move(use));
-  }
-
-  bool carries(FunctionDecl const *function) const {
-    if (reals_.mentions_real(function->getType())) return true;
-    auto const *method = dyn_cast<CXXMethodDecl>(function);
-    QualType const object = method ? method->getASTContext().getRecordType(method->getParent()) : QualType();
-    return method && reals_.mentions_real(object);
   }
 
   ASTNameGenerator names_;
@@ -166,6 +166,8 @@ void record_boundaries(ASTContext &context, std::vector<FunctionDecl const *> co
   for (FunctionDecl const *function : definitions) {
     if (function->isDependentContext()) continue;
     facts.definitions.insert(names.getName(function));
+    if (!function->isInlined() && function->isExternallyVisible() && reachable.carries(function))
+      facts.exported.insert(names.getName(function));
     if (!function->isInlined()) reachable.start(function); // an inline one counts from where it is called
   }
   for (Decl *declaration : context.getTranslationUnitDecl()->decls()) {
@@ -175,6 +177,7 @@ void record_boundaries(ASTContext &context, std::vector<FunctionDecl const *> co
     for (VarDecl const *variable : objects.found) reachable.start(variable);
     for (FunctionDecl const *function : objects.instantiated) {
       facts.definitions.insert(names.getName(function));
+      if (reachable.carries(function)) facts.exported.insert(names.getName(function));
       reachable.start(function);
     }
   }

@@ -209,6 +209,7 @@ struct Facts {
   std::set<std::string> number_readers;        // variadic functions that read doubles themselves, by qualified name
   std::vector<Kernel> by_hand;                 // generate_code("...") in a symbolic main that was written by hand
   std::set<std::string> definitions;           // mangled names of the functions that the sources define
+  std::set<std::string> exported;              // those that carry REAL and that other sources can use
   std::map<std::string, UseFact> uses;         // by mangled name, the first use
   std::map<std::string, NamedStatement> names; // by the place where they begin
   std::map<Span, DecisionFact> decisions;      // by the token `if`, `?`, `for`, `while`, `do`, or the function's brace

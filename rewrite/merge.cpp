@@ -61,8 +61,8 @@ void add_diagnostic(Facts &facts, Diagnostic const &diagnostic) {
 void merge(Facts &facts, Facts &&other) {
   // Named one by one, so that a new kind of fact does not compile until it is merged as well.
   auto &[files, types, doubles, wraps, members, reached, skipped, consumed, to_integers, comparisons, quoted, pragmas,
-         number_readers, by_hand, definitions, uses, names, decisions, externals, include_dirs, diagnostics, broken] =
-      other;
+         number_readers, by_hand, definitions, exported, uses, names, decisions, externals, include_dirs, diagnostics,
+         broken] = other;
   for (auto &[path, file] : files)
     if (auto const [at, is_new] = facts.files.try_emplace(path, std::move(file)); !is_new)
       merge_file(at->second, std::move(file), facts);
@@ -82,6 +82,7 @@ void merge(Facts &facts, Facts &&other) {
   facts.number_readers.merge(number_readers);
   facts.by_hand.insert(facts.by_hand.end(), by_hand.begin(), by_hand.end());
   facts.definitions.merge(definitions);
+  facts.exported.merge(exported);
   facts.uses.merge(uses);
   facts.names.merge(names);
   for (auto &[span, decision] : decisions)

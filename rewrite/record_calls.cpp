@@ -1,4 +1,5 @@
 #include "rewrite/recorder.h"
+#include "support/installation.h"
 
 namespace symreal::rewrite {
 using namespace clang;
@@ -55,7 +56,7 @@ bool reads_numbers(FunctionDecl const *function) {
 
 // The stream operators and to_string have overloads for RealNumber, and the runtime's own functions take it.
 bool runtime_overloads(FunctionDecl const *function, SourceManager const &sources) {
-  if (sources.getFilename(function->getLocation()).starts_with(SYMREAL_RUNTIME_INCLUDE)) return true;
+  if (sources.getFilename(function->getLocation()).starts_with(runtime_include())) return true;
   if (function->isOverloadedOperator()) {
     auto const *method = dyn_cast<CXXMethodDecl>(function);
     return method && method->getParent()->isInStdNamespace();

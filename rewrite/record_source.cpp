@@ -7,6 +7,7 @@
 #include "rewrite/spelled_types.h"
 #include "rewrite/token_watch.h"
 #include "rewrite/visitor.h"
+#include "support/installation.h"
 
 #include <algorithm>
 
@@ -113,7 +114,7 @@ std::vector<std::string> command_line(Compilation const &compilation) {
                                     "-fno-caret-diagnostics",
                                     "-resource-dir=" SYMREAL_CLANG_RESOURCES,
                                     "-isystem",
-                                    SYMREAL_RUNTIME_INCLUDE,
+                                    runtime_include(),
                                     "-ferror-limit=20"};
   std::vector<std::string> const &flags = compilation.flags;
   for (std::size_t i = 0; i < flags.size(); ++i) {

@@ -142,6 +142,7 @@ struct Result {
   std::vector<Kernel> kernels;
   std::vector<std::string> include_dirs; // header search directories of the sources, in order, once each
   std::vector<Boundary> boundaries;      // each also has its diagnostic
+  std::vector<std::string> definitions;  // mangled names of the functions that carry REAL and that others can use
   std::vector<NamedStatement> names;     // by file, line and column
   std::vector<Refusal> refusals;         // in the order of their places
   std::vector<Decision> decisions;       // by file and offset

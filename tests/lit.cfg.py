@@ -31,6 +31,7 @@ config.substitutions += [
     (r"%library\b", os.path.join(config.binary_dir, "runtime", "libsymreal_runtime.a")),
     (r"%tools\b", os.path.join(config.source_dir, "tests", "tools")),
     (r"%version\b", config.version),
+    (r"%llvm_tools\b", os.path.join(config.llvm_tools, "bin")),
     (r"%clang\b", "clang-19"),
     (r"%cxx\b", "g++"),
     (r"%cc\b", "gcc"),

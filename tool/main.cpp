@@ -23,10 +23,11 @@ static int run(int argc, char **argv) {
   CLI::App app("Turns numeric C and C++ into optimised straight-line C and proves that it is the same.", "symreal");
   app.set_version_flag("--version", "symreal " + std::string(version));
   app.require_subcommand(1);
-  app.footer("What follows -- are the compiler flags of the sources.\n"
+  app.footer("What follows -- are the compiler flags of the sources, or the program of record.\n"
              "Exit status: 0 clean, 1 error, 2 partly skipped, 3 verification failed, 4 output out of date.");
   add_scan(app, session);
   add_generate(app, session);
+  add_record(app, session);
   add_verify(app, session);
   add_rewrite(app, session);
   add_undo(app, session);

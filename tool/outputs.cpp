@@ -51,6 +51,7 @@ void require_writable(std::vector<OutputFile> const &files) {
   std::set<fs::path> paths;
   for (OutputFile const &file : files) {
     require_writable(file.path);
+    require_ours(file.path, file.text);
     if (!paths.insert(fs::path(file.path).lexically_normal()).second)
       fail(DiagnosticId::output_collision, {file.path}, "two results would be written to this file");
   }

@@ -15,6 +15,7 @@ struct Session {
 
 void add_scan(CLI::App &app, Session &session);
 void add_generate(CLI::App &app, Session &session);
+void add_record(CLI::App &app, Session &session);
 void add_verify(CLI::App &app, Session &session);
 void add_rewrite(CLI::App &app, Session &session);
 void add_undo(CLI::App &app, Session &session);

@@ -40,6 +40,10 @@ struct EmittedFile {
 //   char const *guard_text(int guard);
 std::vector<EmittedFile> emit_c(Graph const &graph, EmitOptions const &options);
 
+// Throws unwritable_output where generated text would replace a file that is not generated: a function `step` of a
+// kernel may well stand in a step.c.
+void require_ours(std::string const &path, std::string const &text);
+
 // The condition of a guard in words, and its places: the user's own first, then those further in.
 std::string guard_text(Graph const &graph, Guard const &guard);
 

@@ -44,8 +44,9 @@ static void generate_here(Graph const &graph, std::string const &output_file) {
   std::vector<std::string> const passes = default_passes();
   std::filesystem::path const path = output_file.empty() ? graph.kernel + ".c" : output_file;
   Graph const optimised = run_passes(graph, passes, FloatingPoint::finite);
-  for (EmittedFile const &file : emit_c(optimised, {.base_name = path.stem().string()}))
-    write_if_changed((path.parent_path() / file.name).string(), file.text);
+  std::vector<EmittedFile> const files = emit_c(optimised, {.base_name = path.stem().string()});
+  for (EmittedFile const &file : files) require_ours((path.parent_path() / file.name).string(), file.text);
+  for (EmittedFile const &file : files) write_if_changed((path.parent_path() / file.name).string(), file.text);
 }
 
 void deliver(Graph const &graph, std::string const &output_file) {

@@ -1,0 +1,49 @@
+#include "compiler/link.h"
+
+#include "compiler/link_marks.h"
+#include "diagnostics/diagnostic.h"
+#include "program/process.h"
+#include "support/installation.h"
+
+#include <algorithm>
+#include <iostream>
+
+namespace symreal::compiler {
+namespace {
+
+bool has(Words const &words, std::initializer_list<std::string_view> wanted) {
+  return std::any_of(words.begin(), words.end(), [&](std::string const &word) {
+    return std::find(wanted.begin(), wanted.end(), word) != wanted.end();
+  });
+}
+
+// A sanitizer replaces the allocation functions itself.
+bool brings_allocator(Words const &words) {
+  return std::any_of(words.begin(), words.end(),
+                     [](std::string const &word) { return word.starts_with("-fsanitize"); });
+}
+
+} // namespace
+
+int link(Words const &compiler, Words words) {
+  bool const is_library = has(words, {"-shared"});
+  bool const is_relocatable = has(words, {"-r", "-Wl,-r"});
+  words.insert(words.begin(), compiler.begin(), compiler.end());
+  if (!is_relocatable) {
+    if (!is_library && !brings_allocator(words)) words.emplace_back("-Wl,-u,symreal_heap_hooks");
+    words.insert(words.end(), {"-x", "none", runtime_library()});
+  }
+  program::Captured const done = program::capture({.arguments = words});
+  std::cerr << done.output;
+  if (done.outcome.success()) return 0;
+  if (done.outcome.ending == program::Ending::not_started)
+    print(std::cerr, {DiagnosticId::compiler_missing, Severity::error, {}, "'" + words[0] + "' cannot be started"});
+  for (std::string const &function : missing_marks(done.output))
+    print(std::cerr, {DiagnosticId::boundary_function,
+                      Severity::error,
+                      {},
+                      "'" + function + "' carries REAL, and nothing that was compiled in symbolic mode defines it"});
+  return done.outcome.ending == program::Ending::exited ? done.outcome.status : 1;
+}
+
+} // namespace symreal::compiler

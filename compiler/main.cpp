@@ -1,0 +1,136 @@
+// symreal-c++ and symreal-cc: stand in for a build's compilers and carry it through in symbolic mode.
+//
+//   command line ──▶ source ──rewrite──▶ overlay ──host's compiler──▶ object, dependencies, preprocessed text
+//        ├─────────▶ objects ──host's linker──▶ program that records itself
+//        └─────────▶ all else: the host's compiler as it is
+#include "compiler/command_line.h"
+#include "compiler/link.h"
+#include "compiler/roots.h"
+#include "compiler/translate.h"
+#include "diagnostics/diagnostic.h"
+#include "program/process.h"
+#include "program/workspace.h"
+#include "support/files.h"
+
+#include <cerrno>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <iostream>
+#include <optional>
+#include <unistd.h>
+
+namespace symreal::compiler {
+namespace {
+
+namespace fs = std::filesystem;
+
+Words host_compiler(char const *variable, char const *otherwise) {
+  char const *const given = std::getenv(variable);
+  return program::split_words(given && *given ? given : otherwise);
+}
+
+int pass_on(Words words, Words const &arguments) {
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  std::vector<char *> pointers;
+  for (std::string &word : words) pointers.push_back(word.data());
+  pointers.push_back(nullptr);
+  execvp(pointers[0], pointers.data());
+  fail(DiagnosticId::compiler_missing, {}, "'" + words[0] + "' cannot be started: " + std::strerror(errno));
+}
+
+// -x and its operand, or both in one word, become options that do nothing, so that the other words keep their numbers.
+void forget_language(Words &words) {
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (!words[i].starts_with("-x")) continue;
+    bool const is_apart = words[i].size() == 2 && i + 1 < words.size();
+    words[i] = "-w";
+    if (is_apart) words[++i] = "-w";
+  }
+}
+
+enum class Way { as_it_is, preprocessed, symbolic };
+
+Way way_of(Input const &input) {
+  std::error_code error;
+  bool const is_source = input.language != Language::other && fs::is_regular_file(input.name, error);
+  if (!is_source || is_probe(input.name)) return Way::as_it_is;
+  if (input.language == Language::preprocessed)
+    return is_symbolic(read_file(input.name)) ? Way::preprocessed : Way::as_it_is;
+  return roots_of(input.name).empty() ? Way::as_it_is : Way::symbolic;
+}
+
+std::string named_after(std::string const &source, Action action) {
+  if (action == Action::preprocess || action == Action::check) return {};
+  return fs::path(source).stem().string() + (action == Action::assembly ? ".s" : ".o");
+}
+
+class Run {
+public:
+  Run(Words arguments, bool is_c)
+      : arguments_(std::move(arguments)),
+        cxx_(host_compiler("SYMREAL_CXX", "c++")),
+        own_(is_c ? host_compiler("SYMREAL_CC", "cc") : cxx_),
+        line_(parse(arguments_, is_c ? Language::c : Language::cxx)) {}
+
+  int run() {
+    bool symbolic = false;
+    for (Input const &input : line_.inputs) symbolic |= way_of(input) != Way::as_it_is;
+    if (line_.action == Action::link && !is_probe(".")) return compile_and_link();
+    if (!symbolic || line_.action == Action::other || line_.action == Action::link) return pass_on(own_, arguments_);
+    bool done = true;
+    for (Input const &input : line_.inputs)
+      done &= compile(input, line_.action, line_.output.empty() ? named_after(input.name, line_.action) : line_.output);
+    return done ? 0 : 1;
+  }
+
+private:
+  bool compile(Input const &input, Action action, std::string const &output) {
+    Translation const translation{cxx_, input, roots_of(input.name), action, output};
+    switch (way_of(input)) {
+    case Way::symbolic: return translate(translation, line_);
+    case Way::preprocessed: return compile_preprocessed(translation, line_);
+    case Way::as_it_is: break;
+    }
+    Words words = own_;
+    words.insert(words.end(), line_.flags.begin(), line_.flags.end());
+    words.insert(words.end(), {"-c", input.name, "-o", output});
+    program::Captured const done = program::capture({.arguments = words});
+    std::cerr << done.output;
+    return done.outcome.success();
+  }
+
+  int compile_and_link() {
+    std::optional<program::Workspace> workspace;
+    Words words = line_.words;
+    forget_language(words); // the inputs become objects
+    for (Input const &input : line_.inputs) {
+      if (input.language == Language::other) continue;
+      if (!workspace) workspace.emplace(false);
+      std::string const object = workspace->file(std::to_string(input.word) + ".o");
+      if (!compile(input, Action::compile, object)) return 1;
+      words[input.word] = object;
+    }
+    return link(cxx_, workspace ? words : arguments_);
+  }
+
+  Words const arguments_;
+  Words const cxx_, own_;
+  CommandLine const line_;
+};
+
+} // namespace
+} // namespace symreal::compiler
+
+int main(int argc, char **argv) {
+  try {
+    bool const is_c = std::string_view(argv[0]).ends_with("cc");
+    return symreal::compiler::Run({argv + 1, argv + argc}, is_c).run();
+  } catch (symreal::DiagnosticError const &problem) {
+    print(std::cerr, problem.diagnostic());
+  } catch (std::exception const &problem) {
+    std::fprintf(stderr, "symreal: internal error: %s\n", problem.what());
+  }
+  return 1;
+}

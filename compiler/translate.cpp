@@ -1,0 +1,213 @@
+#include "compiler/translate.h"
+
+#include "compiler/dependencies.h"
+#include "compiler/link_marks.h"
+#include "program/compile.h"
+#include "program/compiler_errors.h"
+#include "rewrite/pragma_text.h"
+#include "rewrite/rewrite.h"
+#include "support/files.h"
+#include "support/installation.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <optional>
+
+namespace symreal::compiler {
+namespace {
+
+namespace fs = std::filesystem;
+using program::Overlay;
+using program::Workspace;
+
+void append(Words &words, Words const &more) { words.insert(words.end(), more.begin(), more.end()); }
+
+// What is defined in other sources is known when they are linked.
+bool is_for_the_linker(Diagnostic const &diagnostic) { return diagnostic.id == DiagnosticId::boundary_function; }
+
+std::optional<rewrite::Result> rewritten(Translation const &translation, CommandLine const &line) {
+  rewrite::Request request;
+  request.roots = translation.roots;
+  request.compilations = {{translation.source.name, {}, line.flags}};
+  Words &flags = request.compilations.front().flags;
+  if (translation.source.language == Language::cxx) append(flags, {"-x", "c++"});
+  if (translation.source.language == Language::c) append(flags, {"-x", "c"});
+  rewrite::Result result = rewrite::run(request);
+  bool failed = false;
+  for (Diagnostic const &diagnostic : result.diagnostics) {
+    if (is_for_the_linker(diagnostic)) continue;
+    print(std::cerr, diagnostic);
+    failed |= diagnostic.severity == Severity::error;
+  }
+  if (failed) return {};
+  std::string const real = fs::weakly_canonical(translation.source.name).string();
+  for (rewrite::File &file : result.files)
+    if (file.path == real) file.text += link_marks(result);
+  return result;
+}
+
+// The names of files of the overlay, as the compiler would tell them without it.
+class Names {
+public:
+  Names(rewrite::Result const &rewritten, std::string top) : rewritten_(rewritten), top_(std::move(top)) {}
+
+  std::string original(std::string const &name) const {
+    if (!name.starts_with(top_)) return name;
+    std::string const path = fs::path(name.substr(top_.size())).lexically_normal().string();
+    for (rewrite::File const &file : rewritten_.files)
+      if (file.path == path) return file.compiled_name;
+    return path;
+  }
+
+  // Is it a file of the user that was rewritten, but is read as it was?
+  rewrite::File const *read_unchanged(std::string const &name) const {
+    if (name.starts_with(top_)) return nullptr;
+    std::error_code error;
+    std::string const real = fs::weakly_canonical(name, error).string();
+    for (rewrite::File const &file : rewritten_.files)
+      if (file.path == real && file.text != file.original) return &file;
+    return nullptr;
+  }
+
+  // Of a preprocessed text: # 12 "name" 2
+  std::string line_markers(std::string const &text) const {
+    std::string result;
+    for (std::size_t begin = 0; begin < text.size();) {
+      std::size_t const end = std::min(text.find('\n', begin), text.size() - 1) + 1;
+      std::string_view const line(text.data() + begin, end - begin);
+      std::size_t const open = line.starts_with("# ") ? line.find('"') : line.npos;
+      std::size_t const close = open == line.npos ? line.npos : line.rfind('"');
+      if (open != line.npos && line.substr(open + 1).starts_with(top_)) {
+        std::string const name = original(std::string(line.substr(open + 1, close - open - 1)));
+        result.append(line.substr(0, open)).append(rewrite::quoted(name)).append(line.substr(close + 1));
+      } else {
+        result.append(line);
+      }
+      begin = end;
+    }
+    return result;
+  }
+
+private:
+  rewrite::Result const &rewritten_;
+  std::string const top_;
+};
+
+char const *option(Action action) {
+  switch (action) {
+  case Action::assembly: return "-S";
+  case Action::preprocess: return "-E";
+  case Action::check: return "-fsyntax-only";
+  default: return "-c";
+  }
+}
+
+bool succeeded(program::Captured const &done, Words const &words, Overlay const &overlay) {
+  if (done.outcome.success()) {
+    std::cerr << done.output;
+    return true;
+  }
+  print(std::cerr, program::compiler_failure(words, done, overlay));
+  return false;
+}
+
+// Headers that the compiler reads past the overlay would mix the two modes.
+bool all_rewritten(Words const &dependencies, Names const &names, std::string const &source) {
+  for (std::string const &one : dependencies)
+    if (rewrite::File const *file = names.read_unchanged(one)) {
+      print(std::cerr,
+            {DiagnosticId::read_unchanged,
+             Severity::error,
+             {source},
+             "'" + file->display_path + "' is rewritten, but the compiler reads it as it was, as '" + one + "'"});
+      return false;
+    }
+  return true;
+}
+
+// As compilers do it: in place, since the name may be that of a device.
+void deliver(std::string const &text, std::string const &output) {
+  if (output.empty() || output == "-") {
+    std::cout << text << std::flush;
+    return;
+  }
+  std::ofstream file(output, std::ios::binary);
+  file << text << std::flush;
+  if (!file) fail(DiagnosticId::unwritable_output, {output}, "cannot write '" + output + "'");
+}
+
+Words compile_words(Translation const &translation, Words const &flags) {
+  Words words = translation.compiler;
+  append(words, {"-isystem", runtime_include(), "-include", "symreal/real.h"});
+  append(words, program::variant_flags(flags, program::Variant::symbolic));
+  append(words, {"-frandom-seed=" + translation.source.name, option(translation.action)});
+  return words;
+}
+
+program::Captured run(Words const &words) {
+  return program::capture({.arguments = words, .environment = {"LC_ALL=C", "GCC_COLORS="}});
+}
+
+bool compile(Translation const &translation, CommandLine const &line, rewrite::Result const &result) {
+  bool const keep = std::getenv("SYMREAL_KEEP") != nullptr;
+  Workspace const workspace(keep);
+  std::string const top = workspace.directory("overlay"), listed = workspace.file("dependencies");
+  if (keep) std::cerr << "symreal: the rewritten sources are in " << top << "\n";
+  Overlay const overlay(result, top);
+  Names const names(result, top);
+  std::string const &source = translation.source.name;
+  bool const preprocess = translation.action == Action::preprocess;
+  std::string const output = preprocess ? workspace.file("preprocessed") : translation.output;
+  Words words = compile_words(translation, overlay.search_flags(line.flags));
+  append(words, {"-ffile-prefix-map=" + top + "=", "-iquote", fs::absolute(source).parent_path().string()});
+  append(words, {line.dependencies.wanted && !line.dependencies.system ? "-MMD" : "-MD", "-MF", listed, "-MT", "x"});
+  append(words, {"-x", "c++", overlay.compiled_path(source)});
+  if (translation.action != Action::check) append(words, {"-o", output});
+  if (!succeeded(run(words), words, overlay)) return false;
+
+  Words dependencies = read_dependencies(read_file(listed));
+  if (!all_rewritten(dependencies, names, source)) return false;
+  if (preprocess) deliver(names.line_markers(read_file(output)), translation.output);
+  if (!line.dependencies.wanted) return true;
+  for (std::string &name : dependencies) name = names.original(name);
+  DependencyOptions const options = completed(line, source);
+  deliver(write_dependencies(options, dependencies), options.file);
+  return true;
+}
+
+void remove_output(Translation const &translation) {
+  std::error_code ignored;
+  if (fs::is_regular_file(translation.output, ignored)) fs::remove(translation.output, ignored);
+}
+
+} // namespace
+
+bool translate(Translation const &translation, CommandLine const &line) {
+  try {
+    if (auto const result = rewritten(translation, line); result && compile(translation, line, *result)) return true;
+  } catch (DiagnosticError const &problem) {
+    print(std::cerr, problem.diagnostic());
+  }
+  remove_output(translation);
+  return false;
+}
+
+bool compile_preprocessed(Translation const &translation, CommandLine const &line) {
+  Words words = translation.compiler;
+  append(words, program::variant_flags(line.flags, program::Variant::symbolic));
+  append(words, {"-frandom-seed=" + translation.source.name, option(translation.action)});
+  append(words, {"-x", "c++-cpp-output", translation.source.name});
+  if (!translation.output.empty()) append(words, {"-o", translation.output});
+  if (succeeded(run(words), words, Overlay())) return true;
+  remove_output(translation);
+  return false;
+}
+
+bool is_symbolic(std::string const &preprocessed) {
+  return preprocessed.find("namespace symreal") != std::string::npos;
+}
+
+} // namespace symreal::compiler
