@@ -5,9 +5,11 @@
 #include "support/files.h"
 #include "support/installation.h"
 
+#include <algorithm>
+#include <atomic>
 #include <filesystem>
-#include <future>
 #include <optional>
+#include <thread>
 
 namespace symreal::program {
 namespace {
@@ -107,28 +109,60 @@ Object compile(Words words, std::string const &file, std::string const &director
   return {false, {}, compiled.output.substr(0, compiled.output.find('\n'))};
 }
 
+// One source before and after, as command lines.
+struct Pair {
+  Words before, after;
+  std::string directory;
+  Object original, changed;
+};
+
+Pair prepare(rewrite::Compilation const &one, Shadow const &shadow, Compilers const &compilers) {
+  Pair pair;
+  pair.directory = one.directory.empty() ? fs::current_path().string() : one.directory;
+  std::string const real = fs::weakly_canonical(fs::path(pair.directory) / one.source).string();
+  bool const is_c = one.source.ends_with(".c");
+  std::string const &asked = is_c ? compilers.c : compilers.cxx;
+  std::string const known = one.compiler.empty() ? (is_c ? "cc" : "c++") : one.compiler;
+  Words const flags = compiling(one.flags);
+  Words const adapted = in_shadow(flags, shadow, pair.directory);
+  pair.before = {asked.empty() ? known : asked};
+  pair.after = {pair.before[0], "-include", runtime_include() + "/symreal/real.h"};
+  pair.before.insert(pair.before.end(), flags.begin(), flags.end());
+  pair.after.insert(pair.after.end(), adapted.begin(), adapted.end());
+  pair.before.push_back(one.source);
+  pair.after.push_back(shadow.source(real, one.source));
+  return pair;
+}
+
+// Calls work(k) for each k below count, so many at once.
+template <class Work> void in_parallel(std::size_t count, unsigned jobs, Work work) {
+  std::atomic<std::size_t> next = 0;
+  auto const worker = [&] {
+    for (std::size_t k = next++; k < count; k = next++) work(k);
+  };
+  std::vector<std::jthread> helpers;
+  for (std::size_t i = 1; i < std::min<std::size_t>(std::max(1U, jobs), count); ++i) helpers.emplace_back(worker);
+  worker();
+}
+
 } // namespace
 
 ObjectComparison compare_object_code(std::vector<rewrite::Compilation> const &sources, rewrite::Result const &rewritten,
-                                     Compilers const &compilers, Workspace const &workspace) {
+                                     Compilers const &compilers, unsigned jobs, Workspace const &workspace) {
   Shadow const shadow(rewritten, workspace.directory("shadow"));
+  std::vector<Pair> pairs;
+  pairs.reserve(sources.size());
+  for (rewrite::Compilation const &one : sources) pairs.push_back(prepare(one, shadow, compilers));
+  in_parallel(2 * pairs.size(), jobs, [&](std::size_t k) {
+    Pair &pair = pairs[k / 2];
+    bool const is_original = k % 2 == 0;
+    (is_original ? pair.original : pair.changed) =
+        compile(is_original ? pair.before : pair.after, workspace.file(std::to_string(k) + ".o"), pair.directory);
+  });
   ObjectComparison result;
-  for (rewrite::Compilation const &one : sources) {
-    std::string const directory = one.directory.empty() ? fs::current_path().string() : one.directory;
-    std::string const real = fs::weakly_canonical(fs::path(directory) / one.source).string();
-    Words const flags = compiling(one.flags);
-    Words before = {one.source.ends_with(".c") ? compilers.c : compilers.cxx};
-    Words after = {before[0], "-include", runtime_include() + "/symreal/real.h"};
-    Words const adapted = in_shadow(flags, shadow, directory);
-    before.insert(before.end(), flags.begin(), flags.end());
-    after.insert(after.end(), adapted.begin(), adapted.end());
-    before.push_back(one.source);
-    after.push_back(shadow.source(real, one.source));
-    auto original =
-        std::async(std::launch::async, [&] { return compile(before, workspace.file("before.o"), directory); });
-    Object const changed = compile(after, workspace.file("after.o"), directory);
-    Object const unchanged = original.get();
-    Place const place{one.source};
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    Object const &unchanged = pairs[k].original, &changed = pairs[k].changed;
+    Place const place{sources[k].source};
     if (!unchanged.made)
       result.diagnostics.push_back({DiagnosticId::numeric_original, Severity::error, place, unchanged.output});
     else if (++result.compared; !changed.made)

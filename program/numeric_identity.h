@@ -10,8 +10,9 @@
 
 namespace symreal::program {
 
+// By the ending of a source; an empty one: as the source's own build has it, else cc and c++.
 struct Compilers {
-  std::string c = "cc", cxx = "c++"; // by the ending of a source
+  std::string c, cxx;
 };
 
 struct ObjectComparison {
@@ -19,7 +20,8 @@ struct ObjectComparison {
   std::vector<Diagnostic> diagnostics; // numeric_difference, build_failed
 };
 
+// So many compilers run at once.
 ObjectComparison compare_object_code(std::vector<rewrite::Compilation> const &sources, rewrite::Result const &rewritten,
-                                     Compilers const &compilers, Workspace const &workspace);
+                                     Compilers const &compilers, unsigned jobs, Workspace const &workspace);
 
 } // namespace symreal::program

@@ -25,7 +25,8 @@ bool is_c_or_cxx(llvm::StringRef name) {
 }
 
 Compilation compilation(tooling::CompileCommand const &command) {
-  Compilation result{command.Filename, command.Directory, {}};
+  Compilation result{command.Filename, command.Directory, {}, {}};
+  if (!command.CommandLine.empty()) result.compiler = command.CommandLine[0];
   std::string const source = absolute(command.Directory, command.Filename);
   bool says_language = false;
   for (std::size_t i = 1; i < command.CommandLine.size(); ++i) {
@@ -43,8 +44,7 @@ Compilation compilation(tooling::CompileCommand const &command) {
     result.flags.push_back(word);
   }
   // g++ compiles all of its sources as C++.
-  llvm::StringRef const compiler = command.CommandLine.empty() ? "" : command.CommandLine[0];
-  if (!says_language && llvm::sys::path::filename(compiler).contains("++") && result.source.ends_with(".c"))
+  if (!says_language && llvm::sys::path::filename(result.compiler).contains("++") && result.source.ends_with(".c"))
     result.flags.insert(result.flags.end(), {"-x", "c++"});
   return result;
 }

@@ -42,7 +42,7 @@ Configurations::View Configurations::view(std::string const &path, Facts const &
   }
   for (auto at = facts.wraps.lower_bound({{path, 0, 0}, Use::returned, ""});
        at != facts.wraps.end() && at->span.file == path; ++at)
-    if (is_told_by_types(at->use) && !meets(facts.quoted, at->span) && !in_directive(file, at->span.begin))
+    if (is_told_by_types(at->use) && !is_quoted(facts, at->span) && !in_directive(file, at->span.begin))
       view.wraps.try_emplace({at->span.begin, at->span.end, at->use}, at->use == Use::value ? "" : at->detail);
   for (auto at = facts.members.lower_bound({path, 0, 0}); at != facts.members.end() && at->first.file == path; ++at)
     view.members[at->first.begin] = at->second;

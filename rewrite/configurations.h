@@ -27,7 +27,7 @@ private:
     std::string source;
     std::map<std::size_t, std::string> types; // what stands there then
     std::map<Key, std::string> wraps;
-    std::map<std::size_t, std::string> members;
+    std::map<std::size_t, ClassFact> members;
     std::vector<bool> reached;
     bool same(View const &other) const {
       return types == other.types && wraps == other.wraps && members == other.members && reached == other.reached;

@@ -43,6 +43,18 @@ public:
     return !lambda->isInitCapture(capture) || Walk::TraverseLambdaCapture(lambda, capture, initializer);
   }
 
+  // The constructors of a base: their name is no type, and the type before it is walked.
+  bool TraverseUsingDecl(clang::UsingDecl *declaration) {
+    if (declaration->getDeclName().getNameKind() == clang::DeclarationName::CXXConstructorName)
+      return this->TraverseNestedNameSpecifierLoc(declaration->getQualifierLoc());
+    return Walk::TraverseUsingDecl(declaration);
+  }
+  bool TraverseUnresolvedUsingValueDecl(clang::UnresolvedUsingValueDecl *declaration) {
+    if (declaration->getDeclName().getNameKind() == clang::DeclarationName::CXXConstructorName)
+      return this->TraverseNestedNameSpecifierLoc(declaration->getQualifierLoc());
+    return Walk::TraverseUnresolvedUsingValueDecl(declaration);
+  }
+
   // Where double stays double.
   bool TraverseVarDecl(clang::VarDecl *variable) {
     Passive const why = variable->isConstexpr()       ? constant_variable

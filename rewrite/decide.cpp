@@ -33,6 +33,7 @@ Rewording rewording(Wrap const &wrap) {
   case Use::linkage: return make("REAL_LINKAGE(", ")");
   case Use::integer: return make("REAL_INT(", ")");
   case Use::table: return make("REAL_TABLE(" + wrap.detail + ", ", ")");
+  case Use::pasted: return make("REAL_PASTED((" + wrap.detail + "), ", ")");
   case Use::external: return make("REAL_EXTERNAL(", ", " + wrap.detail + ")");
   case Use::function: return make("REAL_FUNCTION(" + wrap.detail + ", ", ")");
   case Use::cast: return make("(" + wrap.detail + ")(", ")");
@@ -101,15 +102,32 @@ void add_wraps(Facts const &facts, std::set<Span> const &pragmas, ByFile &reword
     if (again || is_rewritten(facts.files.at(wrap.span.file).text, wrap.span)) continue;
     // The function reads the REALs itself, as REALs.
     if (wrap.use == Use::value && facts.number_readers.count(wrap.detail) != 0) continue;
-    if (!meets(pragmas, wrap.span) && !meets(facts.quoted, wrap.span))
-      rewordings[wrap.span.file].push_back(rewording(wrap));
+    bool const is_text = wrap.use != Use::pasted && is_quoted(facts, wrap.span);
+    if (!meets(pragmas, wrap.span) && !is_text) rewordings[wrap.span.file].push_back(rewording(wrap));
   }
 }
 
+// A type in the words of the file, with the types in it that change.
+std::string type_text(Facts const &facts, Span const &span) {
+  std::string const &file = facts.files.at(span.file).text;
+  std::string text;
+  std::size_t at = span.begin;
+  for (auto token = facts.types.lower_bound({{span.file, span.begin, 0}, ""}); token != facts.types.end(); ++token) {
+    if (token->span.file != span.file || token->span.end > span.end) break;
+    if (token->replacement.empty() || token->span.begin < at) continue;
+    text += file.substr(at, token->span.begin - at) + token->replacement;
+    at = token->span.end;
+  }
+  return text + file.substr(at, span.end - at);
+}
+
 void add_members(Facts const &facts, ByFile &rewordings) {
-  for (auto const &[brace, members] : facts.members)
-    if (facts.files.at(brace.file).text.compare(brace.end, 14, " REAL_MEMBERS(") != 0)
-      rewordings[brace.file].push_back({brace.begin, brace.end, "", " REAL_MEMBERS(" + members + ")"});
+  for (auto const &[brace, members] : facts.members) {
+    if (facts.files.at(brace.file).text.compare(brace.end, 14, " REAL_MEMBERS(") == 0) continue;
+    std::string list = members.access;
+    for (Span const &base : members.bases) list += ", static_cast<" + type_text(facts, base) + " const &>(*this)";
+    rewordings[brace.file].push_back({brace.begin, brace.end, "", " REAL_MEMBERS(" + list + members.fields + ")"});
+  }
 }
 
 void add_pragmas(Facts const &facts, ByFile &rewordings) {
@@ -164,6 +182,11 @@ bool meets(std::set<Span> const &spans, Span const &span) {
     if (at->end <= span.begin) return false;
   }
   return false;
+}
+
+bool is_quoted(Facts const &facts, Span const &expression) {
+  Span const first{expression.file, expression.begin, expression.begin + 1};
+  return meets(facts.quoted, first) || meets(facts.quoted, {expression.file, expression.end - 1, expression.end});
 }
 
 Place place_in(FileFact const &file, std::size_t offset) {

@@ -16,6 +16,10 @@ bool meets(std::set<Span> const &spans, Span const &span);
 
 Place place_in(FileFact const &file, std::size_t offset);
 
+// Would a macro around the expression stand in an argument that becomes text? An expression may also hold the whole
+// macro call.
+bool is_quoted(Facts const &facts, Span const &expression);
+
 // What becomes of every type that the files spell. A type that none of the facts accounts for is an internal error
 // (ledger.cpp).
 class Ledger {

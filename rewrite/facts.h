@@ -67,6 +67,7 @@ enum class Use {
   bytes,   // the name of a function that moves or sets bytes
   state,
   local_state, // of integers that only one function can name
+  pasted,      // a macro whose expansion pastes or quotes what a converted type is spelled as
 };
 
 struct Wrap {
@@ -74,7 +75,7 @@ struct Wrap {
   Use use;
   // conversion, cast: the type; state: the declaration's place; returned, and the uses between literal and state: the
   // other arguments; value: the function of the program, if it is one, whose variadic argument the expression is;
-  // external, table: the other arguments
+  // external, table: the other arguments; pasted: the text that the macro expands to
   std::string detail;
   auto operator<=>(Wrap const &) const = default;
 };
@@ -193,12 +194,20 @@ struct FileFact {
 // What the preprocessor does to a token so that it never reaches the parser.
 enum class Consumed { dropped_argument, macro_name };
 
+// What holds REAL or an integer in a class.
+struct ClassFact {
+  std::string access;           // of the members that follow the opening brace
+  std::vector<Span> bases = {}; // as they are written
+  std::string fields = {};      // each with a comma before it
+  auto operator<=>(ClassFact const &) const = default;
+};
+
 struct Facts {
   std::map<std::string, FileFact> files; // by real path
   std::set<TypeToken> types;
   std::set<Span> doubles; // every `double` that reached the parser, understood or not
   std::set<Wrap> wraps;
-  std::map<Span, std::string> members;              // by the opening brace of a class: what holds REAL in it
+  std::map<Span, ClassFact> members;                // by the opening brace of a class
   std::map<std::string, std::vector<bool>> reached; // by real path: the offsets of tokens that reached the parser
   std::set<Span> skipped;                           // parts of an #if that are not taken
   std::map<Span, Consumed> consumed;                // tokens that may not have reached the parser

@@ -7,9 +7,12 @@ using namespace clang;
 
 class Recorder : public PPCallbacks {
 public:
-  Recorder(SourceMap const &map, Facts &facts) : map_(map), facts_(facts) {}
+  Recorder(SourceMap const &map, Facts &facts, ExpansionText &expansions)
+      : map_(map),
+        facts_(facts),
+        expansions_(expansions) {}
 
-  void MacroExpands(Token const &, MacroDefinition const &definition, SourceRange,
+  void MacroExpands(Token const &name, MacroDefinition const &definition, SourceRange,
                     MacroArgs const *arguments) override {
     MacroInfo const *macro = definition.getMacroInfo();
     if (!arguments || !macro) return;
@@ -22,20 +25,40 @@ public:
       bool const before = i + 1 < body.size() && body[i + 1].is(tok::hashhash);
       if (!after && !before) continue;
       Token const *token = arguments->getUnexpArgument(static_cast<unsigned>(parameter));
-      for (; token && token->isNot(tok::eof); ++token)
-        if (std::optional<Span> const span = map_.token(token->getLocation())) facts_.quoted.insert(*span);
+      for (; token && token->isNot(tok::eof); ++token) quote(name, *token);
     }
   }
 
 private:
+  void quote(Token const &macro, Token const &token) {
+    if (token.is(tok::kw_double) && is_from_body(token.getLocation()))
+      expansions_.want(macro.getLocation());
+    else if (std::optional<Span> const span = map_.token(token.getLocation()))
+      facts_.quoted.insert(*span);
+  }
+
+  // Did the expansion of a macro, in an argument that has been handed down, yield this token?
+  bool is_from_body(SourceLocation location) const {
+    SourceManager const &sources = map_.sources();
+    bool handed_down = false;
+    while (location.isMacroID()) {
+      if (!sources.isMacroArgExpansion(location)) return handed_down;
+      handed_down = true;
+      location = sources.getImmediateSpellingLoc(location);
+    }
+    return false;
+  }
+
   SourceMap const &map_;
   Facts &facts_;
+  ExpansionText &expansions_;
 };
 
 } // namespace
 
-std::unique_ptr<PPCallbacks> make_quoted_argument_recorder(SourceMap const &map, Facts &facts) {
-  return std::make_unique<Recorder>(map, facts);
+std::unique_ptr<PPCallbacks> make_quoted_argument_recorder(SourceMap const &map, Facts &facts,
+                                                           ExpansionText &expansions) {
+  return std::make_unique<Recorder>(map, facts, expansions);
 }
 
 } // namespace symreal::rewrite

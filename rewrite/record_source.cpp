@@ -59,15 +59,16 @@ public:
     index_.ask_compiler = ask_compiler;
     Preprocessor &preprocessor = compiler.getPreprocessor();
     preprocessor.AddPragmaHandler(make_pragma_handler(map_, facts_, index_).release()); // owned there from now on
-    preprocessor.addPPCallbacks(make_quoted_argument_recorder(map_, facts_));
+    preprocessor.addPPCallbacks(make_quoted_argument_recorder(map_, facts_, expansions_));
     preprocessor.addPPCallbacks(make_skipped_text_recorder(map_, facts_));
-    watch_tokens(preprocessor, map_, facts_);
+    watch_tokens(preprocessor, map_, facts_, expansions_);
   }
 
   void HandleTranslationUnit(ASTContext &context) override {
     map_.record_files(facts_);
     if (compiler_.getDiagnostics().hasErrorOccurred()) return;
     record_tree(context, map_, index_, facts_);
+    expansions_.record(facts_);
     record_include_directories();
   }
 
@@ -84,6 +85,7 @@ private:
 
   CompilerInstance &compiler_;
   SourceMap map_;
+  ExpansionText expansions_{map_};
   PragmaIndex index_;
   Facts &facts_;
 };

@@ -165,23 +165,22 @@ void Recorder::members(CXXRecordDecl const *record) {
       !cast<ClassTemplateSpecializationDecl>(record)->isExplicitSpecialization() &&
       !isa<ClassTemplatePartialSpecializationDecl>(record))
     return;
-  std::string list;
+  ClassFact fact{record->isClass() ? "private" : "public"};
   for (CXXBaseSpecifier const &base : record->bases()) {
     if (!base.getType()->isDependentType() && !holds_state(base.getType())) continue;
     std::optional<Span> const span = map_.range(base.getTypeSourceInfo()->getTypeLoc().getSourceRange());
-    if (!span) continue;
-    list.append(", static_cast<").append(with_real(map_.text(*span, base.getBeginLoc()))).append(" const &>(*this)");
+    if (span) fact.bases.push_back(*span);
   }
   for (FieldDecl const *field : record->fields()) {
     QualType const type = field->getType();
     if (!field->getIdentifier() || field->isBitField() || type->isReferenceType() || type->isPointerType()) continue;
     if (IntegerState::is_integer(type) && !IntegerState::has_address(field)) continue;
-    if (type->isDependentType() || holds_state(type)) list.append(", ").append(field->getNameAsString());
+    if (type->isDependentType() || holds_state(type)) fact.fields.append(", ").append(field->getNameAsString());
   }
   std::optional<Span> const brace = map_.token(record->getBraceRange().getBegin());
-  if (list.empty() || !brace || record->getBraceRange().getBegin().isMacroID()) return;
-  list.insert(0, record->isClass() ? "private" : "public");
-  facts_.members.try_emplace(*brace, std::move(list));
+  bool const holds_none = fact.bases.empty() && fact.fields.empty();
+  if (holds_none || !brace || record->getBraceRange().getBegin().isMacroID()) return;
+  facts_.members.try_emplace(*brace, std::move(fact));
 }
 
 } // namespace symreal::rewrite

@@ -20,6 +20,7 @@ struct Compilation {
   std::string source;
   std::string directory; // in which the compiler runs; empty: that of this process
   std::vector<std::string> flags;
+  std::string compiler = {}; // the build's own; empty: not known
 };
 
 // What compile_commands.json in the directory says about these sources, or about all of C and C++ if none are named;

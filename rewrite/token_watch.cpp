@@ -28,9 +28,10 @@ private:
 
 } // namespace
 
-void watch_tokens(Preprocessor &preprocessor, SourceMap const &map, Facts &facts) {
+void watch_tokens(Preprocessor &preprocessor, SourceMap const &map, Facts &facts, ExpansionText &expansions) {
   preprocessor.addPPCallbacks(std::make_unique<MacroNames>(map, facts));
-  preprocessor.setTokenWatcher([&map, &facts](Token const &token) {
+  preprocessor.setTokenWatcher([&map, &facts, &expansions](Token const &token) {
+    expansions.token(token);
     if (std::optional<Span> const first = map.first_character(token.getLocation())) {
       std::vector<bool> &reached = facts.reached[first->file];
       if (reached.size() < first->end) reached.resize(first->end);

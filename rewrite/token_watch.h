@@ -3,11 +3,12 @@
 #pragma once
 
 #include "rewrite/clang.h"
+#include "rewrite/expansion_text.h"
 #include "rewrite/facts.h"
 #include "rewrite/source_map.h"
 
 namespace symreal::rewrite {
 
-void watch_tokens(clang::Preprocessor &preprocessor, SourceMap const &map, Facts &facts);
+void watch_tokens(clang::Preprocessor &preprocessor, SourceMap const &map, Facts &facts, ExpansionText &expansions);
 
 } // namespace symreal::rewrite

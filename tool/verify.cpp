@@ -24,7 +24,8 @@ int run_numeric(CLI::App const &command, Options const &options, Session const &
   NumericOptions numeric = options.numeric;
   numeric.project.request.sources = options.files;
   numeric.project.request.roots = options.source.roots;
-  return verify_numeric(command, numeric, options.source.front.build.compiler, session);
+  bool const is_given = command.get_option("--cxx")->count() != 0;
+  return verify_numeric(command, numeric, is_given ? options.source.front.build.compiler : "", session);
 }
 
 int run(Options const &options, Session const &session) {

@@ -9,7 +9,7 @@ namespace symreal::tool {
 struct NumericOptions {
   bool enabled = false;
   ProjectOptions project; // its -p and -j; sources and roots are those of verify
-  std::string c_compiler = "cc";
+  std::string c_compiler;
 
   void add_to(CLI::App &app);
 };

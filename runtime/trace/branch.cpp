@@ -26,11 +26,11 @@ void Level::has_returned(SymbolicBool condition) {
   rest.emplace(!returned);
 }
 
-RealNumber Returns::result() {
+Returned Returns::result() {
   body_.rest.reset();
-  if (!kernel_) return result_;
+  if (!kernel_) return {result_, plain_};
   kernel_->defer_returned(false);
-  return kernel_->deferred(result_);
+  return {kernel_->deferred(result_), plain_};
 }
 
 RealNumber Returns::take_last() {
@@ -57,7 +57,7 @@ void Branch::enter(SymbolicBool condition) {
 SymbolicBool Branch::leave() {
   level_.rest.reset();
   path_.reset();
-  if (!returns_) return false;
+  if (!returns_) return SymbolicBool(false);
   returns_->level_ = outer_;
   outer_ = nullptr;
   return level_.returned;

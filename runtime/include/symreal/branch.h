@@ -21,7 +21,7 @@ template <class C, class Yes, class No>
     return condition ? yes() : no();
   } else {
     static_assert(is_number_or_truth<Y> && is_number_or_truth<N>, "symreal: only numbers can be chosen symbolically");
-    SymbolicBool chosen = truth(condition);
+    SymbolicBool const chosen(truth(condition));
     if (!chosen.is_symbolic() || decisions() != Decisions::select) {
       if (chosen) return RealNumber(yes());
       return RealNumber(no());
@@ -84,6 +84,21 @@ struct Level {
   void has_returned(SymbolicBool condition);
 };
 
+// What such a function returns. A template may also be instantiated on another type, whose conditions are plain.
+class Returned {
+public:
+  Returned(RealNumber number, long double plain) noexcept : number_(number), plain_(plain) {}
+  operator RealNumber() const noexcept { return number_; }
+  template <class T, class = std::enable_if_t<std::is_arithmetic_v<T> && !std::is_same_v<T, RealNumber>>>
+  operator T() const noexcept {
+    return number_.is_node() ? static_cast<T>(number_) : static_cast<T>(plain_);
+  }
+
+private:
+  RealNumber number_;
+  long double plain_; // the value where no node is part of it, in the precision of its own type
+};
+
 // The returned value of a function whose `return`s depend on symbolic conditions: each `return` that is met in an arm
 // is noted with its path, and the last one makes a select of them all.
 class Returns {
@@ -94,7 +109,13 @@ public:
   Returns &operator=(Returns const &) = delete;
 
   // `return value;`. True: result() is what the function returns.
-  [[gnu::always_inline]] bool leaves(RealNumber value) {
+  template <class T> [[gnu::always_inline]] bool leaves(T const &returned) {
+    RealNumber const value(returned);
+    plain_ = 0;
+    if constexpr (!std::is_same_v<T, RealNumber> && std::is_arithmetic_v<T>)
+      plain_ = static_cast<long double>(returned);
+    else if (!value.is_node())
+      plain_ = value.plain();
     if (level_ != &body_) {
       noted_.push_back({level_->path, value});
       level_->returned = true;
@@ -103,10 +124,11 @@ public:
     fold(value);
     return true;
   }
-  RealNumber result();
+  Returned result();
   // The function's end, met when every `return` was noted.
-  [[gnu::always_inline]] RealNumber last() {
+  [[gnu::always_inline]] Returned last() {
     fold(take_last());
+    plain_ = result_.is_node() ? 0 : result_.plain();
     return result();
   }
 
@@ -127,6 +149,7 @@ private:
   Level *level_ = &body_;
   std::vector<Noted> noted_;
   RealNumber result_{0.0};
+  long double plain_ = 0;
 };
 
 // for (Branch branch(condition, ...); branch.more();) if (branch.arm()) ... else ...
@@ -204,7 +227,7 @@ public:
   // The loop's condition.
   template <class Test> [[gnu::always_inline]] bool test(Test condition) {
     settle();
-    narrow(truth(condition()));
+    narrow(SymbolicBool(truth(condition())));
     if (is_over()) return false;
     if (runs_++ < limit_) return true;
     stop();

@@ -26,6 +26,14 @@ template <class T> struct is_complex<
     T, std::enable_if_t<std::is_same_v<typename T::value_type, std::decay_t<decltype(std::declval<T &>().imag())>>>>
     : std::true_type {};
 
+// One of Eigen's types whose elements lie in memory at regular distances. An expression such as a transposed product
+// has the members, too, but they do not compile: Eigen tells the two apart by a flag.
+template <class T> constexpr bool has_strides() {
+  constexpr unsigned direct_access = 0x40; // Eigen::DirectAccessBit
+  if constexpr (requires { T::Flags, T::IsRowMajor; }) return (static_cast<unsigned>(T::Flags) & direct_access) != 0;
+  return false;
+}
+
 template <class> inline constexpr bool is_symbolic_int = false;
 template <class T> inline constexpr bool is_symbolic_int<SymbolicInt<T>> = true;
 
@@ -95,7 +103,7 @@ private:
       object.symreal_members(*this);
     } else if constexpr (detail::is_complex<T>::value) {
       words(object); // the standard lays a complex number out as an array of two
-    } else if constexpr (requires { object.data(), object.innerStride(), object.outerStride(), T::IsRowMajor; }) {
+    } else if constexpr (detail::has_strides<T>()) {
       strided(object); // Eigen's matrices, and maps and blocks of them, some of which give copies of their elements
     } else if constexpr (detail::is_matrix<T const>::value) {
       if constexpr (std::is_lvalue_reference_v<decltype(object(0, 0))>)

@@ -30,6 +30,7 @@
 #define REAL_LAST(name, place, ...) __VA_ARGS__
 #define REAL_BITS(name, place, ...) __VA_ARGS__
 #define REAL_BYTES(how, name, place, ...) __VA_ARGS__
+#define REAL_PASTED(text, ...) __VA_ARGS__
 #define REAL_MEMBERS(...)
 #define SYMREAL_OBJECT(...)
 #define SYMREAL_DECLARE(...)
@@ -103,6 +104,9 @@ public:                                                                         
 #define REAL_BYTES(how, name, place, ...) __VA_ARGS__
 #define REAL_MEMBERS(...)
 #endif
+/* What a macro makes of the spelling `double`, which does not stand there any more. */
+#define REAL_PASTED(text, ...) SYMREAL_UNPACKED text
+#define SYMREAL_UNPACKED(...) __VA_ARGS__
 /* C sources are compiled as C++ here: what a library has under a C name keeps it. */
 #define REAL_LINKAGE(...)                                                                                              \
   extern "C" {                                                                                                         \

@@ -65,6 +65,15 @@ inline void sincos(RealNumber x, RealNumber *sine, RealNumber *cosine) noexcept 
   *cosine = cos(x);
 }
 
+// As libstdc++ computes it: scaled by the largest.
+inline RealNumber hypot(RealNumber x, RealNumber y, RealNumber z) noexcept {
+  if (!x.is_node() && !y.is_node() && !z.is_node()) return std::hypot(x.plain(), y.plain(), z.plain());
+  x = abs(x), y = abs(y), z = abs(z);
+  RealNumber const largest = select(x < y, select(y < z, z, y), select(x < z, z, x));
+  RealNumber const a = x / largest, b = y / largest, c = z / largest;
+  return select(largest != RealNumber(0.0), largest * sqrt(a * a + b * b + c * c), RealNumber(0.0));
+}
+
 // Rounding to an integer type is rounding and a conversion (symbolic_int.h).
 template <class T> class SymbolicInt;
 SymbolicInt<long> lround(RealNumber x) noexcept;
@@ -74,6 +83,14 @@ SymbolicInt<long long> llrint(RealNumber x) noexcept;
 
 // Other results that are no real numbers: decided on the carried value and reported.
 inline RealNumber frexp(RealNumber x, int *exponent) noexcept { return std::frexp(static_cast<double>(x), exponent); }
+// The quotient has its last three bits, as that of glibc.
+inline RealNumber remquo(RealNumber x, RealNumber y, int *quotient) noexcept {
+  if (!x.is_node() && !y.is_node()) return std::remquo(x.plain(), y.plain(), quotient);
+  RealNumber const rest = remainder(x, y);
+  auto const whole = static_cast<long long>(rint((x - rest) / y));
+  *quotient = static_cast<int>(whole % 8);
+  return rest;
+}
 inline int ilogb(RealNumber x) noexcept { return std::ilogb(static_cast<double>(x)); }
 inline bool isnormal(RealNumber x) noexcept { return std::isnormal(static_cast<double>(x)); }
 inline int fpclassify(RealNumber x) noexcept { return std::fpclassify(static_cast<double>(x)); }
@@ -86,11 +103,11 @@ inline SymbolicBool isfinite(RealNumber x) noexcept {
   return SymbolicBool::from_condition(x.is_node() ? detail::compare_finite(x) : RealNumber(std::isfinite(x.plain())));
 }
 inline SymbolicBool isinf(RealNumber x) noexcept {
-  if (!x.is_node()) return std::isinf(x.plain());
+  if (!x.is_node()) return SymbolicBool(std::isinf(x.plain()));
   return (!isfinite(x)) & (!isnan(x));
 }
 inline SymbolicBool signbit(RealNumber x) noexcept {
-  if (!x.is_node()) return std::signbit(x.plain());
+  if (!x.is_node()) return SymbolicBool(std::signbit(x.plain()));
   return copysign(RealNumber(1.0), x) < RealNumber(0.0);
 }
 
@@ -104,6 +121,7 @@ inline SymbolicBool signbit(RealNumber x) noexcept {
   SYMREAL_NAME(scalbn)                                                                                                 \
   SYMREAL_NAME(modf)                                                                                                   \
   SYMREAL_NAME(frexp)                                                                                                  \
+  SYMREAL_NAME(remquo)                                                                                                 \
   SYMREAL_NAME(ilogb)                                                                                                  \
   SYMREAL_NAME(lround)                                                                                                 \
   SYMREAL_NAME(llround)                                                                                                \

@@ -67,10 +67,37 @@ class SymbolicBool;
 class RealNumber {
   double value_;
 
+  template <class T> using IfReal = std::enable_if_t<std::is_same_v<T, RealNumber>, int>;
+  template <class T> using IfOther =
+      std::enable_if_t<std::is_arithmetic_v<T> && !std::is_same_v<std::remove_cv_t<T>, RealNumber>, int>;
+
 public:
   RealNumber() = default;
   template <class T, class = std::enable_if_t<std::is_arithmetic_v<T>>> constexpr RealNumber(T value) noexcept
       : value_(static_cast<double>(value)) {}
+
+  // Of volatile numbers, which recording sees like any other. As templates these are no copy operations of the class,
+  // which stays trivially copyable.
+  template <class T, IfReal<T> = 0> constexpr RealNumber(T const volatile &other) noexcept : value_(other.value_) {}
+  template <class T, IfReal<T> = 0> constexpr RealNumber(T const volatile &&other) noexcept : value_(other.value_) {}
+  template <class T, IfReal<T> = 0> void operator=(T const volatile &other) volatile noexcept { value_ = other.value_; }
+  template <class T, IfReal<T> = 0> void operator=(T const volatile &&other) volatile noexcept {
+    value_ = other.value_;
+  }
+  template <class T, IfOther<T> = 0> void operator=(T const &other) volatile noexcept {
+    value_ = static_cast<double>(other);
+  }
+  template <class T, IfReal<T> = 0> constexpr RealNumber &operator=(T const volatile &other) noexcept {
+    value_ = other.value_;
+    return *this;
+  }
+  template <class T, IfReal<T> = 0> constexpr RealNumber &operator=(T const volatile &&other) noexcept {
+    value_ = other.value_;
+    return *this;
+  }
+  template <class T, IfOther<T> = 0> constexpr RealNumber &operator=(T const &other) noexcept {
+    return *this = RealNumber(other);
+  }
 
   // 1 where the condition holds, else 0. Under policy `select` that stays symbolic, else it is a decision.
   inline RealNumber(SymbolicBool condition) noexcept;
@@ -140,11 +167,13 @@ static_assert(std::is_trivially_copyable_v<RealNumber> && std::is_trivially_defa
 
 class SymbolicBool {
 public:
-  constexpr SymbolicBool(bool value) noexcept : condition_(value) {}
+  // Explicit: otherwise `c ? x < y : flag` might become either type.
+  explicit constexpr SymbolicBool(bool value) noexcept : condition_(value) {}
   // Written out: compilers refuse to pass a class with a constructor of its own through `...`, where it would arrive as
   // bytes that nobody understands.
   constexpr SymbolicBool(SymbolicBool const &other) noexcept : condition_(other.condition_) {}
   constexpr SymbolicBool &operator=(SymbolicBool const &) = default;
+  constexpr SymbolicBool &operator=(bool value) noexcept { return *this = SymbolicBool(value); }
   // From a comparison's node, or from 0 or 1.
   static constexpr SymbolicBool from_condition(RealNumber condition) noexcept {
     SymbolicBool result(false);
@@ -168,7 +197,8 @@ private:
 
 #define SYMREAL_COMPARISON(op, id)                                                                                     \
   [[gnu::always_inline]] inline constexpr SymbolicBool operator op(RealNumber x, RealNumber y) noexcept {              \
-    if (__builtin_is_constant_evaluated() || (!x.is_node() && !y.is_node())) return x.plain() op y.plain();            \
+    if (__builtin_is_constant_evaluated() || (!x.is_node() && !y.is_node()))                                           \
+      return SymbolicBool(x.plain() op y.plain());                                                                     \
     return SymbolicBool::from_condition(detail::compare(Op::id, x, y));                                                \
   }
 SYMREAL_COMPARISON(<, lt)
@@ -191,7 +221,7 @@ SYMREAL_COMPARISON(!=, ne)
   return SymbolicBool::from_condition(detail::record(Op::logical_or, x.condition(), y.condition(), 0.0));
 }
 [[gnu::always_inline]] inline SymbolicBool operator!(SymbolicBool x) noexcept {
-  if (!x.is_symbolic()) return !x.holds();
+  if (!x.is_symbolic()) return SymbolicBool(!x.holds());
   return SymbolicBool::from_condition(detail::record(Op::logical_not, x.condition(), 0.0, 0.0));
 }
 
@@ -199,7 +229,8 @@ SYMREAL_COMPARISON(!=, ne)
 #define SYMREAL_COMPOUND(op)                                                                                           \
   template <class T, class = std::enable_if_t<std::is_arithmetic_v<T>>>                                                \
   constexpr T &operator op##=(T & x, RealNumber y) noexcept {                                                          \
-    return x = static_cast<T>(RealNumber(x) op y);                                                                     \
+    x = static_cast<std::remove_cv_t<T>>(RealNumber(x) op y);                                                          \
+    return x;                                                                                                          \
   }
 SYMREAL_COMPOUND(+)
 SYMREAL_COMPOUND(-)

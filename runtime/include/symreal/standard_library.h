@@ -8,13 +8,14 @@
 #include <complex>
 #include <cstddef>
 #include <functional>
-#include <iosfwd>
 #include <limits>
+#include <ostream>
 #include <string>
 
 namespace symreal {
 // Prints the carried value.
 std::ostream &operator<<(std::ostream &out, RealNumber x);
+inline std::ostream &operator<<(std::ostream &out, SymbolicBool x) { return out << value(x); }
 std::istream &operator>>(std::istream &in, RealNumber &x);
 } // namespace symreal
 

@@ -72,9 +72,10 @@ template <class T> void read_object(T &object, char const *name, char const *pla
 }
 
 template <class T> void write_object(T &object, char const *name, char const *place) noexcept {
-  if constexpr (std::is_same_v<T, RealNumber>) {
-    WrittenParts{name, place}(&object);
-  } else if constexpr (is_integer<std::remove_cv_t<T>>) {
+  using Plain = std::remove_cv_t<T>;
+  if constexpr (std::is_same_v<Plain, RealNumber>) {
+    WrittenParts{name, place}(const_cast<Plain *>(&object));
+  } else if constexpr (is_integer<Plain>) {
     WrittenParts{name, place}(IntegerObject::of(object));
   } else if constexpr (Numbers::may_hold<T>) {
     WrittenParts parts{name, place};

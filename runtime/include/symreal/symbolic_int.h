@@ -86,6 +86,17 @@ public:
   template <class U> SymbolicInt &operator*=(U other) noexcept { return *this = SymbolicInt(*this * other); }
   template <class U> SymbolicInt &operator/=(U other) noexcept { return *this = SymbolicInt(*this / other); }
   template <class U> SymbolicInt &operator%=(U other) noexcept { return *this = SymbolicInt(*this % other); }
+  // What works on bits works on an integer of the program's own: by decisions.
+#define SYMREAL_BITWISE(op)                                                                                            \
+  template <class U> SymbolicInt &operator op##=(U other) noexcept {                                                   \
+    return *this = SymbolicInt(static_cast<T>(static_cast<T>(*this) op other));                                        \
+  }
+  SYMREAL_BITWISE(<<)
+  SYMREAL_BITWISE(>>)
+  SYMREAL_BITWISE(&)
+  SYMREAL_BITWISE(|)
+  SYMREAL_BITWISE(^)
+#undef SYMREAL_BITWISE
 
 private:
   RealNumber number_;
