@@ -1,5 +1,6 @@
 #include "compiler/command_line.h"
 
+#include "program/make_rule.h"
 #include "program/process.h"
 #include "support/files.h"
 
@@ -71,10 +72,12 @@ Language language(std::string const &name, std::string const &named, Language c_
   if (named == "c") return Language::c;
   if (named == "c++") return Language::cxx;
   if (named == "cpp-output" || named == "c++-cpp-output") return Language::preprocessed;
+  if (named == "c-header" || named == "c++-header") return Language::header;
   if (!named.empty()) return Language::other;
   std::string const ending = std::filesystem::path(name).extension();
   if (ending == ".c") return c_ending;
   if (is_among(ending, {".cc", ".cp", ".cpp", ".cxx", ".c++", ".C", ".CC", ".CPP", ".CXX"})) return Language::cxx;
+  if (is_among(ending, {".h", ".hh", ".hpp", ".hxx", ".H"})) return Language::header;
   if (is_among(ending, {".i", ".ii"})) return Language::preprocessed;
   return Language::other;
 }
@@ -160,7 +163,8 @@ private:
       options.file = operand(word, 3);
     } else if (word.starts_with("-MT") || word.starts_with("-MQ")) {
       bool const quoted = word[2] == 'Q';
-      options.targets.emplace_back(quoted, operand(word, 3));
+      std::string const target = operand(word, 3);
+      options.targets.push_back(quoted ? program::make_escaped(target) : target);
     } else if (word.starts_with("-Wp,-MD,") || word.starts_with("-Wp,-MMD,")) {
       options.wanted = true;
       options.system = word.starts_with("-Wp,-MD,");
@@ -172,8 +176,10 @@ private:
   }
 
   void flag(std::string const &word) {
-    // What clang has compiled of headers before they were rewritten is no use; the header itself is named as well.
-    if (word == "-Xclang" && at_ + 3 < line_.words.size() && line_.words[at_ + 1] == "-include-pch") {
+    // As CMake gives clang headers that were compiled ahead: before they were rewritten, so they are no use. The header
+    // itself is named as well.
+    if (word == "-Xclang" && at_ + 3 < line_.words.size() && line_.words[at_ + 1].starts_with("-include")) {
+      if (line_.words[at_ + 1] == "-include") line_.flags.insert(line_.flags.end(), {"-include", line_.words[at_ + 3]});
       at_ += 3;
       return;
     }

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace symreal::compiler {
@@ -18,7 +17,7 @@ enum class Action {
   other,      // nothing is compiled: -M, --version, -print-search-dirs, ...
 };
 
-enum class Language { c, cxx, preprocessed, other };
+enum class Language { c, cxx, preprocessed, header, other };
 
 struct Input {
   std::string name;
@@ -29,10 +28,10 @@ struct Input {
 // -MD and -MMD, and how the file is to look.
 struct DependencyOptions {
   bool wanted = false;
-  bool system = false;                               // headers of the system too
-  bool phony = false;                                // -MP
-  std::string file;                                  // empty: named after the output
-  std::vector<std::pair<bool, std::string>> targets; // true: with make's quotes still to be added
+  bool system = false; // headers of the system too
+  bool phony = false;  // -MP
+  std::string file;    // empty: named after the output
+  Words targets;       // with make's escapes
 };
 
 struct CommandLine {

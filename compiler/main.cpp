@@ -54,7 +54,8 @@ enum class Way { as_it_is, preprocessed, symbolic };
 
 Way way_of(Input const &input) {
   std::error_code error;
-  bool const is_source = input.language != Language::other && fs::is_regular_file(input.name, error);
+  bool const is_source =
+      input.language != Language::other && input.language != Language::header && fs::is_regular_file(input.name, error);
   if (!is_source || is_probe(input.name)) return Way::as_it_is;
   if (input.language == Language::preprocessed)
     return is_symbolic(read_file(input.name)) ? Way::preprocessed : Way::as_it_is;
@@ -75,9 +76,12 @@ public:
         line_(parse(arguments_, is_c ? Language::c : Language::cxx)) {}
 
   int run() {
-    bool symbolic = false;
-    for (Input const &input : line_.inputs) symbolic |= way_of(input) != Way::as_it_is;
-    if (line_.action == Action::link && !is_probe(".")) return compile_and_link();
+    bool symbolic = false, header = false;
+    for (Input const &input : line_.inputs) {
+      symbolic |= way_of(input) != Way::as_it_is;
+      header |= input.language == Language::header; // compiled ahead: nothing is linked
+    }
+    if (line_.action == Action::link && !header && !is_probe(".")) return compile_and_link();
     if (!symbolic || line_.action == Action::other || line_.action == Action::link) return pass_on(own_, arguments_);
     bool done = true;
     for (Input const &input : line_.inputs)

@@ -4,6 +4,7 @@
 #include "compiler/link_marks.h"
 #include "program/compile.h"
 #include "program/compiler_errors.h"
+#include "program/make_rule.h"
 #include "rewrite/pragma_text.h"
 #include "rewrite/rewrite.h"
 #include "support/files.h"
@@ -168,7 +169,7 @@ bool compile(Translation const &translation, CommandLine const &line, rewrite::R
   if (translation.action != Action::check) append(words, {"-o", output});
   if (!succeeded(run(words), words, overlay)) return false;
 
-  Words dependencies = read_dependencies(read_file(listed));
+  Words dependencies = program::read_make_rule(read_file(listed));
   if (!all_rewritten(dependencies, names, source)) return false;
   if (preprocess) deliver(names.line_markers(read_file(output)), translation.output);
   if (!line.dependencies.wanted) return true;

@@ -56,6 +56,7 @@ std::optional<Front> run_front(FrontRequest const &request, Talk const &talk) {
   rewrite::Result rewritten = rewrite::run({request.build.sources, request.roots, request.build.flags});
   if (!report_all(rewritten.diagnostics, talk)) return {};
   std::vector<rewrite::Kernel> wanted = wanted_kernels(rewritten, request);
+  front.read = rewritten.read;
   front.rewrite_seconds = watch.lap();
 
   talk.stage("building");

@@ -35,6 +35,7 @@ struct Front {
   std::string symbolic_program, replay_program;
   std::string own_flags_program; // empty when the user's flags do not change the numbers
   std::vector<Recorded> kernels; // at least one, names distinct
+  std::vector<std::string> read; // the files that it was made from
   double rewrite_seconds = 0, build_seconds = 0, run_seconds = 0;
 };
 

@@ -201,6 +201,7 @@ Result decide(Facts facts) {
   Result result;
   result.include_dirs = std::move(facts.include_dirs);
   result.diagnostics = std::move(facts.diagnostics);
+  result.read.assign(facts.read.begin(), facts.read.end());
   result.definitions.assign(facts.exported.begin(), facts.exported.end());
   for (auto &[place, statement] : facts.names) result.names.push_back(std::move(statement));
   if (facts.broken) return result;

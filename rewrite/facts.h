@@ -224,6 +224,7 @@ struct Facts {
   std::map<Span, DecisionFact> decisions;      // by the token `if`, `?`, `for`, `while`, `do`, or the function's brace
   std::map<std::string, Note> externals;       // by mangled name: where the pragma says so, and the function's name
   std::vector<std::string> include_dirs;
+  std::set<std::string> read; // real paths, those of the system's headers left out
   std::vector<Diagnostic> diagnostics;
   bool broken = false; // a source does not compile
 };

@@ -61,8 +61,8 @@ void add_diagnostic(Facts &facts, Diagnostic const &diagnostic) {
 void merge(Facts &facts, Facts &&other) {
   // Named one by one, so that a new kind of fact does not compile until it is merged as well.
   auto &[files, types, doubles, wraps, members, reached, skipped, consumed, to_integers, comparisons, quoted, pragmas,
-         number_readers, by_hand, definitions, exported, uses, names, decisions, externals, include_dirs, diagnostics,
-         broken] = other;
+         number_readers, by_hand, definitions, exported, uses, names, decisions, externals, include_dirs, read,
+         diagnostics, broken] = other;
   for (auto &[path, file] : files)
     if (auto const [at, is_new] = facts.files.try_emplace(path, std::move(file)); !is_new)
       merge_file(at->second, std::move(file), facts);
@@ -92,6 +92,7 @@ void merge(Facts &facts, Facts &&other) {
   for (std::string &directory : include_dirs)
     if (std::find(facts.include_dirs.begin(), facts.include_dirs.end(), directory) == facts.include_dirs.end())
       facts.include_dirs.push_back(std::move(directory));
+  facts.read.merge(read);
   for (Diagnostic const &diagnostic : diagnostics) add_diagnostic(facts, diagnostic);
   facts.broken |= broken;
 }

@@ -142,6 +142,7 @@ struct Result {
   std::vector<File> files; // sorted by path; empty when a source does not compile
   std::vector<Kernel> kernels;
   std::vector<std::string> include_dirs; // header search directories of the sources, in order, once each
+  std::vector<std::string> read;         // real paths of all files that were read, those of the system left out
   std::vector<Boundary> boundaries;      // each also has its diagnostic
   std::vector<std::string> definitions;  // mangled names of the functions that carry REAL and that others can use
   std::vector<NamedStatement> names;     // by file, line and column

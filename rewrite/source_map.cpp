@@ -155,6 +155,12 @@ std::string SourceMap::text_in(clang::FileID frame, Span const &span) const {
 }
 
 void SourceMap::record_files(Facts &facts) const {
+  for (unsigned i = 0; i < sources_.local_sloc_entry_size(); ++i) {
+    clang::SrcMgr::SLocEntry const &entry = sources_.getLocalSLocEntry(i);
+    if (!entry.isFile() || clang::SrcMgr::isSystem(entry.getFile().getFileCharacteristic())) continue;
+    if (clang::OptionalFileEntryRef const file = entry.getFile().getContentCache().OrigEntry)
+      facts.read.insert(real_path_of(file->getName()));
+  }
   for (auto at = sources_.fileinfo_begin(); at != sources_.fileinfo_end(); ++at) {
     std::string const name = at->first.getName().str();
     std::string const real = real_path_of(name);

@@ -20,6 +20,7 @@ if platform.system() == "Linux" and platform.machine() == "x86_64":
 
 config.substitutions += [
     (r"%symreal\b", os.path.join(config.binary_dir, "tool", "symreal")),
+    (r"%build\b", config.binary_dir),
     (r"%rewrite\b", os.path.join(config.binary_dir, "rewrite", "symreal-rewrite-dump") + " --text"),
     (r"%same\b", "python3 " + os.path.join(config.source_dir, "tests", "tools", "same_object.py") + " "
      + os.path.join(config.binary_dir, "rewrite", "symreal-rewrite-dump") + " "

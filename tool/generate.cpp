@@ -1,4 +1,6 @@
 #include "graph/graph_text.h"
+#include "program/make_rule.h"
+#include "support/files.h"
 #include "tool/console.h"
 #include "tool/frozen.h"
 #include "tool/optimise.h"
@@ -23,7 +25,8 @@ struct Options {
   PassOptions passes;
   EmitterOptions emitter;
   std::string output, graph_file, language = "c", decisions = "error", frozen = "error";
-  bool wrapper = false, statistics = false, json = false;
+  std::string depfile;
+  bool check = false, wrapper = false, statistics = false, json = false;
 };
 
 // What one kernel gives.
@@ -49,12 +52,15 @@ void require_sense(Options const &options) {
   require_one_of("--decisions", options.decisions, "error|guard|select");
   (void)options.passes.floating_point();
   (void)options.passes.names();
+  if (options.check && !options.depfile.empty())
+    fail(DiagnosticId::option_without_effect, {}, "--check writes nothing, so --depfile would do nothing");
 }
 
 // What can be known to fail before the work is done.
 void require_outputs(Options const &options) {
   // With several kernels, which only the sources know, these may be directories still to be made.
   auto may_be_file = [](std::string const &path) { return !path.empty() && !names_directory(path); };
+  if (options.check) return;
   if (may_be_file(options.output)) {
     if (fs::path(options.output).has_extension()) require_c_name(options.output);
     require_writable(options.output);
@@ -115,10 +121,16 @@ int run(Options const &options, Session const &session) {
     products.push_back(make_product(recorded, options, several));
     files.insert(files.end(), products.back().files.begin(), products.back().files.end());
   }
+  if (options.check) {
+    console.clear();
+    return check_files(files) ? clean : out_of_date;
+  }
   for (std::string const &directory : {options.output, options.graph_file})
     if (!directory.empty() && several) make_directory(directory);
   require_writable(files);
   write_files(files);
+  if (!options.depfile.empty())
+    write_if_changed(options.depfile, program::make_rule({program::make_escaped(files.front().path)}, front->read));
   console.clear();
   show(products, *front, options);
   return clean;
@@ -132,6 +144,9 @@ void add_generate(CLI::App &app, Session &session) {
   command->add_option("sources", options->source.sources, "C and C++ sources of the program")->required();
   command->add_option("-o", options->output, "The generated file; with several kernels a directory")->type_name("FILE");
   command->add_option("--graph", options->graph_file, "Also write the recorded graph as text")->type_name("FILE");
+  command->add_option("--depfile", options->depfile, "Also write what the result was made from, as a rule of make")
+      ->type_name("FILE");
+  command->add_flag("--check", options->check, "Write nothing: tell whether the files there are up to date");
   command->add_option("--lang", options->language, "Language of the result: c")->capture_default_str();
   options->passes.add_to(*command);
   options->emitter.add_to(*command);

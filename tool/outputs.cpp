@@ -2,12 +2,14 @@
 
 #include "diagnostics/diagnostic.h"
 #include "emit/emit.h"
+#include "rewrite/rewrite.h"
 #include "support/files.h"
 #include "tool/line_map.h"
 
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <iostream>
 #include <set>
 #include <unistd.h>
 
@@ -61,6 +63,26 @@ void make_directory(std::string const &path) {
   std::error_code problem;
   fs::create_directories(path, problem);
   if (problem) fail(DiagnosticId::unwritable_output, {path}, "the directory cannot be made: " + problem.message());
+}
+
+bool check_files(std::vector<OutputFile> const &files) {
+  bool current = true;
+  for (OutputFile const &file : files) {
+    bool const exists = fs::exists(file.path);
+    std::string const there = exists ? read_file(file.path) : "";
+    if (exists && there == file.text) continue;
+    current = false;
+    rewrite::File difference;
+    difference.display_path = file.path;
+    difference.original = there;
+    difference.text = file.text;
+    std::cout << rewrite::unified_diff(difference) << std::flush;
+    print(std::cerr, {DiagnosticId::out_of_date,
+                      Severity::error,
+                      {file.path},
+                      exists ? "this file is not what the sources give now" : "this file is not there"});
+  }
+  return current;
 }
 
 std::vector<std::string> write_files(std::vector<OutputFile> const &files) {

@@ -27,6 +27,9 @@ void require_writable(std::vector<OutputFile> const &files);
 // Makes a directory for results where there is none.
 void make_directory(std::string const &path);
 
+// Does the disk hold these files? What differs is reported, and its difference printed to standard output.
+bool check_files(std::vector<OutputFile> const &files);
+
 // Returns the paths. Files that are up to date are left alone.
 std::vector<std::string> write_files(std::vector<OutputFile> const &files);
 
