@@ -140,9 +140,10 @@ void deliver(std::string const &text, std::string const &output) {
   if (!file) fail(DiagnosticId::unwritable_output, {output}, "cannot write '" + output + "'");
 }
 
-Words compile_words(Translation const &translation, Words const &flags) {
+Words compile_words(Translation const &translation, Words const &flags, std::string const &type_name) {
   Words words = translation.compiler;
-  append(words, {"-isystem", runtime_include(), "-include", "symreal/real.h"});
+  append(words, {"-isystem", runtime_include()});
+  append(words, rewrite::type_name_flags(type_name));
   append(words, program::variant_flags(flags, program::Variant::symbolic));
   append(words, {"-frandom-seed=" + translation.source.name, option(translation.action)});
   return words;
@@ -162,7 +163,7 @@ bool compile(Translation const &translation, CommandLine const &line, rewrite::R
   std::string const &source = translation.source.name;
   bool const preprocess = translation.action == Action::preprocess;
   std::string const output = preprocess ? workspace.file("preprocessed") : translation.output;
-  Words words = compile_words(translation, overlay.search_flags(line.flags));
+  Words words = compile_words(translation, overlay.search_flags(line.flags), result.type_name);
   append(words, {"-ffile-prefix-map=" + top + "=", "-iquote", fs::absolute(source).parent_path().string()});
   append(words, {line.dependencies.wanted && !line.dependencies.system ? "-MMD" : "-MD", "-MF", listed, "-MT", "x"});
   append(words, {"-x", "c++", overlay.compiled_path(source)});

@@ -49,14 +49,23 @@ Words variant_flags(Words const &flags, Variant variant) {
 
 namespace {
 
-Words compile_command(BuildRequest const &request, Variant variant, Overlay const &overlay, std::string const &source,
-                      std::string const &object) {
+Words compile_command(BuildRequest const &request, Variant variant, Overlay const &overlay,
+                      rewrite::Compilation const &source, std::string const &object) {
+  std::string const real = rewrite::real_source(source);
   Words words = {request.compiler};
   append(words, overlay.include_flags());
-  append(words, variant_flags(request.flags, variant));
-  append(words, {"-I", runtime_include(), "-include", "symreal/real.h"});
-  append(words, {"-iquote", std::filesystem::absolute(source).parent_path().string()});
-  append(words, {"-x", "c++", "-c", overlay.compiled_path(source), "-o", object});
+  append(words, variant_flags(source.flags, variant));
+  append(words, {"-I", runtime_include()});
+  append(words, rewrite::type_name_flags(request.type_name));
+  append(words, {"-iquote", std::filesystem::path(real).parent_path().string()});
+  append(words, {"-x", "c++", "-c", overlay.compiled_path(real), "-o", object});
+  return words;
+}
+
+Words unchanged_command(BuildRequest const &request, rewrite::Compilation const &source, std::string const &object) {
+  Words words = {request.compiler};
+  append(words, unchanged_flags(source.flags));
+  append(words, {"-w", "-x", source.source.ends_with(".c") ? "c" : "c++", "-c", source.source, "-o", object});
   return words;
 }
 
@@ -67,33 +76,43 @@ bool is_for_linker(std::string_view flag) {
 }
 
 // A sanitizer replaces the allocation functions itself.
-bool brings_allocator(BuildRequest const &request) {
-  auto const sanitizes = [](std::string const &flag) { return flag.starts_with("-fsanitize"); };
-  return std::any_of(request.flags.begin(), request.flags.end(), sanitizes) ||
-         std::any_of(request.link.begin(), request.link.end(), sanitizes);
+bool brings_allocator(Words const &words) {
+  return std::any_of(words.begin(), words.end(),
+                     [](std::string const &word) { return word.starts_with("-fsanitize"); });
+}
+
+// Those among the compiler flags of all sources that the linker must have, each once.
+Words linker_flags(BuildRequest const &request) {
+  Words words;
+  for (auto const *sources : {&request.sources, &request.unchanged})
+    for (rewrite::Compilation const &source : *sources)
+      for (std::string const &flag : source.flags)
+        if (is_for_linker(flag) && std::find(words.begin(), words.end(), flag) == words.end()) words.push_back(flag);
+  append(words, request.link);
+  return words;
 }
 
 Words link_command(BuildRequest const &request, Variant variant, Words const &objects, std::string const &executable) {
   Words words = {request.compiler};
-  if (variant == Variant::symbolic && !brings_allocator(request)) words.emplace_back("-Wl,-u,symreal_heap_hooks");
+  Words const own = linker_flags(request);
+  if (variant == Variant::symbolic && !brings_allocator(own)) words.emplace_back("-Wl,-u,symreal_heap_hooks");
   if (variant == Variant::replay) words.push_back("-rdynamic"); // generated code in it calls its external functions
   append(words, objects);
-  std::copy_if(request.flags.begin(), request.flags.end(), std::back_inserter(words), is_for_linker);
-  append(words, request.link);
+  append(words, own);
   append(words, {runtime_library(), "-o", executable});
   return words;
 }
 
-Captured run_compiler(Words const &command) {
-  // The messages are read by a program.
-  return capture({.arguments = command, .environment = {"LC_ALL=C", "GCC_COLORS="}});
+// The messages are read by a program.
+Command compiler_run(Words words, std::string const &directory) {
+  return {.arguments = std::move(words), .directory = directory, .environment = {"LC_ALL=C", "GCC_COLORS="}};
 }
 
-std::vector<Captured> run_all(std::vector<Words> const &commands) {
+std::vector<Captured> run_all(std::vector<Command> const &commands) {
   std::vector<Captured> results(commands.size());
   std::atomic<std::size_t> next = 0;
   auto work = [&] {
-    for (std::size_t i; (i = next++) < commands.size();) results[i] = run_compiler(commands[i]);
+    for (std::size_t i; (i = next++) < commands.size();) results[i] = capture(commands[i]);
   };
   std::vector<std::jthread> threads;
   for (unsigned i = 1; i < std::min<std::size_t>(compilations_at_a_time, commands.size()); ++i)
@@ -107,25 +126,33 @@ std::vector<Captured> run_all(std::vector<Words> const &commands) {
 
 std::vector<std::string> build_programs(BuildRequest const &request, std::span<Variant const> variants,
                                         Overlay const &overlay, Workspace const &workspace) {
-  std::vector<Words> compilations, links;
+  std::vector<Command> compilations, links;
   std::vector<std::string> executables;
+  Words unchanged;
+  for (rewrite::Compilation const &source : request.unchanged) {
+    unchanged.push_back(workspace.file("unchanged_" + std::to_string(unchanged.size()) + ".o"));
+    compilations.push_back(compiler_run(unchanged_command(request, source, unchanged.back()), source.directory));
+  }
   for (Variant variant : variants) {
     std::string directory = workspace.directory(std::string(name(variant)));
     Words objects;
-    for (std::string const &source : request.sources) {
+    for (rewrite::Compilation const &source : request.sources) {
       objects.push_back(directory + "/" + std::to_string(objects.size()) + ".o");
-      compilations.push_back(compile_command(request, variant, overlay, source, objects.back()));
+      compilations.push_back(
+          compiler_run(compile_command(request, variant, overlay, source, objects.back()), source.directory));
     }
+    append(objects, unchanged);
     executables.push_back(directory + "/program");
-    links.push_back(link_command(request, variant, objects, executables.back()));
+    links.push_back(compiler_run(link_command(request, variant, objects, executables.back()), {}));
   }
 
   std::vector<Captured> compiled = run_all(compilations);
   for (std::size_t i = 0; i < compiled.size(); ++i)
-    if (!compiled[i].outcome.success()) throw DiagnosticError(compiler_failure(compilations[i], compiled[i], overlay));
+    if (!compiled[i].outcome.success())
+      throw DiagnosticError(compiler_failure(compilations[i].arguments, compiled[i], overlay));
   std::vector<Captured> linked = run_all(links);
   for (std::size_t i = 0; i < linked.size(); ++i)
-    if (!linked[i].outcome.success()) throw DiagnosticError(linker_failure(links[i], linked[i], overlay));
+    if (!linked[i].outcome.success()) throw DiagnosticError(linker_failure(links[i].arguments, linked[i], overlay));
   return executables;
 }
 

@@ -18,9 +18,10 @@ enum class Variant {
 };
 
 struct BuildRequest {
-  std::vector<std::string> sources; // as the user named them
-  std::vector<std::string> flags;   // the user's compiler flags
-  std::vector<std::string> link;    // further words for the linker
+  std::vector<rewrite::Compilation> sources;        // with the user's compiler flags
+  std::vector<rewrite::Compilation> unchanged = {}; // sources that nothing rewrites: compiled as they are
+  std::vector<std::string> link;                    // further words for the linker
+  std::string type_name = rewrite::usual_type_name; // how the rewritten sources spell the number
   std::string compiler = "c++";
 };
 
@@ -30,6 +31,9 @@ std::vector<std::string> adapted_flags(std::vector<std::string> const &flags, Va
 
 // How a source is compiled in the variant, with the user's flags in it; needs the runtime's headers besides.
 std::vector<std::string> variant_flags(std::vector<std::string> const &flags, Variant variant);
+
+// What is left of the user's flags for a source that is compiled as it is.
+std::vector<std::string> unchanged_flags(std::vector<std::string> const &flags);
 
 // Whether a build with these flags may give other numbers than the reference build.
 bool change_numbers(std::vector<std::string> const &flags);

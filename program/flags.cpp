@@ -81,6 +81,18 @@ bool change_numbers(std::vector<std::string> const &flags) {
   });
 }
 
+std::vector<std::string> unchanged_flags(std::vector<std::string> const &flags) {
+  std::vector<std::string> kept;
+  for (std::size_t i = 0; i < flags.size(); ++i) {
+    Dropped const *row = find_dropped(flags[i]);
+    if (!row || row->why == Why::numbers)
+      kept.push_back(flags[i]);
+    else
+      i += static_cast<std::size_t>(row->operands);
+  }
+  return kept;
+}
+
 std::vector<std::string> adapted_flags(std::vector<std::string> const &flags, Variant variant) {
   std::vector<std::string> adapted;
   bool has_standard = false;

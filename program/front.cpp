@@ -32,7 +32,9 @@ bool report_all(std::vector<Diagnostic> const &diagnostics, Talk const &talk) {
 
 std::vector<rewrite::Kernel> wanted_kernels(rewrite::Result const &rewritten, FrontRequest const &request) {
   std::vector<rewrite::Kernel> wanted = rewritten.kernels;
-  if (wanted.empty()) fail(DiagnosticId::no_kernel, {request.build.sources.front()}, "no pragma generates a kernel");
+  if (wanted.empty())
+    fail(DiagnosticId::no_kernel, {rewrite::compilations_of(request.source).front().source},
+         "no pragma generates a kernel");
   std::set<std::string> names;
   std::string list;
   for (rewrite::Kernel const &kernel : wanted) {
@@ -47,13 +49,29 @@ std::vector<rewrite::Kernel> wanted_kernels(rewrite::Result const &rewritten, Fr
   return wanted;
 }
 
+// What is built of the rewritten and of the excluded sources.
+BuildRequest build_request(FrontRequest const &request, rewrite::Result const &rewritten) {
+  BuildRequest build = request.build;
+  build.type_name = rewritten.type_name;
+  std::set<std::string> known;
+  for (rewrite::Compilation const &one : rewrite::compilations_of(request.source)) {
+    std::string const real = rewrite::real_source(one);
+    if (!known.insert(real).second)
+      fail(DiagnosticId::compile_commands, {one.source}, "this source is compiled twice, and a program is built of it");
+    (request.source.exclude.matches(real) ? build.unchanged : build.sources).push_back(one);
+  }
+  return build;
+}
+
 } // namespace
 
 std::optional<Front> run_front(FrontRequest const &request, Talk const &talk) {
   Stopwatch watch;
   Front front;
   talk.stage("rewriting");
-  rewrite::Result rewritten = rewrite::run({request.build.sources, request.roots, request.build.flags});
+  rewrite::Result rewritten = rewrite::run(request.source);
+  // The compiler's messages and debug information are read here, wherever it runs.
+  for (rewrite::File &file : rewritten.files) file.compiled_name = file.display_path;
   if (!report_all(rewritten.diagnostics, talk)) return {};
   std::vector<rewrite::Kernel> wanted = wanted_kernels(rewritten, request);
   front.read = rewritten.read;
@@ -62,10 +80,11 @@ std::optional<Front> run_front(FrontRequest const &request, Talk const &talk) {
   talk.stage("building");
   front.workspace = std::make_unique<Workspace>(request.keep);
   front.overlay = std::make_unique<Overlay>(rewritten, front.workspace->directory("overlay"));
-  BuildRequest build = request.build;
+  BuildRequest const build = build_request(request, rewritten);
   std::vector<Variant> variants = {Variant::symbolic};
   if (request.replay) variants.push_back(Variant::replay);
-  bool own_flags = request.replay && change_numbers(request.build.flags);
+  bool own_flags = request.replay && std::any_of(build.sources.begin(), build.sources.end(),
+                                                 [](auto const &one) { return change_numbers(one.flags); });
   if (own_flags) variants.push_back(Variant::own_flags);
   std::vector<std::string> executables = build_programs(build, variants, *front.overlay, *front.workspace);
   front.symbolic_program = executables.front();

@@ -14,9 +14,9 @@
 namespace symreal::program {
 
 struct FrontRequest {
-  BuildRequest build; // sources, flags, linking
+  rewrite::Request source; // those that it excludes are compiled as they are
+  BuildRequest build;      // the compiler and linking; the sources follow from the above
   RunOptions run;
-  std::vector<std::string> roots;
   std::string kernel;  // only this one; empty: all
   bool keep = false;   // leave the workspace
   bool replay = false; // build what verification runs too

@@ -9,6 +9,7 @@
 #include <atomic>
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <thread>
 
 namespace symreal::program {
@@ -36,6 +37,13 @@ public:
     std::error_code error;
     std::string const path = top_ + fs::weakly_canonical(fs::path(directory) / name, error).string();
     return !error && fs::exists(path) ? std::optional(path) : std::nullopt;
+  }
+
+  // Where else a rewritten file finds what stands beside it and is left as it is: what the configuration excludes.
+  std::set<std::string> directories() const {
+    std::set<std::string> found;
+    for (rewrite::File const &file : rewritten_.files) found.insert(fs::path(file.path).parent_path().string());
+    return found;
   }
 
 private:
@@ -74,6 +82,7 @@ std::string_view search_option(std::string_view flag) {
 // Each search directory that has a counterpart is preceded by it, so that the order of the search stays.
 Words in_shadow(Words const &flags, Shadow const &shadow, std::string const &directory) {
   Words words;
+  std::set<std::string> last = shadow.directories();
   for (std::size_t i = 0; i < flags.size(); ++i) {
     std::string const &flag = flags[i];
     if (flag == "-include" && i + 1 < flags.size()) {
@@ -84,12 +93,16 @@ Words in_shadow(Words const &flags, Shadow const &shadow, std::string const &dir
     }
     std::string_view const option = search_option(flag);
     bool const apart = flag == option && i + 1 < flags.size();
-    if (!option.empty())
-      if (auto const found = shadow.counterpart(apart ? flags[i + 1] : flag.substr(option.size()), directory))
+    if (!option.empty()) {
+      std::string const searched = apart ? flags[i + 1] : flag.substr(option.size());
+      last.erase(fs::weakly_canonical(fs::path(directory) / searched).string());
+      if (auto const found = shadow.counterpart(searched, directory))
         words.insert(words.end(), {std::string(option), *found});
+    }
     words.push_back(flag);
     if (!option.empty() && apart) words.push_back(flags[++i]);
   }
+  for (std::string const &one : last) words.insert(words.end(), {"-idirafter", one});
   return words;
 }
 
@@ -116,7 +129,9 @@ struct Pair {
   Object original, changed;
 };
 
-Pair prepare(rewrite::Compilation const &one, Shadow const &shadow, Compilers const &compilers) {
+// `name_flags`: what the compiler must be told about the number's name.
+Pair prepare(rewrite::Compilation const &one, Shadow const &shadow, Compilers const &compilers,
+             Words const &name_flags) {
   Pair pair;
   pair.directory = one.directory.empty() ? fs::current_path().string() : one.directory;
   std::string const real = fs::weakly_canonical(fs::path(pair.directory) / one.source).string();
@@ -126,7 +141,8 @@ Pair prepare(rewrite::Compilation const &one, Shadow const &shadow, Compilers co
   Words const flags = compiling(one.flags);
   Words const adapted = in_shadow(flags, shadow, pair.directory);
   pair.before = {asked.empty() ? known : asked};
-  pair.after = {pair.before[0], "-include", runtime_include() + "/symreal/real.h"};
+  pair.after = {pair.before[0], "-isystem", runtime_include()};
+  pair.after.insert(pair.after.end(), name_flags.begin(), name_flags.end());
   pair.before.insert(pair.before.end(), flags.begin(), flags.end());
   pair.after.insert(pair.after.end(), adapted.begin(), adapted.end());
   pair.before.push_back(one.source);
@@ -152,7 +168,8 @@ ObjectComparison compare_object_code(std::vector<rewrite::Compilation> const &so
   Shadow const shadow(rewritten, workspace.directory("shadow"));
   std::vector<Pair> pairs;
   pairs.reserve(sources.size());
-  for (rewrite::Compilation const &one : sources) pairs.push_back(prepare(one, shadow, compilers));
+  Words const name_flags = rewrite::type_name_flags(rewritten.type_name);
+  for (rewrite::Compilation const &one : sources) pairs.push_back(prepare(one, shadow, compilers, name_flags));
   in_parallel(2 * pairs.size(), jobs, [&](std::size_t k) {
     Pair &pair = pairs[k / 2];
     bool const is_original = k % 2 == 0;

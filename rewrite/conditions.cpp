@@ -185,7 +185,7 @@ Conditions::Kind Conditions::visit_joint(BinaryOperator const *joint, Condition 
   if (!harmless.ok) return block("the right side of " + name + ", which must not be evaluated early");
   std::optional<Span> const token = map_.token(joint->getOperatorLoc());
   if (!token) return block(name + " made by a macro");
-  result.joints.push_back({*token, joint->getOpcode() == BO_LAnd ? "REAL_AND" : "REAL_OR", "", true});
+  result.joints.push_back({*token, joint->getOpcode() == BO_LAnd ? "SYMREAL_REAL_AND" : "SYMREAL_REAL_OR", "", true});
   return joined;
 }
 

@@ -2,6 +2,7 @@
 
 #include "rewrite/decide.h"
 #include "rewrite/merge.h"
+#include "rewrite/type_name.h"
 
 #include <algorithm>
 
@@ -66,7 +67,7 @@ void Configurations::add(std::string const &source, Facts const &facts) {
 
 void Configurations::compare(FileFact const &file, View const &one, View const &other) {
   auto const words = [](std::string const &replacement) {
-    return replacement.empty() ? std::string("stays") : "becomes " + replacement;
+    return replacement.empty() ? std::string("stays") : "becomes " + with_type_name(replacement, usual_type_name);
   };
   for (auto const &[offset, replacement] : one.types)
     if (auto const found = other.types.find(offset);

@@ -2,6 +2,7 @@
 
 #include "rewrite/compose.h"
 #include "rewrite/pragma_text.h"
+#include "rewrite/type_name.h"
 
 #include <algorithm>
 
@@ -18,24 +19,24 @@ Rewording rewording(Wrap const &wrap) {
                      std::move(after), false,         static_cast<int>(wrap.use)};
   };
   switch (wrap.use) {
-  case Use::literal: return make("REAL_C(", ")");
-  case Use::value: return make("REAL_VALUE(", ")");
-  case Use::conversion: return make("REAL_TO(" + wrap.detail + ", ", ")");
-  case Use::range_begin: return make("REAL_FIRST(" + wrap.detail + ", ", ")");
-  case Use::range_end: return make("REAL_LAST(" + wrap.detail + ", ", ")");
-  case Use::bits: return make("REAL_BITS(" + wrap.detail + ", ", ")");
-  case Use::bytes: return make("REAL_BYTES(" + wrap.detail + ", ", ")");
-  case Use::read: return make("REAL_READ(" + wrap.detail + ", ", ")");
-  case Use::written: return make("REAL_WRITTEN(" + wrap.detail + ", ", ")");
-  case Use::changed: return make("REAL_CHANGED(" + wrap.detail + ", ", ")");
-  case Use::state: return make("REAL_STATE(", ", " + quoted(wrap.detail) + ")");
-  case Use::local_state: return make("REAL_LOCAL_STATE(", ", " + quoted(wrap.detail) + ")");
-  case Use::linkage: return make("REAL_LINKAGE(", ")");
-  case Use::integer: return make("REAL_INT(", ")");
-  case Use::table: return make("REAL_TABLE(" + wrap.detail + ", ", ")");
-  case Use::pasted: return make("REAL_PASTED((" + wrap.detail + "), ", ")");
-  case Use::external: return make("REAL_EXTERNAL(", ", " + wrap.detail + ")");
-  case Use::function: return make("REAL_FUNCTION(" + wrap.detail + ", ", ")");
+  case Use::literal: return make("SYMREAL_REAL_C(", ")");
+  case Use::value: return make("SYMREAL_REAL_VALUE(", ")");
+  case Use::conversion: return make("SYMREAL_REAL_TO(" + wrap.detail + ", ", ")");
+  case Use::range_begin: return make("SYMREAL_REAL_FIRST(" + wrap.detail + ", ", ")");
+  case Use::range_end: return make("SYMREAL_REAL_LAST(" + wrap.detail + ", ", ")");
+  case Use::bits: return make("SYMREAL_REAL_BITS(" + wrap.detail + ", ", ")");
+  case Use::bytes: return make("SYMREAL_REAL_BYTES(" + wrap.detail + ", ", ")");
+  case Use::read: return make("SYMREAL_REAL_READ(" + wrap.detail + ", ", ")");
+  case Use::written: return make("SYMREAL_REAL_WRITTEN(" + wrap.detail + ", ", ")");
+  case Use::changed: return make("SYMREAL_REAL_CHANGED(" + wrap.detail + ", ", ")");
+  case Use::state: return make("SYMREAL_REAL_STATE(", ", " + quoted(wrap.detail) + ")");
+  case Use::local_state: return make("SYMREAL_REAL_LOCAL_STATE(", ", " + quoted(wrap.detail) + ")");
+  case Use::linkage: return make("SYMREAL_REAL_LINKAGE(", ")");
+  case Use::integer: return make("SYMREAL_REAL_INT(", ")");
+  case Use::table: return make("SYMREAL_REAL_TABLE(" + wrap.detail + ", ", ")");
+  case Use::pasted: return make("SYMREAL_REAL_PASTED((" + wrap.detail + "), ", ")");
+  case Use::external: return make("SYMREAL_REAL_EXTERNAL(", ", " + wrap.detail + ")");
+  case Use::function: return make("SYMREAL_REAL_FUNCTION(" + wrap.detail + ", ", ")");
   case Use::cast: return make("(" + wrap.detail + ")(", ")");
   case Use::returned: return make("SYMREAL_RETURN(" + wrap.detail + ", ", ")");
   }
@@ -66,7 +67,7 @@ void add_unaccounted(Facts const &facts, std::set<Span> const &pragmas, Ledger c
     auto const known = facts.types.lower_bound({span, ""});
     bool const accounted = known != facts.types.end() && known->span == span;
     if (accounted || meets(pragmas, span) || meets(facts.quoted, span) || ledger.stays_in_text(span)) continue;
-    rewordings[span.file].push_back({span.begin, span.end, "REAL", "", true});
+    rewordings[span.file].push_back({span.begin, span.end, reserved_type_name, "", true});
     result.diagnostics.push_back({DiagnosticId::unaccounted_double, Severity::warning,
                                   place_in(facts.files.at(span.file), span.begin),
                                   "the syntax tree does not say what this double is part of; it becomes REAL"});
@@ -123,10 +124,12 @@ std::string type_text(Facts const &facts, Span const &span) {
 
 void add_members(Facts const &facts, ByFile &rewordings) {
   for (auto const &[brace, members] : facts.members) {
-    if (facts.files.at(brace.file).text.compare(brace.end, 14, " REAL_MEMBERS(") == 0) continue;
+    std::string_view const behind = std::string_view(facts.files.at(brace.file).text).substr(brace.end);
+    if (behind.starts_with(" REAL_MEMBERS(") || behind.starts_with(" SYMREAL_REAL_MEMBERS(")) continue;
     std::string list = members.access;
     for (Span const &base : members.bases) list += ", static_cast<" + type_text(facts, base) + " const &>(*this)";
-    rewordings[brace.file].push_back({brace.begin, brace.end, "", " REAL_MEMBERS(" + list + members.fields + ")"});
+    rewordings[brace.file].push_back(
+        {brace.begin, brace.end, "", " SYMREAL_REAL_MEMBERS(" + list + members.fields + ")"});
   }
 }
 
@@ -134,7 +137,8 @@ void add_pragmas(Facts const &facts, ByFile &rewordings) {
   for (auto const &[span, pragma] : facts.pragmas) {
     std::string const lines(pragma.continued_lines, '\n');
     std::vector<Rewording> &here = rewordings[span.file];
-    here.push_back({span.begin, span.end, (pragma.is_function ? "" : region_text(pragma)) + lines, "", true});
+    if (!pragma.configured)
+      here.push_back({span.begin, span.end, (pragma.is_function ? "" : region_text(pragma)) + lines, "", true});
     if (pragma.is_function && !pragma.function.empty()) {
       Span const &brace = pragma.function[0].brace;
       here.push_back({brace.begin, brace.end, "", " " + function_text(pragma)});
@@ -197,7 +201,7 @@ Place place_in(FileFact const &file, std::size_t offset) {
           static_cast<unsigned>(offset - (line_start == std::string::npos ? 0 : line_start + 1)) + 1};
 }
 
-Result decide(Facts facts) {
+Result decide(Facts facts, Request const &request) {
   Result result;
   result.include_dirs = std::move(facts.include_dirs);
   result.diagnostics = std::move(facts.diagnostics);
@@ -205,8 +209,10 @@ Result decide(Facts facts) {
   result.definitions.assign(facts.exported.begin(), facts.exported.end());
   for (auto &[place, statement] : facts.names) result.names.push_back(std::move(statement));
   if (facts.broken) return result;
+  result.type_name = choose_type_name(request, facts, result.diagnostics);
   std::set<Span> pragmas;
-  for (auto const &[span, pragma] : facts.pragmas) pragmas.insert(span);
+  for (auto const &[span, pragma] : facts.pragmas)
+    if (!pragma.configured) pragmas.insert(span);
   Ledger const ledger(facts);
   ByFile rewordings;
   add_types(facts, pragmas, ledger, rewordings, result);
@@ -219,6 +225,10 @@ Result decide(Facts facts) {
   add_boundaries(facts, result);
   add_dependence(facts, result);
   for (auto const &[path, file] : facts.files) {
+    for (Rewording &one : rewordings[path]) {
+      one.before = with_type_name(one.before, result.type_name);
+      one.after = with_type_name(one.after, result.type_name);
+    }
     std::vector<Edit> edits = compose(file.text, std::move(rewordings[path]));
     std::string text = apply_edits(file.text, edits);
     std::vector<Spelling> entries = ledger.entries(path, edits);

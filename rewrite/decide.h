@@ -6,7 +6,7 @@
 
 namespace symreal::rewrite {
 
-Result decide(Facts facts);
+Result decide(Facts facts, Request const &request);
 
 // What makes selects of decisions, where nothing refuses it (decide_selects.cpp).
 void add_selects(Facts &facts, std::map<std::string, std::vector<Rewording>> &rewordings, Result &result);

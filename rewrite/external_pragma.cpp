@@ -42,11 +42,11 @@ ExternalPragma::Item read_item(std::vector<PragmaToken> const &tokens, PragmaIte
 } // namespace
 
 std::variant<ExternalPragma, PragmaError> parse_external(std::vector<PragmaToken> const &tokens,
-                                                         std::vector<clang::SourceLocation> const &locations) try {
+                                                         std::vector<Place> const &places) try {
   ExternalPragma pragma;
   std::size_t at = 0;
   pragma.function = function_name(tokens, at);
-  pragma.name_location = locations[2];
+  pragma.name_place = places[2];
   std::vector<PragmaToken> rest;
   std::vector<std::size_t> position; // in the whole directive
   int depth = 0;
@@ -70,7 +70,7 @@ std::variant<ExternalPragma, PragmaError> parse_external(std::vector<PragmaToken
       return syntax(position[clause.name], "beside external(...) stand pure, input(...) and output(...)");
     for (PragmaItem const &item : clause.items) {
       (name == "input" ? pragma.inputs : pragma.outputs).push_back(read_item(rest, item, position[0]));
-      (name == "input" ? pragma.inputs : pragma.outputs).back().location = locations[position[item.tokens.begin]];
+      (name == "input" ? pragma.inputs : pragma.outputs).back().place = places[position[item.tokens.begin]];
     }
   }
   return pragma;

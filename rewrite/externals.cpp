@@ -63,20 +63,20 @@ public:
 
   void resolve(ExternalPragma const &pragma) {
     FunctionDecl const *function = look_up(pragma);
+    if (function && pragma.configured) facts_.configured_externals.insert(*pragma.configured);
     if (!function || !is_callable(pragma, function)) return;
     std::string text, sizes;
     if (!function->getReturnType()->isVoidType()) {
       Value const returned = scalar_or_object(function->getReturnType(), context_);
       if (!returned.error.empty())
-        return refuse(pragma.name_location, "what '" + pragma.function + "' returns " + returned.error);
+        return refuse(pragma.name_place, "what '" + pragma.function + "' returns " + returned.error);
       text = "returns " + returned.text;
     }
     bool any_size = false, good = check_names(pragma, function);
     for (unsigned i = 0; i < function->getNumParams(); ++i) {
       Value const value = parameter(pragma, function, i);
       if (!value.error.empty()) {
-        refuse(pragma.name_location,
-               "parameter " + name_of(function, i) + " of '" + pragma.function + "' " + value.error);
+        refuse(pragma.name_place, "parameter " + name_of(function, i) + " of '" + pragma.function + "' " + value.error);
         good = false;
       }
       text += (i != 0 ? " " : text.empty() ? "takes " : " takes ") + value.text;
@@ -90,13 +90,13 @@ public:
                                   ", " + std::to_string(place.line) + ", " + std::to_string(place.column);
     reals_.add_external(function, {arguments, pragma.pure});
     facts_.externals.emplace(ASTNameGenerator(context_).getName(function),
-                             Note{map_.place(pragma.name_location), function->getNameAsString()});
+                             Note{pragma.name_place, function->getNameAsString()});
     keep_linkage(function);
   }
 
 private:
-  void refuse(SourceLocation location, std::string message, DiagnosticId id = DiagnosticId::external_function) {
-    symreal::Diagnostic diagnostic{id, Severity::error, map_.place(location), std::move(message)};
+  void refuse(Place const &place, std::string message, DiagnosticId id = DiagnosticId::external_function) {
+    symreal::Diagnostic diagnostic{id, Severity::error, place, std::move(message)};
     for (symreal::Diagnostic const &known : facts_.diagnostics) // a header's pragma is met once for every source
       if (known.id == id && known.message == diagnostic.message &&
           to_string(known.place) == to_string(diagnostic.place))
@@ -120,8 +120,9 @@ private:
       scope = next;
       rest = inner;
     }
-    refuse(pragma.name_location, "no function '" + pragma.function + "' is declared in this file",
-           DiagnosticId::pragma_undeclared_name);
+    if (!pragma.configured) // another source may declare it
+      refuse(pragma.name_place, "no function '" + pragma.function + "' is declared in this file",
+             DiagnosticId::pragma_undeclared_name);
     return nullptr;
   }
 
@@ -136,7 +137,7 @@ private:
       why = "is defined in the sources, so its calls are recorded as they are";
     else if (function->isVariadic() || !function->getType()->getAs<FunctionProtoType>())
       why = "has no prototype that tells its parameters";
-    if (!why.empty()) refuse(pragma.name_location, name + why);
+    if (!why.empty()) refuse(pragma.name_place, name + why);
     return why.empty();
   }
 
@@ -159,14 +160,14 @@ private:
     for (auto const *items : {&pragma.inputs, &pragma.outputs})
       for (ExternalPragma::Item const &item : *items)
         if (std::optional<unsigned> const index = index_of(function, item.name); !index) {
-          refuse(item.location, "'" + item.name + "' is no parameter of '" + pragma.function + "'",
+          refuse(item.place, "'" + item.name + "' is no parameter of '" + pragma.function + "'",
                  DiagnosticId::pragma_undeclared_name);
           good = false;
         } else if (!function->getParamDecl(*index)->getType()->isPointerType()) {
-          refuse(item.location, "'" + item.name + "' is no array: only what a pointer points to needs a size");
+          refuse(item.place, "'" + item.name + "' is no array: only what a pointer points to needs a size");
           good = false;
         } else if (items == &pragma.outputs && points_to_const(function->getParamDecl(*index)->getType())) {
-          refuse(item.location, "'" + item.name + "' points to const and is no output");
+          refuse(item.place, "'" + item.name + "' points to const and is no output");
           good = false;
         }
     return good;
@@ -246,7 +247,7 @@ private:
       if (std::optional<Span> const span = map_.range(declaration->getSourceRange()))
         facts_.wraps.insert({*span, Use::linkage, ""});
       else
-        refuse(declaration->getLocation(), "this declaration is partly made by a macro");
+        refuse(map_.place(declaration->getLocation()), "this declaration is partly made by a macro");
     }
   }
 

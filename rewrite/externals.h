@@ -19,7 +19,7 @@ namespace symreal::rewrite {
 
 // Reads the tokens of such a directive, of which the first is `external`.
 std::variant<ExternalPragma, PragmaError> parse_external(std::vector<PragmaToken> const &tokens,
-                                                         std::vector<clang::SourceLocation> const &locations);
+                                                         std::vector<Place> const &places);
 
 // Looks the functions up, after all of the source has been read, and tells `reals` how calls of each are recorded.
 void record_externals(clang::ASTContext &context, SourceMap const &map, PragmaIndex const &index, Facts &facts,

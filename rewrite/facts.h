@@ -126,6 +126,7 @@ struct PragmaFact {
   Place place;
   std::string display_file;
   bool is_function = false;
+  std::optional<std::size_t> configured; // it stands in no file: which of the request's kernels it is
   std::vector<ClauseFact> clauses;
   std::vector<FunctionFact> function; // at most one
   // Of `loop(N)`, once its loop is known to be one that can be bounded.
@@ -214,7 +215,7 @@ struct Facts {
   std::map<Span, std::string> to_integers;          // conversions of REALs, with the integer type
   std::set<Span> comparisons;                       // of REALs, by the operator
   std::set<Span> quoted;                            // arguments that a macro stringifies or pastes: their text is data
-  std::map<Span, PragmaFact> pragmas;               // by the span of the directive
+  std::map<Span, PragmaFact> pragmas;               // by the span of the directive, or of the function's brace
   std::set<std::string> number_readers;        // variadic functions that read doubles themselves, by qualified name
   std::vector<Kernel> by_hand;                 // generate_code("...") in a symbolic main that was written by hand
   std::set<std::string> definitions;           // mangled names of the functions that the sources define
@@ -223,6 +224,8 @@ struct Facts {
   std::map<std::string, NamedStatement> names; // by the place where they begin
   std::map<Span, DecisionFact> decisions;      // by the token `if`, `?`, `for`, `while`, `do`, or the function's brace
   std::map<std::string, Note> externals;       // by mangled name: where the pragma says so, and the function's name
+  std::set<std::size_t> configured_externals;  // those of the request that a source declares
+  std::map<std::string, Place> taken_names;    // that the rewriter might write, by first use in the sources
   std::vector<std::string> include_dirs;
   std::set<std::string> read; // real paths, those of the system's headers left out
   std::vector<Diagnostic> diagnostics;

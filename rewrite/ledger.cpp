@@ -46,7 +46,8 @@ private:
 } // namespace
 
 Ledger::Ledger(Facts const &facts) : facts_(facts) {
-  for (auto const &[span, pragma] : facts.pragmas) pragmas_.insert(span);
+  for (auto const &[span, pragma] : facts.pragmas)
+    if (!pragma.configured) pragmas_.insert(span);
   for (auto const &[path, file] : facts.files)
     for (SpelledType const &type : file.spelled) {
       if (type.kept) kept_.insert(type.span);

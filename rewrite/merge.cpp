@@ -61,8 +61,8 @@ void add_diagnostic(Facts &facts, Diagnostic const &diagnostic) {
 void merge(Facts &facts, Facts &&other) {
   // Named one by one, so that a new kind of fact does not compile until it is merged as well.
   auto &[files, types, doubles, wraps, members, reached, skipped, consumed, to_integers, comparisons, quoted, pragmas,
-         number_readers, by_hand, definitions, exported, uses, names, decisions, externals, include_dirs, read,
-         diagnostics, broken] = other;
+         number_readers, by_hand, definitions, exported, uses, names, decisions, externals, configured_externals,
+         taken_names, include_dirs, read, diagnostics, broken] = other;
   for (auto &[path, file] : files)
     if (auto const [at, is_new] = facts.files.try_emplace(path, std::move(file)); !is_new)
       merge_file(at->second, std::move(file), facts);
@@ -89,6 +89,8 @@ void merge(Facts &facts, Facts &&other) {
     if (auto const [at, is_new] = facts.decisions.try_emplace(span, std::move(decision)); !is_new)
       merge_decision(at->second, std::move(decision));
   facts.externals.merge(externals);
+  facts.configured_externals.merge(configured_externals);
+  facts.taken_names.merge(taken_names);
   for (std::string &directory : include_dirs)
     if (std::find(facts.include_dirs.begin(), facts.include_dirs.end(), directory) == facts.include_dirs.end())
       facts.include_dirs.push_back(std::move(directory));

@@ -25,11 +25,15 @@ public:
              "_Pragma(\"symreal ...\") cannot be rewritten; write #pragma");
       return;
     }
-    std::vector<PragmaToken> tokens;
+    PragmaWords words;
     for (Token const &one : lexed) {
-      bool const is_name = one.getIdentifierInfo() != nullptr;
-      tokens.push_back({preprocessor.getSpelling(one), is_name, one.hasLeadingSpace() || one.isAtStartOfLine()});
+      IdentifierInfo const *name = one.getIdentifierInfo();
+      words.tokens.push_back(
+          {preprocessor.getSpelling(one), name != nullptr, one.hasLeadingSpace() || one.isAtStartOfLine()});
+      words.places.push_back(map_.place(one.getLocation()));
+      words.names.push_back(one.is(tok::identifier) && !name->hasMacroDefinition());
     }
+    std::vector<PragmaToken> const &tokens = words.tokens;
     SourceLocation const end = lexed.empty() ? token.getLocation() : lexed.back().getEndLoc();
     std::optional<Span> const span = map_.characters(introducer.Loc, end);
     if (!span) {
@@ -37,7 +41,7 @@ public:
       return;
     }
     if (!tokens.empty() && tokens[0].text == "external") {
-      record_external(tokens, lexed, *span, introducer.Loc, end);
+      record_external(words, *span, introducer.Loc, end);
       return;
     }
     auto const parsed = parse_pragma(tokens);
@@ -47,7 +51,7 @@ public:
       return;
     }
     auto const &pragma = std::get<Pragma>(parsed);
-    record(pragma, tokens, lexed, *span, introducer.Loc);
+    record(pragma, words, *span, introducer.Loc);
     PragmaFact const &fact = facts_.pragmas[*span];
     if (!pragma.is_function && (fact.clause("decisions") || fact.clause("loop")))
       index_.statement_pragmas[*span] = introducer.Loc;
@@ -62,23 +66,21 @@ private:
     facts_.diagnostics.push_back({id, Severity::error, map_.place(location), std::move(message)});
   }
 
-  void record_external(std::vector<PragmaToken> const &tokens, std::vector<Token> const &lexed, Span const &span,
-                       SourceLocation start, SourceLocation end) {
+  void record_external(PragmaWords const &words, Span const &span, SourceLocation start, SourceLocation end) {
     PragmaFact &fact = facts_.pragmas[span];
     std::string const written = map_.text(span, start);
     fact.span = span;
     fact.continued_lines = static_cast<std::size_t>(std::count(written.begin(), written.end(), '\n'));
-    std::vector<SourceLocation> locations;
-    for (Token const &token : lexed) locations.push_back(token.getLocation());
-    auto parsed = parse_external(tokens, locations);
+    auto parsed = parse_external(words.tokens, words.places);
     if (auto const *error = std::get_if<PragmaError>(&parsed))
-      report(error->id, error->token < lexed.size() ? lexed[error->token].getLocation() : end, error->message);
+      facts_.diagnostics.push_back({error->id, Severity::error,
+                                    error->token < words.places.size() ? words.places[error->token] : map_.place(end),
+                                    error->message});
     else
       index_.externals.push_back(std::get<ExternalPragma>(std::move(parsed)));
   }
 
-  void record(Pragma const &pragma, std::vector<PragmaToken> const &tokens, std::vector<Token> const &lexed,
-              Span const &span, SourceLocation start) {
+  void record(Pragma const &pragma, PragmaWords const &words, Span const &span, SourceLocation start) {
     PragmaFact fact;
     fact.span = span;
     fact.place = map_.place(start);
@@ -86,48 +88,9 @@ private:
     fact.display_file = fact.place.file;
     std::string const written = map_.text(span, start);
     fact.continued_lines = static_cast<std::size_t>(std::count(written.begin(), written.end(), '\n'));
-    for (PragmaClause const &clause : pragma.clauses) {
-      ClauseFact &clause_fact = fact.clauses.emplace_back();
-      clause_fact.name = tokens[clause.name].text;
-      clause_fact.place = map_.place(lexed[clause.name].getLocation());
-      clause_fact.argument = text_of(tokens, clause.arguments);
-      for (PragmaItem const &item : clause.items) {
-        clause_fact.items.push_back(item_fact(tokens, item));
-        clause_fact.items.back().place = map_.place(lexed[item.tokens.begin].getLocation());
-        if (pragma.is_function && clause_fact.name != "call" && is_looked_up(clause, lexed))
-          collect_names(tokens, lexed, item, {span, fact.clauses.size() - 1, clause_fact.items.size() - 1});
-      }
-    }
+    add_clauses(fact, pragma, words, span, index_.function_names);
     auto const [at, is_new] = facts_.pragmas.try_emplace(span, std::move(fact));
     (void)at, (void)is_new; // a header's pragma was met through another source before
-  }
-
-  static ItemFact item_fact(std::vector<PragmaToken> const &tokens, PragmaItem const &item) {
-    ItemFact fact;
-    fact.label = text_of(tokens, item.tokens);
-    fact.expression = element_text(tokens, item);
-    fact.base = base_text(tokens, item);
-    for (PragmaSection const &section : item.sections)
-      fact.sections.push_back(
-          {section.low.empty() ? "0" : text_of(tokens, section.low), text_of(tokens, section.length)});
-    fact.is_return = fact.label == "return";
-    std::size_t const next = item.tokens.begin + 1;
-    bool const name_first = tokens[item.tokens.begin].is_name && !fact.is_return;
-    fact.section_on_base = name_first && !item.sections.empty() && item.sections[0].brackets.begin == next;
-    fact.base_is_name = name_first && (next == item.tokens.end || fact.section_on_base);
-    return fact;
-  }
-
-  // Every name that is looked up by itself: not after `.`, `->` or `::`, and not before `::`.
-  void collect_names(std::vector<PragmaToken> const &tokens, std::vector<Token> const &lexed, PragmaItem const &item,
-                     ItemKey const &key) {
-    for (std::size_t i = item.tokens.begin; i < item.tokens.end; ++i) {
-      Token const &token = lexed[i];
-      if (token.isNot(tok::identifier) || token.getIdentifierInfo()->hasMacroDefinition()) continue;
-      if (i > 0 && lexed[i - 1].isOneOf(tok::period, tok::arrow, tok::coloncolon)) continue;
-      if (i + 1 < lexed.size() && lexed[i + 1].is(tok::coloncolon)) continue;
-      index_.function_names.push_back({tokens[i].text, token.getLocation(), key, i == item.tokens.begin});
-    }
   }
 
   void inject(Preprocessor &preprocessor, Pragma const &pragma, std::vector<Token> const &lexed, Span const &span) {
@@ -162,10 +125,9 @@ private:
                                   /*DisableMacroExpansion=*/false, /*IsReinject=*/false);
   }
 
-  // The arguments of decisions(...) and loop(...) are words of ours.
   static bool is_looked_up(PragmaClause const &clause, std::vector<Token> const &lexed) {
     IdentifierInfo const *name = lexed[clause.name].getIdentifierInfo();
-    return !name || (!name->isStr("decisions") && !name->isStr("loop"));
+    return !name || !has_words(name->getName());
   }
 
   static void append(std::vector<Token> &stream, std::vector<Token> const &lexed, TokenRange range) {

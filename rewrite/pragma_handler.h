@@ -28,12 +28,13 @@ struct ExternalPragma {
   struct Item {
     std::string name;
     std::vector<std::string> lengths; // of its sections
-    clang::SourceLocation location;
+    Place place;
   };
   std::string function;
-  clang::SourceLocation name_location;
+  Place name_place;
   bool pure = false;
   std::vector<Item> inputs, outputs;
+  std::optional<std::size_t> configured = {}; // it stands in no file: which of the request's externals it is
 };
 
 struct PragmaIndex {
@@ -42,7 +43,7 @@ struct PragmaIndex {
   // Of a function pragma: the names that its items look up, each at its token's place.
   struct Name {
     std::string text;
-    clang::SourceLocation location;
+    Place place;
     ItemKey item;
     bool is_base; // the first name of the item
   };
@@ -51,6 +52,21 @@ struct PragmaIndex {
   std::map<Span, clang::SourceLocation> statement_pragmas; // decisions(...) and loop(...)
   std::vector<ExternalPragma> externals;
 };
+
+// The tokens of a directive, each with its place and whether it is a name that is looked up, no keyword or macro.
+struct PragmaWords {
+  std::vector<PragmaToken> tokens;
+  std::vector<Place> places;
+  std::vector<bool> names;
+};
+
+// Adds the clauses of a parsed directive to its fact, which is known by `span`; of a function pragma also the names
+// that must be looked up.
+void add_clauses(PragmaFact &fact, Pragma const &pragma, PragmaWords const &words, Span const &span,
+                 std::vector<PragmaIndex::Name> &names);
+
+// Are the arguments of this clause words of ours, rather than expressions?
+bool has_words(llvm::StringRef clause);
 
 std::unique_ptr<clang::PragmaHandler> make_pragma_handler(SourceMap const &map, Facts &facts, PragmaIndex &index);
 

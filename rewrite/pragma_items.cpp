@@ -119,16 +119,15 @@ private:
 
 class Attacher {
 public:
-  Attacher(SourceMap const &map, Reals const &reals, IntegerState const &integers, PragmaIndex const &index,
-           Facts &facts)
+  Attacher(SourceMap const &map, Reals const &reals, IntegerState const &integers,
+           std::vector<PragmaIndex::Name> const &names, Facts &facts)
       : map_(map),
         reals_(reals),
         integers_(integers),
-        index_(index),
+        names_(names),
         facts_(facts) {}
 
   void attach(Span const &span, SourceLocation start, std::vector<FunctionDecl const *> const &definitions) {
-    PragmaFact &pragma = facts_.pragmas[span];
     FileID const file = map_.sources().getFileID(start);
     FunctionDecl const *next = nullptr;
     unsigned next_offset = 0;
@@ -141,12 +140,18 @@ public:
       report(DiagnosticId::pragma_unattached, start, "no function definition follows this pragma");
       return;
     }
-    note_function(pragma, next, text, next_offset);
-    look_up_names(span, next);
-    if (next->getReturnType()->isVoidType())
+    attach_to(span, next);
+  }
+
+  void attach_to(Span const &span, FunctionDecl const *function) {
+    PragmaFact &pragma = facts_.pragmas[span];
+    note_function(pragma, function);
+    if (pragma.function.empty()) return;
+    look_up_names(span, function);
+    if (function->getReturnType()->isVoidType())
       refuse_returned(pragma);
     else
-      wrap_returns(pragma, next);
+      wrap_returns(pragma, function);
   }
 
 private:
@@ -154,7 +159,9 @@ private:
     facts_.diagnostics.push_back({id, Severity::error, map_.place(location), std::move(message)});
   }
 
-  void note_function(PragmaFact &pragma, FunctionDecl const *function, std::string const &text, unsigned begin) {
+  void note_function(PragmaFact &pragma, FunctionDecl const *function) {
+    auto const [file, begin] = map_.sources().getDecomposedExpansionLoc(function->getBeginLoc());
+    llvm::StringRef const text = map_.sources().getBufferData(file);
     Stmt const *body = function->getBody();
     if (auto const *attempt = dyn_cast<CXXTryStmt>(body)) body = attempt->getTryBlock();
     std::optional<Span> const brace = map_.token(body->getBeginLoc());
@@ -169,7 +176,7 @@ private:
         if (initializer->isWritten())
           end = std::min(
               end, map_.sources().getFileOffset(map_.sources().getExpansionLoc(initializer->getSourceLocation())));
-    fact.signature = normalised(text.substr(begin, end - begin));
+    fact.signature = normalised(text.substr(begin, end - begin).str());
     fact.returns_value = !function->getReturnType()->isVoidType();
     for (ParmVarDecl const *parameter : function->parameters())
       if (parameter->getIdentifier() && (reals_.carries_real(parameter->getType()) ||
@@ -180,15 +187,15 @@ private:
 
   void look_up_names(Span const &span, FunctionDecl const *function) {
     PragmaFact &pragma = facts_.pragmas[span];
-    for (PragmaIndex::Name const &name : index_.function_names) {
+    for (PragmaIndex::Name const &name : names_) {
       if (name.item.pragma != span) continue;
       ItemFact &item = pragma.clauses[name.item.clause].items[name.item.item];
       ValueDecl const *declaration = look_up(name.text, function);
       if (!declaration) {
         std::string const where = "'" + name.text + "' is neither a parameter of '" + function->getNameAsString() +
                                   "' nor declared before it";
-        report(DiagnosticId::pragma_undeclared_name, name.location, where);
-        item.seen = true;
+        facts_.diagnostics.push_back({DiagnosticId::pragma_undeclared_name, Severity::error, name.place, where});
+        item.seen = item.carries_real = true; // one error is enough
         continue;
       }
       // Outputs are read when the function returns, so what says where they are must still say so then.
@@ -256,7 +263,7 @@ private:
   SourceMap const &map_;
   Reals const &reals_;
   IntegerState const &integers_;
-  PragmaIndex const &index_;
+  std::vector<PragmaIndex::Name> const &names_;
   Facts &facts_;
 };
 
@@ -283,9 +290,14 @@ void note_item(Stmt const *statement, Reals const &reals, IntegerState const &in
 
 void attach_function_pragmas(std::vector<FunctionDecl const *> const &definitions, SourceMap const &map,
                              Reals const &reals, IntegerState const &integers, PragmaIndex const &index, Facts &facts) {
-  Attacher attacher(map, reals, integers, index, facts);
+  Attacher attacher(map, reals, integers, index.function_names, facts);
   for (auto const &[span, start] : index.function_pragmas)
     if (facts.pragmas[span].function.empty()) attacher.attach(span, start, definitions);
+}
+
+void attach_pragma(Span const &span, FunctionDecl const *definition, std::vector<PragmaIndex::Name> const &names,
+                   SourceMap const &map, Reals const &reals, IntegerState const &integers, Facts &facts) {
+  Attacher(map, reals, integers, names, facts).attach_to(span, definition);
 }
 
 } // namespace symreal::rewrite

@@ -21,4 +21,8 @@ void note_item(clang::Stmt const *statement, Reals const &reals, IntegerState co
 void attach_function_pragmas(std::vector<clang::FunctionDecl const *> const &definitions, SourceMap const &map,
                              Reals const &reals, IntegerState const &integers, PragmaIndex const &index, Facts &facts);
 
+// The same for one function pragma and the definition that it is about; `names` are those that its items look up.
+void attach_pragma(Span const &span, clang::FunctionDecl const *definition, std::vector<PragmaIndex::Name> const &names,
+                   SourceMap const &map, Reals const &reals, IntegerState const &integers, Facts &facts);
+
 } // namespace symreal::rewrite

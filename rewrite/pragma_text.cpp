@@ -47,9 +47,9 @@ std::string clause_text(PragmaFact const &pragma, ClauseFact const &clause) {
     return "SYMREAL_GENERATE(" + clause.argument + ", " + quoted(clause.place.file) + ", " +
            std::to_string(clause.place.line) + ", " + std::to_string(clause.place.column) + ") ";
   if (clause.name == "decisions")
-    return (pragma.is_function ? "SYMREAL_DECISIONS(" : "REAL_DECISIONS(") + clause.argument + ") ";
+    return (pragma.is_function ? "SYMREAL_DECISIONS(" : "SYMREAL_REAL_DECISIONS(") + clause.argument + ") ";
   if (clause.name == "loop") // the loop it names has its own text; a refused one is an error
-    return (pragma.tests_late ? "REAL_LATE_LOOP(" : "REAL_LOOP(") + clause.argument + ", " +
+    return (pragma.tests_late ? "SYMREAL_REAL_LATE_LOOP(" : "SYMREAL_REAL_LOOP(") + clause.argument + ", " +
            pragma.loop_targets.value_or("") + ") ";
   if (clause.name == "range") return "SYMREAL_RANGE(" + with_real(clause.argument) + ") ";
   std::string text;
@@ -129,7 +129,7 @@ std::string with_real(std::string const &source) {
     std::size_t end = i;
     while (end < source.size() && is_word(source[end])) ++end;
     std::string const word = source.substr(i, end - i);
-    text += word == "double" && previous != "long" ? "REAL" : word;
+    text += word == "double" && previous != "long" ? reserved_type_name : word;
     previous = word;
     i = end;
   }

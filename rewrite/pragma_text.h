@@ -20,7 +20,7 @@ std::string normalised(std::string const &source);
 // comments, other directives, template and linkage headers?
 bool only_declaration_start(std::string const &source);
 
-// `double` as a whole word becomes REAL, unless it is a long double.
+// `double` as a whole word becomes REAL (in its long form, see type_name.h), unless it is a long double.
 std::string with_real(std::string const &source);
 
 // The annotations of a region pragma, on one line.

@@ -146,7 +146,7 @@ void DecisionRecorder::choose_statement(IfStmt const *choice) {
     if (returns.blocker) return refuse(*at, *returns.blocker);
     needs = returns.brace;
   }
-  std::string head = arms.returns ? "REAL_RETURN_IF(" : "REAL_IF(";
+  std::string head = arms.returns ? "SYMREAL_REAL_RETURN_IF(" : "SYMREAL_REAL_IF(";
   for (std::string const &target : arms.targets) head += "(" + target + ")";
   std::optional<Alteration> const opening =
       replacing(at->frame, {choice->getIfLoc(), choice->getLParenLoc()}, head + ", ");
@@ -211,17 +211,17 @@ void DecisionRecorder::choose_value(ConditionalOperator const *choice) {
     return refuse(*at, {choice->getQuestionLoc(), "an assignment to '" + arms.targets[0] + "' within '?:'"});
   std::optional<Span> const whole = map_.range_in(at->frame, choice->getSourceRange());
   std::optional<Alteration> const question =
-      replacing(at->frame, {choice->getQuestionLoc(), choice->getQuestionLoc()}, "REAL_THEN");
+      replacing(at->frame, {choice->getQuestionLoc(), choice->getQuestionLoc()}, "SYMREAL_REAL_THEN");
   std::optional<Alteration> const colon =
-      replacing(at->frame, {choice->getColonLoc(), choice->getColonLoc()}, "REAL_ELSE");
+      replacing(at->frame, {choice->getColonLoc(), choice->getColonLoc()}, "SYMREAL_REAL_ELSE");
   if (!whole || !question || !colon || whole->begin > span->begin || span->end > question->span.begin ||
       question->span.end > colon->span.begin || colon->span.end >= whole->end)
     return refuse(*at, {choice->getQuestionLoc(), "a '?:' that a macro spells in part"});
   std::vector<Alteration> alterations = condition.joints;
-  alterations.push_back({*span, "REAL_COND(", ")"});
+  alterations.push_back({*span, "SYMREAL_REAL_COND(", ")"});
   alterations.push_back(*question);
   alterations.push_back(*colon);
-  alterations.push_back({*whole, "", " REAL_END", false, true});
+  alterations.push_back({*whole, "", " SYMREAL_REAL_END", false, true});
   accept(*at, std::move(alterations));
 }
 

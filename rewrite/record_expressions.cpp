@@ -47,7 +47,7 @@ void Recorder::implicit_cast(ImplicitCastExpr const *cast, bool decides) {
     if (to->isSpecificBuiltinType(BuiltinType::LongDouble))
       report(DiagnosticId::long_double, from->getBeginLoc(), "a REAL is converted to long double");
     else if (reals_.keeps_integer(cast))
-      wrap(from, Use::conversion, "REAL_INT(" + spelled(to, map_.language()) + ")");
+      wrap(from, Use::conversion, "SYMREAL_REAL_INT(" + spelled(to, map_.language()) + ")");
     else
       wrap(from, Use::conversion, spelled(to, map_.language()));
     return;

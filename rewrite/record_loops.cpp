@@ -175,7 +175,7 @@ void DecisionRecorder::bound_loop(PragmaFact &pragma, Stmt const *loop, Compound
     if (!exit.is_real) continue;
     if (exit.blocker) return wrong("the exit's condition has " + exit.blocker->reason, exit.blocker->location);
     std::optional<Alteration> const opening =
-        replacing(at.frame, {choice->getIfLoc(), choice->getLParenLoc()}, "REAL_BREAK(");
+        replacing(at.frame, {choice->getIfLoc(), choice->getLParenLoc()}, "SYMREAL_REAL_BREAK(");
     if (!opening) return wrong("an exit of the loop is spelled by a macro in part", choice->getIfLoc());
     alterations.insert(alterations.end(), exit.joints.begin(), exit.joints.end());
     alterations.push_back(*opening);
@@ -194,9 +194,9 @@ void DecisionRecorder::bound_loop(PragmaFact &pragma, Stmt const *loop, Compound
       part.condition ? map_.range_in(at.frame, part.condition->getSourceRange()) : empty_condition(cast<ForStmt>(loop));
   if (!span) return wrong("the loop's condition is spelled by a macro in part");
   if (part.condition)
-    alterations.push_back({*span, "REAL_TEST(", ")"});
+    alterations.push_back({*span, "SYMREAL_REAL_TEST(", ")"});
   else
-    alterations.push_back({*span, "REAL_TEST()", ""});
+    alterations.push_back({*span, "SYMREAL_REAL_TEST()", ""});
   std::string targets;
   for (std::string const &target : arms.targets) targets += "(" + target + ")";
   if (pragma.loop_targets && *pragma.loop_targets != targets)

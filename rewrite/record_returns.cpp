@@ -34,7 +34,8 @@ std::optional<Blocker> DecisionRecorder::collect_returns(std::vector<Alteration>
     Expr const *value = one->getRetValue();
     if (map_.frame(one->getReturnLoc()) != frame) return Blocker{one->getReturnLoc(), "a 'return' that a macro makes"};
     std::optional<Span> const span = map_.range_in(frame, value->getSourceRange());
-    std::optional<Alteration> word = replacing(frame, {one->getReturnLoc(), one->getReturnLoc()}, "REAL_RETURN(");
+    std::optional<Alteration> word =
+        replacing(frame, {one->getReturnLoc(), one->getReturnLoc()}, "SYMREAL_REAL_RETURN(");
     if (!span || !word || isa<InitListExpr>(value->IgnoreImplicit()))
       return Blocker{one->getReturnLoc(), "a 'return' whose value a macro spells in part"};
     if (map_.text_in(frame, {word->span.file, word->span.end, span->begin}) == " ") word->span.end = span->begin;

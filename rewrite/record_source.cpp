@@ -1,5 +1,6 @@
 #include "rewrite/record_source.h"
 
+#include "rewrite/configured.h"
 #include "rewrite/merge.h"
 #include "rewrite/pragma_handler.h"
 #include "rewrite/quoted_arguments.h"
@@ -21,53 +22,77 @@ struct CompilerError {
   std::string message;
   Place place;
   std::optional<Span> token;
+  std::vector<Note> notes; // macros and instantiations that led there, what else the compiler says to it
 };
 
 class ErrorCollector : public DiagnosticConsumer {
 public:
-  ErrorCollector(std::vector<std::string> const &roots, std::vector<CompilerError> &errors)
-      : roots_(roots),
-        errors_(errors) {}
+  ErrorCollector(Scope const &scope, std::vector<CompilerError> &errors) : scope_(scope), errors_(errors) {}
 
   void BeginSourceFile(LangOptions const &language, Preprocessor const *) override { language_ = language; }
   void HandleDiagnostic(DiagnosticsEngine::Level level, clang::Diagnostic const &info) override {
     DiagnosticConsumer::HandleDiagnostic(level, info);
-    if (level < DiagnosticsEngine::Error) return;
-    llvm::SmallString<256> message;
-    info.FormatDiagnostic(message);
-    CompilerError error{message.str().str(), {}, {}};
+    if (level == DiagnosticsEngine::Note && follows_error_) return note(info);
+    follows_error_ = level >= DiagnosticsEngine::Error;
+    if (!follows_error_) return;
+    CompilerError error{text(info), {}, {}, {}};
     if (info.hasSourceManager() && info.getLocation().isValid()) {
-      SourceMap const map(info.getSourceManager(), language_, roots_);
+      SourceMap const map(info.getSourceManager(), language_, scope_);
       error.place = map.place(info.getLocation());
       error.token = map.token(info.getLocation());
+      error.notes = map.expansions(info.getLocation());
     }
     errors_.push_back(std::move(error));
   }
 
 private:
-  std::vector<std::string> const &roots_;
+  static std::string text(clang::Diagnostic const &info) {
+    llvm::SmallString<256> message;
+    info.FormatDiagnostic(message);
+    return message.str().str();
+  }
+
+  void note(clang::Diagnostic const &info) {
+    constexpr std::size_t most = 5;
+    std::vector<Note> &notes = errors_.back().notes;
+    if (notes.size() >= most || !info.hasSourceManager() || info.getLocation().isInvalid()) return;
+    notes.push_back({SourceMap(info.getSourceManager(), language_, scope_).place(info.getLocation()), text(info)});
+  }
+
+  bool follows_error_ = false;
+  Scope const &scope_;
   std::vector<CompilerError> &errors_;
   LangOptions language_;
 };
 
+// What the readings of one source have in common.
+struct Settings {
+  Scope const &scope;
+  Request const &request;
+  bool ask_compiler;     // about the items of pragmas
+  std::string type_name; // that must be free, if any
+};
+
 class Consumer : public ASTConsumer {
 public:
-  Consumer(CompilerInstance &compiler, std::vector<std::string> const &roots, bool ask_compiler, Facts &facts)
+  Consumer(CompilerInstance &compiler, Settings const &settings, Facts &facts)
       : compiler_(compiler),
-        map_(compiler.getSourceManager(), compiler.getLangOpts(), roots),
+        map_(compiler.getSourceManager(), compiler.getLangOpts(), settings.scope),
+        settings_(settings),
         facts_(facts) {
-    index_.ask_compiler = ask_compiler;
+    index_.ask_compiler = settings.ask_compiler;
     Preprocessor &preprocessor = compiler.getPreprocessor();
     preprocessor.AddPragmaHandler(make_pragma_handler(map_, facts_, index_).release()); // owned there from now on
     preprocessor.addPPCallbacks(make_quoted_argument_recorder(map_, facts_, expansions_));
     preprocessor.addPPCallbacks(make_skipped_text_recorder(map_, facts_));
-    watch_tokens(preprocessor, map_, facts_, expansions_);
+    watch_tokens(preprocessor, map_, settings.type_name, facts_, expansions_);
   }
 
   void HandleTranslationUnit(ASTContext &context) override {
     map_.record_files(facts_);
     if (compiler_.getDiagnostics().hasErrorOccurred()) return;
-    record_tree(context, map_, index_, facts_);
+    index_configured_externals(settings_.request, context, index_, facts_);
+    record_tree(context, map_, index_, settings_.request, facts_);
     expansions_.record(facts_);
     record_include_directories();
   }
@@ -77,7 +102,9 @@ private:
     HeaderSearch const &search = compiler_.getPreprocessor().getHeaderSearchInfo();
     for (auto at = search.search_dir_begin(); at != search.search_dir_end(); ++at) {
       if (!at->isNormalDir()) continue;
-      std::string const name = at->getName().str();
+      llvm::SmallString<256> absolute(at->getName());
+      compiler_.getFileManager().getVirtualFileSystem().makeAbsolute(absolute);
+      std::string const name = absolute.str().str();
       std::vector<std::string> &known = facts_.include_dirs;
       if (std::find(known.begin(), known.end(), name) == known.end()) known.push_back(name);
     }
@@ -86,23 +113,20 @@ private:
   CompilerInstance &compiler_;
   SourceMap map_;
   ExpansionText expansions_{map_};
+  Settings const &settings_;
   PragmaIndex index_;
   Facts &facts_;
 };
 
 class Action : public ASTFrontendAction {
 public:
-  Action(std::vector<std::string> const &roots, bool ask_compiler, Facts &facts)
-      : roots_(roots),
-        ask_compiler_(ask_compiler),
-        facts_(facts) {}
+  Action(Settings const &settings, Facts &facts) : settings_(settings), facts_(facts) {}
   std::unique_ptr<ASTConsumer> CreateASTConsumer(CompilerInstance &compiler, llvm::StringRef) override {
-    return std::make_unique<Consumer>(compiler, roots_, ask_compiler_, facts_);
+    return std::make_unique<Consumer>(compiler, settings_, facts_);
   }
 
 private:
-  std::vector<std::string> const &roots_;
-  bool ask_compiler_;
+  Settings const &settings_;
   Facts &facts_;
 };
 
@@ -131,10 +155,10 @@ std::vector<std::string> command_line(Compilation const &compilation) {
   return words;
 }
 
-void add(Facts &facts, DiagnosticId id, Place const &place, std::string message) {
+void add(Facts &facts, DiagnosticId id, Place const &place, std::string message, std::vector<Note> notes = {}) {
   for (symreal::Diagnostic const &known : facts.diagnostics)
     if (known.id == id && to_string(known.place) == to_string(place)) return;
-  facts.diagnostics.push_back({id, Severity::error, place, std::move(message)});
+  facts.diagnostics.push_back({id, Severity::error, place, std::move(message), std::move(notes)});
 }
 
 // The errors that stand at a token of a pragma.
@@ -180,50 +204,57 @@ struct Parsed {
   std::vector<CompilerError> errors;
 };
 
-Parsed parse(Compilation compilation, FileSystem const &disk, std::vector<std::string> const &roots,
-             bool ask_compiler) {
+Parsed parse(Compilation compilation, FileSystem const &disk, Settings const &settings) {
   while (true) {
     Parsed parsed;
-    ErrorCollector collector(roots, parsed.errors);
+    ErrorCollector collector(settings.scope, parsed.errors);
     IntrusiveRefCntPtr<FileManager> const files(new FileManager(FileSystemOptions(), disk));
-    tooling::ToolInvocation invocation(command_line(compilation),
-                                       std::make_unique<Action>(roots, ask_compiler, parsed.facts), files.get());
+    tooling::ToolInvocation invocation(command_line(compilation), std::make_unique<Action>(settings, parsed.facts),
+                                       files.get());
     invocation.setDiagnosticConsumer(&collector);
     bool const done = invocation.run();
     if (leave_out_options(parsed.errors, compilation.flags)) continue;
     if (!done && parsed.errors.empty())
-      parsed.errors.push_back({"the source cannot be parsed", {compilation.source}, {}});
+      parsed.errors.push_back({"the source cannot be parsed", {compilation.source}, {}, {}});
     return parsed;
   }
 }
 
-bool names_real(std::vector<CompilerError> const &errors) {
-  return std::any_of(errors.begin(), errors.end(), [](CompilerError const &error) {
-    return error.message.find("'REAL") != std::string::npos || error.message.find("'SYMREAL_") != std::string::npos;
+bool names_real(std::vector<CompilerError> const &errors, std::string const &type_name) {
+  return std::any_of(errors.begin(), errors.end(), [&](CompilerError const &error) {
+    return error.message.find("'REAL") != std::string::npos || error.message.find("'SYMREAL_") != std::string::npos ||
+           (!type_name.empty() && error.message.find("'" + type_name + "'") != std::string::npos);
   });
 }
 
 } // namespace
 
-Facts record_source(Compilation const &compilation, std::vector<std::string> const &roots) {
+Facts record_source(Compilation const &compilation, Scope const &scope, Request const &request) {
   // A file system with a directory of its own: several sources may be read at once.
   FileSystem const disk(llvm::vfs::createPhysicalFileSystem().release());
   if (!compilation.directory.empty() && disk->setCurrentWorkingDirectory(compilation.directory))
     fail(DiagnosticId::compile_commands, {}, "the directory '" + compilation.directory + "' does not exist");
   if (!disk->exists(compilation.source))
     fail(DiagnosticId::unreadable_file, {}, "'" + compilation.source + "' cannot be read");
-  auto [facts, errors] = parse(compilation, disk, roots, true);
-  if (names_real(errors)) {
+  Settings settings{scope, request, true, request.type_name};
+  auto [facts, errors] = parse(compilation, disk, settings);
+  if (names_real(errors, request.type_name)) {
     // Rewritten before: with the header that says what REAL is it compiles as it did.
-    Compilation rewritten = compilation;
-    rewritten.flags.insert(rewritten.flags.end(), {"-include", "symreal/real.h"});
-    if (Parsed again = parse(rewritten, disk, roots, true); again.errors.empty()) return std::move(again.facts);
+    settings.type_name.clear();
+    for (std::string const &name : {std::string(usual_type_name), request.type_name, std::string(reserved_type_name)}) {
+      if (name.empty()) continue;
+      Compilation rewritten = compilation;
+      for (std::string const &flag : type_name_flags(name)) rewritten.flags.push_back(flag);
+      if (Parsed again = parse(rewritten, disk, settings); again.errors.empty()) return std::move(again.facts);
+    }
   }
   if (errors.empty()) return std::move(facts);
   facts.broken = true;
   // Are the errors the source's own, or do they come from what its pragmas put in?
-  std::vector<CompilerError> const own = facts.pragmas.empty() ? errors : parse(compilation, disk, roots, false).errors;
-  for (CompilerError const &error : own) add(facts, DiagnosticId::source_error, error.place, error.message);
+  Settings const bare{scope, request, false, request.type_name};
+  std::vector<CompilerError> const own = facts.pragmas.empty() ? errors : parse(compilation, disk, bare).errors;
+  for (CompilerError const &error : own)
+    add(facts, DiagnosticId::source_error, error.place, error.message, error.notes);
   if (own.empty()) report_pragma_errors(errors, facts);
   return std::move(facts);
 }

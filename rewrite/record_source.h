@@ -5,8 +5,10 @@
 
 namespace symreal::rewrite {
 
+struct Scope;
+
 // Facts::broken says that it does not compile. Throws DiagnosticError where it cannot be read. Several may be read at
 // once, in threads.
-Facts record_source(Compilation const &compilation, std::vector<std::string> const &roots);
+Facts record_source(Compilation const &compilation, Scope const &scope, Request const &request);
 
 } // namespace symreal::rewrite

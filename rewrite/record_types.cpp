@@ -5,7 +5,7 @@ namespace symreal::rewrite {
 using namespace clang;
 
 void Recorder::report(DiagnosticId id, SourceLocation location, std::string message, Severity severity) {
-  Diagnostic diagnostic{id, severity, map_.place(location), std::move(message)};
+  Diagnostic diagnostic{id, severity, map_.place(location), std::move(message), map_.expansions(location)};
   for (Diagnostic const &known : facts_.diagnostics)
     if (known.id == id && to_string(known.place) == to_string(diagnostic.place) && known.message == diagnostic.message)
       return;
@@ -22,14 +22,15 @@ void Recorder::builtin_type(BuiltinTypeLoc type, Passive passive) {
   std::optional<Span> const span = map_.token(location);
   if (!span) {
     // In a symbolic main written by hand the type is REAL already.
-    if (location.isMacroID() && Lexer::getImmediateMacroName(location, map_.sources(), map_.language()) == "REAL")
+    if (location.isMacroID() &&
+        Lexer::getImmediateMacroName(location, map_.sources(), map_.language()) == reserved_type_name)
       return;
     report(DiagnosticId::double_from_macro, location, "this `double` is spelled by a macro that cannot be edited");
     return;
   }
   std::string const text = map_.text(*span, location);
   if (text == "double")
-    facts_.types.insert({*span, passive ? "" : "REAL", passive});
+    facts_.types.insert({*span, passive ? "" : reserved_type_name, passive});
   else
     report(DiagnosticId::unaccounted_double, location, "a double spelled as '" + text + "'");
 }
@@ -54,7 +55,8 @@ std::string one_argument_template(TypedefNameDecl const *declaration) {
   DeclContext const *scope = declaration->getDeclContext();
   for (NamedDecl const *found : scope->lookup(&declaration->getASTContext().Idents.get(stem)))
     if (auto const *pattern = dyn_cast<TemplateDecl>(found))
-      if (pattern->getTemplateParameters()->getMinRequiredArguments() == 1) return stem.str() + "<REAL>";
+      if (pattern->getTemplateParameters()->getMinRequiredArguments() == 1)
+        return (stem + "<" + reserved_type_name + ">").str();
   return {};
 }
 
@@ -72,7 +74,7 @@ void Recorder::typedef_name(TypedefNameDecl const *declaration, SourceLocation n
   }
   if (Reals::is_double(type)) {
     if (!qualified)
-      facts_.types.insert({*span, "REAL"});
+      facts_.types.insert({*span, reserved_type_name});
     else
       report(DiagnosticId::unconvertible_type, name, "'" + declaration->getQualifiedNameAsString() + "' is a double");
     return;

@@ -47,6 +47,10 @@ public:
   void deduced_elements(clang::Expr const *initializer);
   void c_declaration(clang::NamedDecl const *declaration);
 
+  // What has no counterpart (record_refused.cpp).
+  void assembly(clang::GCCAsmStmt const *assembly);
+  void designators(clang::InitListExpr const *list);
+
   // What depends on values, for the report of a scan (record_dependence.cpp).
   void to_integer(clang::CastExpr const *cast);
   void comparison(clang::BinaryOperator const *comparison);

@@ -27,6 +27,42 @@ struct Compilation {
 // response files are read. Throws compile_commands.
 std::vector<Compilation> read_compile_commands(std::string const &directory, std::vector<std::string> const &sources);
 
+// Files that are left as they are although they lie below a root. A pattern is a path below `directory`, in which `*`
+// stands for anything but a slash and `**` for any directories; without a slash it is a name at any depth. What matches
+// a directory excludes all that is below.
+struct Exclusion {
+  std::string directory; // a real path
+  std::vector<std::string> patterns;
+  bool matches(std::string const &real_path) const;
+};
+
+// What a project's configuration says instead of a pragma in the source, and where it says so.
+struct ConfiguredText {
+  std::string text;
+  Place place;
+};
+struct ConfiguredClause {
+  ConfiguredText name;
+  std::vector<ConfiguredText> items;
+};
+// As if `#pragma symreal function` with these clauses stood before the function's definition.
+struct ConfiguredKernel {
+  ConfiguredText function; // its qualified name, with the types of its parameters where several have that name
+  std::string file = {};   // the real path of the file that defines it; empty: any
+  std::vector<ConfiguredClause> clauses = {};
+};
+// As if `#pragma symreal external` stood in each source that sees a declaration of the function.
+struct ConfiguredExternal {
+  ConfiguredText function;
+  bool pure = false;
+  std::vector<ConfiguredClause> clauses = {};
+};
+
+// How the rewritten sources spell the number, if the request does not say: `usual_type_name`, or, where the sources use
+// that for something else, `reserved_type_name`.
+inline constexpr char const *usual_type_name = "REAL";
+inline constexpr char const *reserved_type_name = "SYMREAL_REAL";
+
 struct Request {
   std::vector<std::string> sources;           // as the user named them; a name ending in .c is parsed as C
   std::vector<std::string> roots;             // what may be rewritten besides the directories of the sources
@@ -34,7 +70,17 @@ struct Request {
   bool leave_out_broken = false;              // go on without the sources that do not compile
   std::vector<Compilation> compilations = {}; // if any, instead of sources and flags
   unsigned jobs = 0;                          // sources that are read at once, 0: one; the result does not depend on it
+  Exclusion exclude = {};
+  std::string type_name = {}; // how the number is spelled; empty: see above
+  std::vector<ConfiguredKernel> kernels = {};
+  std::vector<ConfiguredExternal> externals = {};
 };
+
+// The request's compilations, or its sources with its flags.
+std::vector<Compilation> compilations_of(Request const &request);
+
+// The real path of a compilation's source.
+std::string real_source(Compilation const &compilation);
 
 // A replacement on the original bytes of a file. Its length is never zero: an insertion takes the neighbouring
 // character with it, so that an edit says where it belongs even when two sources ask for it.
@@ -139,7 +185,8 @@ struct IntegerConversion {
 };
 
 struct Result {
-  std::vector<File> files; // sorted by path; empty when a source does not compile
+  std::vector<File> files;                 // sorted by path; empty when a source does not compile
+  std::string type_name = usual_type_name; // how they spell the number
   std::vector<Kernel> kernels;
   std::vector<std::string> include_dirs; // header search directories of the sources, in order, once each
   std::vector<std::string> read;         // real paths of all files that were read, those of the system left out
@@ -156,6 +203,9 @@ struct Result {
 
 // Throws DiagnosticError only for a source that cannot be read; all else is found in Result::diagnostics.
 Result run(Request const &request);
+
+// What a compiler must be told so that it knows the number under this name, besides where Symreal's headers are.
+std::vector<std::string> type_name_flags(std::string const &type_name);
 
 // `diff -u` of the original and the rewritten text; empty when nothing changed.
 std::string unified_diff(File const &file);

@@ -1,4 +1,5 @@
 #include "rewrite/configurations.h"
+#include "rewrite/configured.h"
 #include "rewrite/decide.h"
 #include "rewrite/merge.h"
 #include "rewrite/record_source.h"
@@ -14,27 +15,24 @@
 namespace symreal::rewrite {
 namespace {
 
-std::vector<Compilation> compilations(Request const &request) {
-  if (!request.compilations.empty()) return request.compilations;
-  std::vector<Compilation> result;
-  for (std::string const &source : request.sources) result.push_back({source, {}, request.flags});
-  return result;
-}
-
-std::string absolute(Compilation const &compilation) {
-  llvm::SmallString<256> path(compilation.source);
-  if (!compilation.directory.empty()) llvm::sys::fs::make_absolute(compilation.directory, path);
-  return path.str().str();
-}
-
-std::vector<std::string> real_roots(Request const &request, std::vector<Compilation> const &sources) {
-  std::vector<std::string> roots;
+Scope scope_of(Request const &request, std::vector<Compilation> const &sources) {
+  Scope scope{{}, request.exclude};
+  std::vector<std::string> &roots = scope.roots;
   for (std::string const &root : request.roots) roots.push_back(real_path(root));
-  for (Compilation const &source : sources)
-    roots.push_back(llvm::sys::path::parent_path(real_path(absolute(source))).str());
+  for (Compilation const &source : sources) roots.push_back(llvm::sys::path::parent_path(real_source(source)).str());
   std::sort(roots.begin(), roots.end());
   roots.erase(std::unique(roots.begin(), roots.end()), roots.end());
-  return roots;
+  return scope;
+}
+
+// The number's name goes to compilers as a word of the command line.
+void require_type_name(std::string const &name) {
+  if (name.empty()) return;
+  clang::LangOptions language;
+  language.CPlusPlus = language.CPlusPlus11 = language.CPlusPlus20 = language.Bool = true;
+  clang::IdentifierTable words(language);
+  if (!clang::isValidAsciiIdentifier(name) || words.get(name).isKeyword(language))
+    fail(DiagnosticId::bad_option, {}, "the number's type cannot be called '" + name + "'");
 }
 
 // Sources are read in any order and merged in theirs.
@@ -43,7 +41,7 @@ public:
   Reading(Request const &request, std::vector<Compilation> const &sources)
       : request_(request),
         sources_(sources),
-        roots_(real_roots(request, sources)) {}
+        scope_(scope_of(request, sources)) {}
 
   Facts all() {
     std::size_t const threads = std::min<std::size_t>(std::max(1U, request_.jobs), sources_.size());
@@ -64,7 +62,7 @@ private:
       Facts found;
       std::exception_ptr problem;
       try {
-        found = record_source(sources_[mine], roots_);
+        found = record_source(sources_[mine], scope_, request_);
       } catch (DiagnosticError const &error) {
         if (request_.leave_out_broken) {
           found.broken = true;
@@ -96,7 +94,7 @@ private:
 
   Request const &request_;
   std::vector<Compilation> const &sources_;
-  std::vector<std::string> const roots_;
+  Scope const scope_;
   std::atomic<std::size_t> next_ = 0;
   std::mutex mutex_;
   std::condition_variable turn_;
@@ -108,10 +106,27 @@ private:
 
 } // namespace
 
+std::vector<Compilation> compilations_of(Request const &request) {
+  if (!request.compilations.empty()) return request.compilations;
+  std::vector<Compilation> result;
+  for (std::string const &source : request.sources) result.push_back({source, {}, request.flags});
+  return result;
+}
+
+std::string real_source(Compilation const &compilation) {
+  llvm::SmallString<256> path(compilation.source);
+  if (!compilation.directory.empty()) llvm::sys::fs::make_absolute(compilation.directory, path);
+  return real_path(path.str().str());
+}
+
 Result run(Request const &request) {
-  std::vector<Compilation> const sources = compilations(request);
+  require_type_name(request.type_name);
+  std::vector<Compilation> sources = compilations_of(request);
+  std::erase_if(sources, [&](Compilation const &one) { return request.exclude.matches(real_source(one)); });
   Reading reading(request, sources);
-  Result result = decide(reading.all());
+  Facts facts = reading.all();
+  if (!facts.broken) report_configured(request, facts);
+  Result result = decide(std::move(facts), request);
   result.left_out = std::move(reading.left_out);
   return result;
 }

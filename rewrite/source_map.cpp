@@ -9,22 +9,23 @@ std::string real_path(std::string const &name) {
   return llvm::sys::fs::real_path(name, result) ? name : result.str().str();
 }
 
-bool below_roots(std::string const &real_path, std::vector<std::string> const &roots) {
-  if (real_path.find("/include/symreal/") != std::string::npos) return false;
+bool is_own_header(llvm::StringRef path) { return path.contains("/include/symreal/"); }
+
+bool Scope::holds(std::string const &real_path) const {
+  if (is_own_header(real_path)) return false;
   for (std::string const &root : roots) {
     bool const slash = !root.empty() && root.back() == '/';
     if (real_path.compare(0, root.size(), root) == 0 &&
         (slash || real_path.size() == root.size() || real_path[root.size()] == '/'))
-      return true;
+      return !exclude.matches(real_path);
   }
   return false;
 }
 
-SourceMap::SourceMap(clang::SourceManager const &sources, clang::LangOptions const &language,
-                     std::vector<std::string> const &roots)
+SourceMap::SourceMap(clang::SourceManager const &sources, clang::LangOptions const &language, Scope const &scope)
     : sources_(sources),
       language_(language),
-      roots_(roots) {
+      scope_(scope) {
   llvm::SmallString<256> here;
   if (!llvm::sys::fs::current_path(here)) here_ = here.str().str();
   auto const directory = sources.getFileManager().getVirtualFileSystem().getCurrentWorkingDirectory();
@@ -40,7 +41,7 @@ std::string const &SourceMap::path(clang::FileID file) const {
   auto const [at, is_new] = paths_.try_emplace(file.getHashValue());
   if (!is_new) return at->second;
   if (clang::OptionalFileEntryRef const entry = sources_.getFileEntryRefForID(file))
-    if (std::string real = real_path_of(entry->getName()); below_roots(real, roots_)) at->second = std::move(real);
+    if (std::string real = real_path_of(entry->getName()); scope_.holds(real)) at->second = std::move(real);
   return at->second;
 }
 
@@ -138,10 +139,29 @@ std::optional<Span> SourceMap::range_in(clang::FileID frame, clang::SourceRange 
   return characters(sources_.getSpellingLoc(first), end.getLocWithOffset(static_cast<int>(length)));
 }
 
-Place SourceMap::place(clang::SourceLocation location) const {
-  clang::PresumedLoc const presumed = sources_.getPresumedLoc(sources_.getExpansionLoc(location));
+Place SourceMap::presumed(clang::SourceLocation location) const {
+  clang::PresumedLoc const presumed = sources_.getPresumedLoc(location);
   if (presumed.isInvalid()) return {};
   return {display_path(presumed.getFilename()), presumed.getLine(), presumed.getColumn()};
+}
+
+Place SourceMap::place(clang::SourceLocation location) const { return presumed(sources_.getExpansionLoc(location)); }
+
+std::vector<Note> SourceMap::expansions(clang::SourceLocation location) const {
+  std::vector<Note> notes;
+  while (location.isValid() && location.isMacroID()) {
+    if (sources_.isMacroArgExpansion(location)) {
+      location = sources_.getImmediateSpellingLoc(location);
+      continue;
+    }
+    clang::SourceLocation const body = sources_.getSpellingLoc(location);
+    if (!sources_.isWrittenInScratchSpace(body)) // pasted together: the macro that pastes follows
+      notes.push_back({presumed(body), "in the expansion of macro '" +
+                                           clang::Lexer::getImmediateMacroName(location, sources_, language_).str() +
+                                           "'"});
+    location = sources_.getImmediateExpansionRange(location).getBegin();
+  }
+  return notes;
 }
 
 std::string SourceMap::text(Span const &span, clang::SourceLocation inside) const {
@@ -164,7 +184,7 @@ void SourceMap::record_files(Facts &facts) const {
   for (auto at = sources_.fileinfo_begin(); at != sources_.fileinfo_end(); ++at) {
     std::string const name = at->first.getName().str();
     std::string const real = real_path_of(name);
-    if (!below_roots(real, roots_) || facts.files.count(real) != 0) continue;
+    if (!scope_.holds(real) || facts.files.count(real) != 0) continue;
     if (std::optional<llvm::StringRef> const text = at->second->getBufferDataIfLoaded())
       find_spelled_types(real, language_, facts.files[real] = {display_path(name), compiled_name(name), text->str()});
   }

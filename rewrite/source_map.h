@@ -11,10 +11,19 @@
 
 namespace symreal::rewrite {
 
+// Which files may be rewritten: those below the roots (real paths) that nothing excludes, other than Symreal's headers.
+struct Scope {
+  std::vector<std::string> roots;
+  Exclusion exclude;
+  bool holds(std::string const &real_path) const;
+};
+
+// A header of Symreal itself?
+bool is_own_header(llvm::StringRef path);
+
 class SourceMap {
 public:
-  SourceMap(clang::SourceManager const &sources, clang::LangOptions const &language,
-            std::vector<std::string> const &roots);
+  SourceMap(clang::SourceManager const &sources, clang::LangOptions const &language, Scope const &scope);
 
   // Does the location, seen through macros to where it is expanded, lie within the roots?
   bool in_roots(clang::SourceLocation location) const;
@@ -41,6 +50,9 @@ public:
   // As a compiler would print it, seen through macros.
   Place place(clang::SourceLocation location) const;
 
+  // The macros in whose bodies it is written, the innermost first.
+  std::vector<Note> expansions(clang::SourceLocation location) const;
+
   std::string text(Span const &span, clang::SourceLocation inside) const;
   std::string text_in(clang::FileID frame, Span const &span) const;
 
@@ -57,6 +69,7 @@ private:
   std::string display_path(llvm::StringRef name) const;
   // Clang names what a source in the current directory includes "./header.h", gcc (and so __FILE__) "header.h".
   std::string compiled_name(llvm::StringRef name) const;
+  Place presumed(clang::SourceLocation location) const;
   enum class Side { begin, end };
   clang::SourceLocation climb(clang::FileID frame, clang::SourceLocation location, Side side) const;
   // The real path of a file within the roots, else empty.
@@ -64,14 +77,11 @@ private:
 
   clang::SourceManager const &sources_;
   clang::LangOptions const &language_;
-  std::vector<std::string> const &roots_;
+  Scope const &scope_;
   std::string here_, directory_; // of this process and of the compiler
   mutable std::unordered_map<unsigned, std::string> paths_;
   mutable std::unordered_map<std::string, std::string> display_paths_;
 };
-
-// Is the real path below one of the roots, and not a header of Symreal itself?
-bool below_roots(std::string const &real_path, std::vector<std::string> const &roots);
 
 // The real path of an existing file or directory, else the name itself.
 std::string real_path(std::string const &name);

@@ -1,36 +1,72 @@
 #include "rewrite/token_watch.h"
 
+#include "support/files.h"
+#include "support/installation.h"
+
+#include <sstream>
+
 namespace symreal::rewrite {
 namespace {
 
 using namespace clang;
 
-void refuse_reserved(llvm::StringRef name, SourceLocation location, SourceMap const &map, Facts &facts) {
-  if (name != "REAL" && !name.starts_with("REAL_") && !name.starts_with("SYMREAL_")) return;
-  if (!map.in_roots(location)) return;
-  for (symreal::Diagnostic const &known : facts.diagnostics)
-    if (known.id == DiagnosticId::reserved_name && known.message.find("'" + name.str() + "'") == 0) return;
-  facts.diagnostics.push_back({DiagnosticId::reserved_name, Severity::error, map.place(location),
-                               "'" + name.str() + "' is a name of the source already"});
+// The short names of the macros in a rewritten source, which are those that the header defines.
+llvm::StringSet<> const &short_names() {
+  static llvm::StringSet<> const names = [] {
+    llvm::StringSet<> found;
+    std::istringstream header(read_file(runtime_include() + "/symreal/real.h"));
+    for (std::string line; std::getline(header, line);)
+      if (llvm::StringRef rest = line; rest.consume_front("#define ")) found.insert(rest.split(' ').first);
+    internal_check(found.contains(usual_type_name));
+    return found;
+  }();
+  return names;
 }
 
-class MacroNames : public PPCallbacks {
+class Names {
 public:
-  MacroNames(SourceMap const &map, Facts &facts) : map_(map), facts_(facts) {}
-  void MacroDefined(Token const &name, MacroDirective const *) override {
-    refuse_reserved(name.getIdentifierInfo()->getName(), name.getLocation(), map_, facts_);
+  Names(SourceMap const &map, std::string const &type_name, Facts &facts)
+      : map_(map),
+        type_name_(type_name),
+        facts_(facts) {}
+
+  // Short names count wherever they are used, since the macros would be there too.
+  void note(llvm::StringRef name, SourceLocation location) const {
+    bool const reserved = name.starts_with("SYMREAL_");
+    if (!reserved && name != type_name_ && !short_names_.contains(name)) return;
+    if (reserved && !map_.in_roots(location)) return;
+    symreal::Place place = map_.place(location);
+    if (!is_own_header(place.file)) facts_.taken_names.try_emplace(name.str(), std::move(place));
   }
 
 private:
   SourceMap const &map_;
+  std::string const &type_name_;
+  llvm::StringSet<> const &short_names_ = short_names();
   Facts &facts_;
+};
+
+// Where a macro is defined, and where it matters that none is.
+class MacroNames : public PPCallbacks {
+public:
+  explicit MacroNames(Names const &names) : names_(names) {}
+  void MacroDefined(Token const &name, MacroDirective const *) override { note(name); }
+  void Ifdef(SourceLocation, Token const &name, MacroDefinition const &) override { note(name); }
+  void Ifndef(SourceLocation, Token const &name, MacroDefinition const &) override { note(name); }
+  void Defined(Token const &name, MacroDefinition const &, SourceRange) override { note(name); }
+
+private:
+  void note(Token const &name) const { names_.note(name.getIdentifierInfo()->getName(), name.getLocation()); }
+  Names const names_;
 };
 
 } // namespace
 
-void watch_tokens(Preprocessor &preprocessor, SourceMap const &map, Facts &facts, ExpansionText &expansions) {
-  preprocessor.addPPCallbacks(std::make_unique<MacroNames>(map, facts));
-  preprocessor.setTokenWatcher([&map, &facts, &expansions](Token const &token) {
+void watch_tokens(Preprocessor &preprocessor, SourceMap const &map, std::string const &type_name, Facts &facts,
+                  ExpansionText &expansions) {
+  Names const names(map, type_name, facts);
+  preprocessor.addPPCallbacks(std::make_unique<MacroNames>(names));
+  preprocessor.setTokenWatcher([&map, &facts, &expansions, names](Token const &token) {
     expansions.token(token);
     if (std::optional<Span> const first = map.first_character(token.getLocation())) {
       std::vector<bool> &reached = facts.reached[first->file];
@@ -40,7 +76,7 @@ void watch_tokens(Preprocessor &preprocessor, SourceMap const &map, Facts &facts
     if (token.is(tok::kw_double)) {
       if (std::optional<Span> const span = map.token(token.getLocation())) facts.doubles.insert(*span);
     } else if (token.is(tok::identifier))
-      refuse_reserved(token.getIdentifierInfo()->getName(), token.getLocation(), map, facts);
+      names.note(token.getIdentifierInfo()->getName(), token.getLocation());
   });
 }
 

@@ -1,5 +1,5 @@
 // Watches the tokens on their way to the parser: notes every `double` of the roots, so that none is left out unseen,
-// and refuses names that the rewriter itself writes.
+// and every name that the rewriter itself would write.
 #pragma once
 
 #include "rewrite/clang.h"
@@ -9,6 +9,8 @@
 
 namespace symreal::rewrite {
 
-void watch_tokens(clang::Preprocessor &preprocessor, SourceMap const &map, Facts &facts, ExpansionText &expansions);
+// `type_name`: that of the request.
+void watch_tokens(clang::Preprocessor &preprocessor, SourceMap const &map, std::string const &type_name, Facts &facts,
+                  ExpansionText &expansions);
 
 } // namespace symreal::rewrite

@@ -1,6 +1,7 @@
 #include "rewrite/visitor.h"
 
 #include "rewrite/boundaries.h"
+#include "rewrite/configured.h"
 #include "rewrite/context_walk.h"
 #include "rewrite/externals.h"
 #include "rewrite/pragma_items.h"
@@ -81,6 +82,7 @@ public:
   }
   // Its elements are walked as they were parsed; the conversions and copies that they become stand in the other form.
   bool VisitInitListExpr(InitListExpr *list) {
+    if (map_.in_roots(list->getBeginLoc())) record_.designators(list);
     if (passive_ || no_state_) return true;
     InitListExpr const *complete = list->isSemanticForm() ? list : list->getSemanticForm();
     if (!complete || complete->isTypeDependent()) return true;
@@ -91,6 +93,10 @@ public:
       else if (auto const *copy = dyn_cast<CXXConstructExpr>(element->IgnoreImplicit()))
         record_.state_of_construction(copy);
     }
+    return true;
+  }
+  bool VisitGCCAsmStmt(GCCAsmStmt *assembly) {
+    if (!passive_ && map_.in_roots(assembly->getBeginLoc())) record_.assembly(assembly);
     return true;
   }
   bool VisitCXXForRangeStmt(CXXForRangeStmt *loop) {
@@ -214,7 +220,8 @@ private:
 
 } // namespace
 
-void record_tree(ASTContext &context, SourceMap const &map, PragmaIndex const &index, Facts &facts) {
+void record_tree(ASTContext &context, SourceMap const &map, PragmaIndex const &index, Request const &request,
+                 Facts &facts) {
   Reals reals(map);
   record_externals(context, map, index, facts, reals);
   record_symbolic_ints(context, map, facts, reals);
@@ -222,6 +229,7 @@ void record_tree(ASTContext &context, SourceMap const &map, PragmaIndex const &i
   Visitor visitor(context, map, reals, integers, index, facts);
   visitor.TraverseDecl(context.getTranslationUnitDecl());
   attach_function_pragmas(visitor.definitions, map, reals, integers, index, facts);
+  attach_configured_kernels(request, visitor.definitions, map, reals, integers, facts);
   record_decisions(context, map, reals, index, facts);
   record_boundaries(context, visitor.definitions, map, reals, facts);
 }

@@ -8,6 +8,7 @@
 
 namespace symreal::rewrite {
 
-void record_tree(clang::ASTContext &context, SourceMap const &map, PragmaIndex const &index, Facts &facts);
+void record_tree(clang::ASTContext &context, SourceMap const &map, PragmaIndex const &index, Request const &request,
+                 Facts &facts);
 
 } // namespace symreal::rewrite

@@ -101,7 +101,8 @@ void show(std::vector<Product> const &products, program::Front const &front, Opt
   if (options.json) std::cout << nlohmann::ordered_json{{"kernels", json}}.dump(2) << "\n";
 }
 
-int run(Options const &options, Session const &session) {
+int run(CLI::App &command, Options &options, Session &session) {
+  options.source.project.configure(command, session.configured);
   require_sense(options);
   require_outputs(options);
   Console console;
@@ -141,7 +142,8 @@ int run(Options const &options, Session const &session) {
 void add_generate(CLI::App &app, Session &session) {
   CLI::App *command = app.add_subcommand("generate", "Rewrite, build, run, optimise and emit: the main job");
   auto options = std::make_shared<Options>();
-  command->add_option("sources", options->source.sources, "C and C++ sources of the program")->required();
+  command->add_option("sources", options->source.project.request.sources,
+                      "C and C++ sources of the program; with -p by default all of them");
   command->add_option("-o", options->output, "The generated file; with several kernels a directory")->type_name("FILE");
   command->add_option("--graph", options->graph_file, "Also write the recorded graph as text")->type_name("FILE");
   command->add_option("--depfile", options->depfile, "Also write what the result was made from, as a rule of make")
@@ -160,7 +162,7 @@ void add_generate(CLI::App &app, Session &session) {
   options->source.add_to(*command, true);
   command->add_flag("--stats", options->statistics, "Print more than the table: every object, every pass");
   command->add_flag("--json", options->json, "Print the table as JSON to standard output");
-  command->callback([options, &session] { session.status = run(*options, session); });
+  command->callback([options, command, &session] { session.status = run(*command, *options, session); });
 }
 
 } // namespace symreal::tool

@@ -40,7 +40,7 @@ static int run(int argc, char **argv) {
     if (problem.get_exit_code() == 0) return app.exit(problem);
     print(std::cerr, {DiagnosticId::bad_option, Severity::error, {}, problem.what()});
   } catch (DiagnosticError const &problem) {
-    print(std::cerr, problem.diagnostic());
+    print(std::cerr, located(problem.diagnostic(), session.configured));
   }
   return error;
 }

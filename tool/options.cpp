@@ -7,11 +7,7 @@
 namespace symreal::tool {
 
 void SourceOptions::add_to(CLI::App &app, bool several_kernels) {
-  app.add_option("--root", roots,
-                 "A further directory whose files may be rewritten, besides the sources' own (repeatable)")
-      ->take_all()
-      ->allow_extra_args(false)
-      ->type_name("DIR");
+  project.add_build_to(app);
   app.add_option("--cxx", front.build.compiler, "Compiler of the rewritten program")->capture_default_str();
   app.add_option("--link", link, "Words for the linker of the rewritten program, such as '-L. -lfoo'");
   app.add_option("--run-args", run_arguments, "Arguments of the program, as in a shell");
@@ -28,11 +24,9 @@ void SourceOptions::add_to(CLI::App &app, bool several_kernels) {
 
 program::FrontRequest SourceOptions::request(CompilerFlags const &flags) const {
   program::FrontRequest request = front;
-  request.build.sources = sources;
-  request.build.flags = flags;
+  request.source = project.complete(flags);
   request.build.link = program::split_words(link);
   request.run.arguments = program::split_words(run_arguments);
-  request.roots = roots;
   return request;
 }
 

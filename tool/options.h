@@ -3,6 +3,7 @@
 
 #include "passes/floating_point.h"
 #include "program/front.h"
+#include "tool/project_options.h"
 
 #include <CLI/CLI.hpp>
 
@@ -11,12 +12,9 @@
 
 namespace symreal::tool {
 
-// What stands after `--` on the command line.
-using CompilerFlags = std::vector<std::string>;
-
 // Sources, how they are built and how the program is run.
 struct SourceOptions {
-  std::vector<std::string> sources, roots;
+  ProjectOptions project;
   std::string run_arguments, link;
   program::FrontRequest front;
 

@@ -34,6 +34,8 @@ std::vector<OutputFile> emitted_files(Graph const &graph, EmitterOptions const &
 void require_c_name(std::string const &path) {
   if (fs::path(path).extension() != ".c")
     fail(DiagnosticId::bad_option, {}, "generated C goes to a file whose name ends in .c, not to '" + path + "'");
+  if (fs::path(path).filename().string().find_first_of("\"\n\\") != std::string::npos)
+    fail(DiagnosticId::bad_option, {}, "an #include cannot name the header beside '" + path + "'");
 }
 
 void require_writable(std::string const &path) {

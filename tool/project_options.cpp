@@ -22,20 +22,44 @@ static void recover_trees(std::vector<std::string> const &sources) {
 
 void ProjectOptions::add_to(CLI::App &app) {
   app.add_option("sources", request.sources, "C and C++ sources; with -p by default all of them");
+  add_build_to(app);
+}
+
+void ProjectOptions::add_build_to(CLI::App &app) {
   app.add_option("--root", request.roots,
                  "A further directory whose files may be rewritten, besides the sources' own (repeatable)")
       ->take_all()
       ->allow_extra_args(false)
       ->type_name("DIR");
-  add_build_to(app);
-}
-
-void ProjectOptions::add_build_to(CLI::App &app) {
   app.add_option("-p", build, "Directory of the compile_commands.json that says how the sources are compiled")
       ->type_name("DIR");
   app.add_option("-j", request.jobs, "How many sources are read at once; by default as many as there are processors")
       ->check(CLI::PositiveNumber)
       ->type_name("N");
+  app.add_option("--type-name", request.type_name,
+                 "How rewritten sources spell the number; by default REAL, or SYMREAL_REAL where that is taken");
+  app.add_option("--config", configuration,
+                 "The project's configuration; by default the .symreal.yaml in the directory of the first source or "
+                 "the nearest above it")
+      ->type_name("FILE");
+}
+
+void ProjectOptions::configure(CLI::App &command, ConfiguredOptions &given) {
+  std::string file = configuration;
+  if (file.empty()) {
+    std::filesystem::path const start = request.sources.empty()
+                                            ? std::filesystem::path(build.empty() ? "." : build)
+                                            : std::filesystem::path(request.sources.front()).parent_path();
+    file = find_configuration(start.string());
+  }
+  if (file.empty()) return;
+  Configuration read = read_configuration(file);
+  set_options(read, command, given);
+  request.roots.insert(request.roots.end(), read.roots.begin(), read.roots.end());
+  request.exclude = std::move(read.exclude);
+  if (request.type_name.empty()) request.type_name = read.type_name;
+  request.kernels = std::move(read.kernels);
+  request.externals = std::move(read.externals);
 }
 
 rewrite::Request ProjectOptions::complete(CompilerFlags const &flags) const {
@@ -59,6 +83,21 @@ rewrite::Request ProjectOptions::complete(CompilerFlags const &flags) const {
     paths.push_back((std::filesystem::path(one.directory) / one.source).string());
   recover_trees(paths);
   return complete;
+}
+
+rewrite::Request only_rewritten(rewrite::Request request) {
+  rewrite::Exclusion const &exclude = request.exclude;
+  std::erase_if(request.compilations,
+                [&](rewrite::Compilation const &one) { return exclude.matches(rewrite::real_source(one)); });
+  std::erase_if(request.sources, [&](std::string const &source) {
+    return request.compilations.empty() && exclude.matches(rewrite::real_source({source, {}, {}}));
+  });
+  if (!request.compilations.empty()) {
+    request.sources.clear();
+    for (rewrite::Compilation const &one : request.compilations) request.sources.push_back(one.source);
+  }
+  if (request.sources.empty()) fail(DiagnosticId::bad_option, {}, "the configuration excludes all of the sources");
+  return request;
 }
 
 } // namespace symreal::tool

@@ -2,17 +2,33 @@
 #pragma once
 
 #include "rewrite/rewrite.h"
-#include "tool/options.h"
+#include "tool/configuration.h"
+
+#include <CLI/CLI.hpp>
+
+#include <string>
+#include <vector>
 
 namespace symreal::tool {
 
+// What stands after `--` on the command line.
+using CompilerFlags = std::vector<std::string>;
+
 struct ProjectOptions {
   rewrite::Request request;
-  std::string build; // the directory of compile_commands.json
+  std::string build;         // the directory of compile_commands.json
+  std::string configuration; // its file; empty: the nearest .symreal.yaml
 
-  void add_to(CLI::App &app);       // all of them
-  void add_build_to(CLI::App &app); // -p and -j
+  void add_to(CLI::App &app); // the sources and all of these:
+  void add_build_to(CLI::App &app);
+  // What the configuration says, where the command line does not. It may set every option of the subcommand, so this is
+  // done first; `sources` are those of the command line.
+  void configure(CLI::App &command, ConfiguredOptions &given);
+  // With the sources that are excluded, which a program needs all the same.
   rewrite::Request complete(CompilerFlags const &flags) const;
 };
+
+// Without the sources that are excluded.
+rewrite::Request only_rewritten(rewrite::Request request);
 
 } // namespace symreal::tool

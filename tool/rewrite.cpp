@@ -17,6 +17,12 @@ struct Options {
   std::string out_root, fixes;
 };
 
+std::string words(std::vector<std::string> const &flags) {
+  std::string text;
+  for (std::string const &flag : flags) text += " " + flag;
+  return text;
+}
+
 void edit_in_place(rewrite::Result const &result) {
   std::vector<program::Replacement> replacements;
   for (rewrite::File const &file : result.files)
@@ -24,15 +30,17 @@ void edit_in_place(rewrite::Result const &result) {
   std::string const directory = program::edit_tree(replacements);
   std::cerr << replacements.size() << " files rewritten";
   if (!replacements.empty())
-    std::cerr << "; compile them with -include symreal/real.h, take it back with: symreal undo " << directory;
+    std::cerr << "; compile them with" << words(rewrite::type_name_flags(result.type_name))
+              << ", take it back with: symreal undo " << directory;
   std::cerr << "\n";
 }
 
-void run(Options const &options, Session &session) {
+void run(CLI::App &command, Options &options, Session &session) {
+  options.project.configure(command, session.configured);
   if (options.diff + options.in_place + !options.out_root.empty() + !options.fixes.empty() != 1)
     fail(DiagnosticId::bad_option, {},
          "one of --diff, --out-root, --in-place and --export-fixes says where the rewritten text goes");
-  rewrite::Result result = rewrite::run(options.project.complete(session.flags));
+  rewrite::Result result = rewrite::run(only_rewritten(options.project.complete(session.flags)));
   for (Diagnostic const &diagnostic : result.diagnostics) {
     print(std::cerr, diagnostic);
     if (diagnostic.severity == Severity::error) session.status = error;
@@ -61,7 +69,7 @@ void add_rewrite(CLI::App &app, Session &session) {
                     "Replace the files, all of them or none; symreal undo takes it back");
   command->add_option("--export-fixes", options->fixes, "Write the edits as YAML for clang-apply-replacements")
       ->type_name("FILE");
-  command->callback([options, &session] { run(*options, session); });
+  command->callback([options, command, &session] { run(*command, *options, session); });
 }
 
 } // namespace symreal::tool

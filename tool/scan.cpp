@@ -14,10 +14,11 @@ struct Options {
   bool list = false, json = false, sarif = false;
 };
 
-void run(Options const &options, Session &session) {
+void run(CLI::App &command, Options &options, Session &session) {
+  options.project.configure(command, session.configured);
   if (options.list + options.json + options.sarif > 1)
     fail(DiagnosticId::bad_option, {}, "only one of --list, --json and --sarif says what is printed");
-  rewrite::Request request = options.project.complete(session.flags);
+  rewrite::Request request = only_rewritten(options.project.complete(session.flags));
   request.leave_out_broken = true;
   rewrite::Result const result = rewrite::run(request);
   if (options.json)
@@ -38,7 +39,7 @@ void add_scan(CLI::App &app, Session &session) {
   command->add_flag("--list", options->list, "Also list every place");
   command->add_flag("--json", options->json, "Print the report as JSON, every place included");
   command->add_flag("--sarif", options->sarif, "Print what is in the way as SARIF 2.1.0");
-  command->callback([options, &session] { run(*options, session); });
+  command->callback([options, command, &session] { run(*command, *options, session); });
 }
 
 } // namespace symreal::tool

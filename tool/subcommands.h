@@ -11,6 +11,7 @@ enum Status { clean = 0, error = 1, partly_skipped = 2, verification_failed = 3,
 struct Session {
   CompilerFlags flags; // what stood after --
   int status = clean;
+  ConfiguredOptions configured = {}; // options that the project's configuration gave
 };
 
 void add_scan(CLI::App &app, Session &session);

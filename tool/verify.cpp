@@ -20,20 +20,21 @@ struct Options {
   bool json = false;
 };
 
-int run_numeric(CLI::App const &command, Options const &options, Session const &session) {
-  NumericOptions numeric = options.numeric;
-  numeric.project.request.sources = options.files;
-  numeric.project.request.roots = options.source.roots;
+int run_numeric(CLI::App &command, Options &options, Session &session) {
+  ProjectOptions &project = options.source.project;
+  project.request.sources = options.files;
+  project.configure(command, session.configured);
   bool const is_given = command.get_option("--cxx")->count() != 0;
-  return verify_numeric(command, numeric, is_given ? options.source.front.build.compiler : "", session);
+  return verify_numeric(command, options.numeric, project, is_given ? options.source.front.build.compiler : "",
+                        session);
 }
 
-int run(Options const &options, Session const &session) {
-  if (!options.numeric.project.build.empty() || options.numeric.project.request.jobs != 0)
-    fail(DiagnosticId::option_without_effect, {}, "-p and -j are for verify --numeric");
-  if (options.files.size() < 2) fail(DiagnosticId::bad_option, {}, "verify takes sources and the generated C file");
-  SourceOptions source = options.source;
-  source.sources.assign(options.files.begin(), options.files.end() - 1);
+int run(CLI::App &command, Options &options, Session &session) {
+  SourceOptions &source = options.source;
+  if (!options.files.empty()) source.project.request.sources.assign(options.files.begin(), options.files.end() - 1);
+  source.project.configure(command, session.configured);
+  if (options.files.size() < (source.project.build.empty() ? 2 : 1))
+    fail(DiagnosticId::bad_option, {}, "verify takes sources and the generated C file");
   std::string const &generated = options.files.back();
 
   program::Banner banner = program::read_banner(generated);
@@ -84,7 +85,8 @@ void add_verify(CLI::App &app, Session &session) {
                            ->capture_default_str();
   command->add_flag("--json", options->json, "Print the result as JSON to standard output");
   command->callback([options, command, &session] {
-    session.status = options->numeric.enabled ? run_numeric(*command, *options, session) : run(*options, session);
+    session.status =
+        options->numeric.enabled ? run_numeric(*command, *options, session) : run(*command, *options, session);
   });
 }
 

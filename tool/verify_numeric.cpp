@@ -11,21 +11,19 @@ namespace symreal::tool {
 void NumericOptions::add_to(CLI::App &app) {
   app.add_flag("--numeric", enabled,
                "Instead compare the object code of all sources before and after the rewriting, without the switch");
-  project.add_build_to(app);
   app.add_option("--cc", c_compiler,
                  "With --numeric: compiler of sources that end in .c; by default that of their build, or cc");
 }
 
-int verify_numeric(CLI::App const &command, NumericOptions const &options, std::string const &cxx_compiler,
-                   Session const &session) {
-  static std::set<std::string> const known = {"files", "--root", "--cxx", "--cc", "--numeric", "-p", "-j"};
+int verify_numeric(CLI::App const &command, NumericOptions const &options, ProjectOptions const &project,
+                   std::string const &cxx_compiler, Session const &session) {
+  static std::set<std::string> const known = {"files", "--root", "--cxx",    "--cc",       "--numeric",
+                                              "-p",    "-j",     "--config", "--type-name"};
   for (CLI::Option const *one : command.get_options())
-    if (one->count() != 0 && known.count(one->get_name()) == 0)
+    if (one->count() != 0 && known.count(one->get_name()) == 0 && session.configured.count(one->get_name()) == 0)
       fail(DiagnosticId::option_without_effect, {}, one->get_name() + " is not for --numeric");
-  rewrite::Request const request = options.project.complete(session.flags);
-  std::vector<rewrite::Compilation> sources = request.compilations;
-  if (sources.empty())
-    for (std::string const &source : request.sources) sources.push_back({source, {}, request.flags});
+  rewrite::Request const request = only_rewritten(project.complete(session.flags));
+  std::vector<rewrite::Compilation> const sources = rewrite::compilations_of(request);
   rewrite::Result const rewritten = rewrite::run(request);
   // What stands in the way of the symbolic program, such as a function that is defined elsewhere, does not concern the
   // numeric one.

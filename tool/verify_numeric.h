@@ -8,14 +8,13 @@ namespace symreal::tool {
 
 struct NumericOptions {
   bool enabled = false;
-  ProjectOptions project; // its -p and -j; sources and roots are those of verify
   std::string c_compiler;
 
   void add_to(CLI::App &app);
 };
 
 // `command` is verify, whose other options would have no effect. Returns the exit status.
-int verify_numeric(CLI::App const &command, NumericOptions const &options, std::string const &cxx_compiler,
-                   Session const &session);
+int verify_numeric(CLI::App const &command, NumericOptions const &options, ProjectOptions const &project,
+                   std::string const &cxx_compiler, Session const &session);
 
 } // namespace symreal::tool

@@ -1,210 +1,43 @@
-/* The switch. A rewritten source spells `double` as REAL and its pragmas as the macros below; this header,
-   force-included before the first line, says what they mean:
-
-     (nothing)        numeric: REAL is double and every macro vanishes or leaves the original tokens; object code is the
-                      original's, in C and in C++
-     -DMBD_SYMBOLIC   symbolic: REAL is symreal::RealNumber and the program records itself
-     -DMBD_REPLAY     replay: REAL is double, annotations live; verification feeds and reads them
-
-   REAL is a macro rather than a typedef, since a typedef shows in __PRETTY_FUNCTION__ and in mangled names. */
+/* The switch under its usual names: REAL is the number, the macros around it begin with REAL_. Where a source uses one
+   of these names for something else, macros.h has them without. */
 #ifndef SYMREAL_REAL_H
 #define SYMREAL_REAL_H
 
-#if !defined(MBD_SYMBOLIC) && !defined(MBD_REPLAY)
+#include "macros.h"
 
-#define REAL double
-#define REAL_C(...) __VA_ARGS__
-#define REAL_VALUE(...) __VA_ARGS__
-#define REAL_TO(type, ...) __VA_ARGS__
-#define REAL_STATE(object, place) object
-#define REAL_LOCAL_STATE(object, place) object
-#define REAL_EXTERNAL(function, ...) function
-#define REAL_FUNCTION(count, ...) __VA_ARGS__
-#define REAL_LINKAGE(...) __VA_ARGS__
-#define REAL_INT(...) __VA_ARGS__
-#define REAL_TABLE(name, place, ...) __VA_ARGS__
-#define REAL_READ(name, place, ...) __VA_ARGS__
-#define REAL_WRITTEN(name, place, ...) __VA_ARGS__
-#define REAL_CHANGED(name, place, ...) __VA_ARGS__
-#define REAL_FIRST(name, place, ...) __VA_ARGS__
-#define REAL_LAST(name, place, ...) __VA_ARGS__
-#define REAL_BITS(name, place, ...) __VA_ARGS__
-#define REAL_BYTES(how, name, place, ...) __VA_ARGS__
-#define REAL_PASTED(text, ...) __VA_ARGS__
-#define REAL_MEMBERS(...)
-#define SYMREAL_OBJECT(...)
-#define SYMREAL_DECLARE(...)
-#define SYMREAL_DECLARE_SECTION(...)
-#define SYMREAL_SECTION(...)
-#define SYMREAL_RANGE(...)
-#define SYMREAL_TABLE(...)
-#define SYMREAL_REBIND(...)
-#define SYMREAL_FUNCTION(...)
-#define SYMREAL_ARGUMENT(...)
-#define SYMREAL_OUTPUTS_BEGIN
-#define SYMREAL_OUTPUTS_END
-#define SYMREAL_RETURN(label, file, line, column, ...) __VA_ARGS__
-#define SYMREAL_GENERATE(...)
+#define REAL SYMREAL_REAL
+#define REAL_C SYMREAL_REAL_C
+#define REAL_VALUE SYMREAL_REAL_VALUE
+#define REAL_TO SYMREAL_REAL_TO
+#define REAL_STATE SYMREAL_REAL_STATE
+#define REAL_LOCAL_STATE SYMREAL_REAL_LOCAL_STATE
+#define REAL_EXTERNAL SYMREAL_REAL_EXTERNAL
+#define REAL_FUNCTION SYMREAL_REAL_FUNCTION
+#define REAL_LINKAGE SYMREAL_REAL_LINKAGE
+#define REAL_INT SYMREAL_REAL_INT
+#define REAL_TABLE SYMREAL_REAL_TABLE
+#define REAL_READ SYMREAL_REAL_READ
+#define REAL_WRITTEN SYMREAL_REAL_WRITTEN
+#define REAL_CHANGED SYMREAL_REAL_CHANGED
+#define REAL_FIRST SYMREAL_REAL_FIRST
+#define REAL_LAST SYMREAL_REAL_LAST
+#define REAL_BITS SYMREAL_REAL_BITS
+#define REAL_BYTES SYMREAL_REAL_BYTES
+#define REAL_PASTED SYMREAL_REAL_PASTED
+#define REAL_MEMBERS SYMREAL_REAL_MEMBERS
+#define REAL_IF SYMREAL_REAL_IF
+#define REAL_RETURN_IF SYMREAL_REAL_RETURN_IF
+#define REAL_COND SYMREAL_REAL_COND
+#define REAL_THEN SYMREAL_REAL_THEN
+#define REAL_ELSE SYMREAL_REAL_ELSE
+#define REAL_END SYMREAL_REAL_END
+#define REAL_AND SYMREAL_REAL_AND
+#define REAL_OR SYMREAL_REAL_OR
+#define REAL_LOOP SYMREAL_REAL_LOOP
+#define REAL_LATE_LOOP SYMREAL_REAL_LATE_LOOP
+#define REAL_TEST SYMREAL_REAL_TEST
+#define REAL_BREAK SYMREAL_REAL_BREAK
+#define REAL_RETURN SYMREAL_REAL_RETURN
+#define REAL_DECISIONS SYMREAL_REAL_DECISIONS
 
-#else
-
-#include <symreal/annotate.h>
-
-#ifdef MBD_SYMBOLIC
-#include <symreal/symbolic.h>
-#define REAL ::symreal::RealNumber
-#define REAL_C(...) (::symreal::RealNumber(__VA_ARGS__))
-#define REAL_VALUE(...) (::symreal::value(__VA_ARGS__))
-#define REAL_TO(type, ...) (static_cast<type>(__VA_ARGS__))
-#define REAL_STATE(object, place) (::symreal::state(object, #object, place))
-#define REAL_LOCAL_STATE(object, place) (::symreal::local_state(object, #object, place))
-#define REAL_EXTERNAL(function, ...) (::symreal::external(function, {__VA_ARGS__}))
-#define REAL_FUNCTION(count, ...) SYMREAL_FUNCTION_##count(__VA_ARGS__)
-#define SYMREAL_FUNCTION_1(...)                                                                                        \
-  (*static_cast<REAL (*)(REAL)>([](REAL symreal_x) -> REAL { return __VA_ARGS__(symreal_x); }))
-#define SYMREAL_FUNCTION_2(...)                                                                                        \
-  (*static_cast<REAL (*)(REAL, REAL)>(                                                                                 \
-      [](REAL symreal_x, REAL symreal_y) -> REAL { return __VA_ARGS__(symreal_x, symreal_y); }))
-#define SYMREAL_FUNCTION_3(...)                                                                                        \
-  (*static_cast<REAL (*)(REAL, REAL, REAL)>([](REAL symreal_x, REAL symreal_y, REAL symreal_z) -> REAL {               \
-    return __VA_ARGS__(symreal_x, symreal_y, symreal_z);                                                               \
-  }))
-#define REAL_INT(...) ::symreal::SymbolicInt<__VA_ARGS__>
-#define REAL_TABLE(name, place, ...) (::symreal::table(__VA_ARGS__, name, place))
-#define REAL_READ(name, place, ...) (::symreal::read(__VA_ARGS__, name, place))
-#define REAL_WRITTEN(name, place, ...) (::symreal::written(__VA_ARGS__, name, place))
-#define REAL_CHANGED(name, place, ...) (::symreal::changed(__VA_ARGS__, name, place))
-#define REAL_FIRST(name, place, ...) (::symreal::range_begin(__VA_ARGS__, name, place))
-#define REAL_LAST(name, place, ...) (::symreal::range_end(__VA_ARGS__, name, place))
-#define REAL_BITS(name, place, ...) (::symreal::bits(__VA_ARGS__, name, place))
-/* Stands for memmove (and memcpy) or memset. */
-#define REAL_BYTES(how, name, place, ...) ::symreal::Bytes(name, place).how
-/* What a class tells about itself: `access` is that of what follows. */
-#define REAL_MEMBERS(access, ...)                                                                                      \
-public:                                                                                                                \
-  void symreal_members(::symreal::Numbers &symreal_numbers) const { symreal_numbers.visit(__VA_ARGS__); }              \
-  access:
-#else
-#define REAL double
-#define REAL_C(...) (__VA_ARGS__)
-#define REAL_VALUE(...) (__VA_ARGS__)
-#define REAL_TO(type, ...) (static_cast<type>(__VA_ARGS__))
-#define REAL_STATE(object, place) (object)
-#define REAL_LOCAL_STATE(object, place) (object)
-#define REAL_EXTERNAL(function, ...) (function)
-#define REAL_FUNCTION(count, ...) __VA_ARGS__
-#define REAL_INT(...) __VA_ARGS__
-#define REAL_TABLE(name, place, ...) (__VA_ARGS__)
-#define REAL_READ(name, place, ...) (__VA_ARGS__)
-#define REAL_WRITTEN(name, place, ...) (__VA_ARGS__)
-#define REAL_CHANGED(name, place, ...) (__VA_ARGS__)
-#define REAL_FIRST(name, place, ...) (__VA_ARGS__)
-#define REAL_LAST(name, place, ...) (__VA_ARGS__)
-#define REAL_BITS(name, place, ...) (__VA_ARGS__)
-#define REAL_BYTES(how, name, place, ...) __VA_ARGS__
-#define REAL_MEMBERS(...)
-#endif
-/* What a macro makes of the spelling `double`, which does not stand there any more. */
-#define REAL_PASTED(text, ...) SYMREAL_UNPACKED text
-#define SYMREAL_UNPACKED(...) __VA_ARGS__
-/* C sources are compiled as C++ here: what a library has under a C name keeps it. */
-#define REAL_LINKAGE(...)                                                                                              \
-  extern "C" {                                                                                                         \
-  __VA_ARGS__;                                                                                                         \
-  }
-/* Where the pragma of an annotation stands. The frame tells the kernel's own stack. */
-#define SYMREAL_PLACE(file, line, column) {file, line, column, __builtin_frame_address(0)}
-
-#define SYMREAL_OBJECT(kind, label, file, line, column, ...)                                                           \
-  ::symreal::annotate(::symreal::Kind::kind, label, SYMREAL_PLACE(file, line, column), __VA_ARGS__);
-#define SYMREAL_DECLARE(kind, label, file, line, column, ...)                                                          \
-  ::symreal::declare<::symreal::Kind::kind>(label, SYMREAL_PLACE(file, line, column), __VA_ARGS__);
-#define SYMREAL_SECTION(kind, label, file, line, column, extents, ...)                                                 \
-  ::symreal::annotate_section(::symreal::Kind::kind, label, SYMREAL_PLACE(file, line, column), extents,                \
-                              [&](std::size_t const *symreal_i) -> decltype(auto) {                                    \
-                                (void)symreal_i;                                                                       \
-                                return (__VA_ARGS__);                                                                  \
-                              });
-#define SYMREAL_DECLARE_SECTION(kind, label, file, line, column, extents, ...)                                         \
-  ::symreal::declare_section<::symreal::Kind::kind>(label, SYMREAL_PLACE(file, line, column), extents,                 \
-                                                    [&](std::size_t const *symreal_i) -> decltype(auto) {              \
-                                                      (void)symreal_i;                                                 \
-                                                      return (__VA_ARGS__);                                            \
-                                                    });
-#define SYMREAL_RANGE(low, high) ::symreal::set_range(low, high);
-#ifdef MBD_SYMBOLIC
-#define SYMREAL_TABLE(pointer, ...) ::symreal::declare_table(pointer, static_cast<std::size_t>(__VA_ARGS__));
-#else
-#define SYMREAL_TABLE(...)
-#endif
-#define SYMREAL_REBIND(pointer, low, count) pointer = ::symreal::rebind(pointer, low, count);
-/* The optional last argument is the call to record, counted from 1. */
-#define SYMREAL_FUNCTION(name, file, line, column, ...)                                                                \
-  ::symreal::FunctionKernel symreal_kernel(name, SYMREAL_PLACE(file, line, column), ##__VA_ARGS__);
-/* An argument that is passed by value. */
-#define SYMREAL_ARGUMENT(name, place, ...) symreal_kernel.argument(name, place, __VA_ARGS__);
-#define SYMREAL_OUTPUTS_BEGIN auto symreal_outputs = symreal_kernel.on_return([&] {
-#define SYMREAL_OUTPUTS_END                                                                                            \
-  });
-#define SYMREAL_RETURN(label, file, line, column, ...)                                                                 \
-  (symreal_kernel.returned(label, SYMREAL_PLACE(file, line, column), __VA_ARGS__))
-#define SYMREAL_GENERATE(name, file, line, column) ::symreal::generate(name, SYMREAL_PLACE(file, line, column));
-
-#endif
-
-#ifdef MBD_SYMBOLIC
-
-/* Both arms are executed, one after the other, and each target is selected (<symreal/branch.h>). */
-#define SYMREAL_TARGETS(targets) [&](::symreal::Targets &symreal_targets) { (void)(symreal_targets targets); }
-#define REAL_IF(targets, ...)                                                                                          \
-  for (::symreal::Branch symreal_branch((__VA_ARGS__), SYMREAL_TARGETS(targets)); symreal_branch.more();)              \
-    if (symreal_branch.arm())
-#define REAL_RETURN_IF(targets, ...)                                                                                   \
-  for (::symreal::Branch symreal_branch((__VA_ARGS__), SYMREAL_TARGETS(targets), &symreal_returns);                    \
-       symreal_branch.more();)                                                                                         \
-    if (symreal_branch.arm())
-#define REAL_COND(...) ::symreal::choose((__VA_ARGS__), [&] { return (
-#define REAL_THEN
-#define REAL_ELSE );                                                                                                   \
-  }                                                                                                                    \
-  , [&] { return (
-#define REAL_END );                                                                                                    \
-  })
-#define REAL_AND &
-#define REAL_OR |
-#define REAL_LOOP(limit, targets) if (::symreal::Loop symreal_loop(limit, SYMREAL_TARGETS(targets)); true)
-#define REAL_LATE_LOOP(limit, targets) if (::symreal::Loop symreal_loop(limit, SYMREAL_TARGETS(targets), true); true)
-#define REAL_TEST(...) symreal_loop.test([&] { return ::symreal::truth(__VA_ARGS__); })
-#define REAL_BREAK(...) if (symreal_loop.breaks((__VA_ARGS__)))
-#define REAL_RETURN(...)                                                                                               \
-  while (symreal_returns.leaves((__VA_ARGS__))) return symreal_returns.result()
-#define REAL_DECISIONS(policy) if (::symreal::DecisionScope symreal_decisions(::symreal::Decisions::policy); true)
-#define SYMREAL_DECISIONS(policy) ::symreal::DecisionScope symreal_decisions(::symreal::Decisions::policy);
-#define SYMREAL_RETURNS ::symreal::Returns symreal_returns;
-#define SYMREAL_RETURNS_OF(kernel) ::symreal::Returns symreal_returns(kernel);
-#define SYMREAL_RETURNS_END return symreal_returns.last();
-
-#else
-
-/* Decisions, in every mode but the symbolic one: what stood there. */
-#define REAL_IF(targets, ...) if (__VA_ARGS__)
-#define REAL_RETURN_IF(targets, ...) if (__VA_ARGS__)
-#define REAL_COND(...) __VA_ARGS__
-#define REAL_THEN ?
-#define REAL_ELSE :
-#define REAL_END
-#define REAL_AND &&
-#define REAL_OR ||
-#define REAL_LOOP(limit, targets)
-#define REAL_LATE_LOOP(limit, targets)
-#define REAL_TEST(...) __VA_ARGS__
-#define REAL_BREAK(...) if (__VA_ARGS__)
-#define REAL_RETURN(...) return __VA_ARGS__
-#define REAL_DECISIONS(policy)
-#define SYMREAL_DECISIONS(policy)
-#define SYMREAL_RETURNS
-#define SYMREAL_RETURNS_OF(kernel)
-#define SYMREAL_RETURNS_END
-
-#endif
 #endif

@@ -1,0 +1,53 @@
+#include "rewrite/type_name.h"
+
+#include <algorithm>
+#include <cctype>
+#include <string_view>
+
+namespace symreal::rewrite {
+namespace {
+
+bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
+
+} // namespace
+
+std::string choose_type_name(Request const &request, Facts const &facts, std::vector<Diagnostic> &diagnostics) {
+  auto const refuse = [&](Place const &place, std::string const &name) {
+    diagnostics.push_back(
+        {DiagnosticId::reserved_name, Severity::error, place, "'" + name + "' is a name of the source already"});
+  };
+  bool usual_is_taken = false;
+  for (auto const &[name, place] : facts.taken_names) {
+    if (name.starts_with("SYMREAL_"))
+      refuse(place, name);
+    else if (name == usual_type_name || name.starts_with(std::string(usual_type_name) + "_"))
+      usual_is_taken = true;
+    if (name == request.type_name || (request.type_name == usual_type_name && !name.starts_with("SYMREAL_")))
+      refuse(place, name);
+  }
+  if (!request.type_name.empty()) return request.type_name;
+  return usual_is_taken ? reserved_type_name : usual_type_name;
+}
+
+std::string with_type_name(std::string const &text, std::string const &type_name) {
+  constexpr std::string_view stem = reserved_type_name;
+  std::string result;
+  std::size_t at = 0;
+  for (std::size_t found; (found = text.find(stem, at)) != text.npos; at = found + stem.size()) {
+    bool const begins = found == 0 || !is_word(text[found - 1]);
+    char const next = found + stem.size() < text.size() ? text[found + stem.size()] : ' ';
+    bool const is_type = begins && !is_word(next);
+    bool const is_macro = begins && next == '_' && type_name == usual_type_name;
+    result.append(text, at, found - at).append(is_type || is_macro ? type_name : stem);
+  }
+  return result.append(text, at);
+}
+
+std::vector<std::string> type_name_flags(std::string const &type_name) {
+  if (type_name == usual_type_name) return {"-include", "symreal/real.h"};
+  std::vector<std::string> flags = {"-include", "symreal/macros.h"};
+  if (type_name != reserved_type_name) flags.push_back("-D" + type_name + "=" + reserved_type_name);
+  return flags;
+}
+
+} // namespace symreal::rewrite

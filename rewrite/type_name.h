@@ -1,0 +1,20 @@
+// How the rewritten text spells the number and the macros around it.
+//
+// The rewriter writes its own words in their long form, SYMREAL_REAL and SYMREAL_REAL_VALUE(...), which no source has.
+// Only in the end they get the name that was asked for, or the usual one where it is free: REAL and REAL_VALUE(...).
+// Under any other name the macros keep their long form.
+#pragma once
+
+#include "rewrite/facts.h"
+
+#include <string>
+
+namespace symreal::rewrite {
+
+// The name to use; reports what takes a name that was asked for, and names that are ours alone.
+std::string choose_type_name(Request const &request, Facts const &facts, std::vector<Diagnostic> &diagnostics);
+
+// The text with the long forms in it replaced.
+std::string with_type_name(std::string const &text, std::string const &type_name);
+
+} // namespace symreal::rewrite

@@ -1,0 +1,1 @@
+double friction(double rate) { return 0.1 * rate; }

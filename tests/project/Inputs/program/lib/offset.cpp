@@ -1,0 +1,12 @@
+#include "parts.h"
+#include "shift.h"
+
+double offset(double x) {
+#ifdef REFUSED
+  x = __builtin_sqrt(x);
+#endif
+#ifdef DECIDES
+  if (x > SHIFT) return x;
+#endif
+  return x + SHIFT + FACTOR;
+}
