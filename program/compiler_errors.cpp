@@ -39,6 +39,22 @@ std::optional<Message> instantiation(std::vector<std::string> const &lines, std:
   return {};
 }
 
+// In which instantiation the error in line `at` stands: gcc says so before it, clang after it.
+std::vector<Note> instantiations(std::vector<std::string> const &lines, std::size_t at, Overlay const &overlay) {
+  static std::regex const required("([^:]+):([0-9]+):(?:([0-9]+):)? +(required (?:from|by) .*)");
+  static std::regex const requested("([^:]+):([0-9]+):(?:([0-9]+):)? note: (in instantiation of .*)");
+  std::vector<Note> notes;
+  for (std::size_t i = at; i-- > 0 && notes.size() < most_notes;) {
+    auto const message = match(lines[i], required, overlay);
+    if (!message) break;
+    notes.insert(notes.begin(), {message->place, message->text});
+  }
+  for (std::size_t i = at + 1; i < lines.size() && lines[i].find(" error: ") == std::string::npos; ++i)
+    if (auto const message = match(lines[i], requested, overlay); message && notes.size() < most_notes)
+      notes.push_back({message->place, message->text});
+  return notes;
+}
+
 // The last line of the user's own after `begin` that says which macro the error stands in: ours stand in a header.
 std::optional<Message> expansion(std::vector<std::string> const &lines, std::size_t begin, Overlay const &overlay) {
   static std::regex const expanded("([^:]+):([0-9]+):(?:([0-9]+):)? note: (in (?:definition|expansion) of macro .*)");
@@ -82,7 +98,10 @@ Diagnostic compiler_failure(std::vector<std::string> const &command, Captured co
     if (diagnostic.message.empty()) {
       diagnostic.place = cause ? cause->place : message->place;
       diagnostic.message = message->text;
-      if (cause) diagnostic.notes.push_back({message->place, "the compiler stopped here"});
+      if (cause)
+        diagnostic.notes.push_back({message->place, "the compiler stopped here"});
+      else
+        diagnostic.notes = instantiations(lines, i, overlay);
     } else {
       diagnostic.notes.push_back({cause ? cause->place : message->place, message->text});
     }

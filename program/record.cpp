@@ -42,9 +42,9 @@ Diagnostic locate(Located const &located, Symbolizer &symbolizer) {
 }
 
 std::string text(Diagnostic const &diagnostic) {
-  std::ostringstream out;
-  print(out, diagnostic);
-  return out.str();
+  std::string all = code(diagnostic.id) + to_string(diagnostic.place) + diagnostic.message;
+  for (Note const &note : diagnostic.notes) all += "\n" + to_string(note.place) + note.message;
+  return all;
 }
 
 // Two instructions of one expression are one place.

@@ -3,6 +3,7 @@
 
 #include <iostream>
 #include <memory>
+#include <nlohmann/json.hpp>
 
 namespace symreal::tool {
 namespace {
@@ -26,6 +27,14 @@ void explain(DiagnosticInfo const &row) {
             << wrapped("Way out: " + std::string(row.way_out) + ".");
 }
 
+void list_json() {
+  nlohmann::ordered_json rows = nlohmann::ordered_json::array();
+  for (DiagnosticInfo const &row : diagnostic_table())
+    rows.push_back(
+        {{"id", code(row.id)}, {"summary", row.summary}, {"explanation", row.explanation}, {"way out", row.way_out}});
+  std::cout << rows.dump(1) << "\n";
+}
+
 void list() {
   for (DiagnosticInfo const &row : diagnostic_table()) std::cout << code(row.id) << "  " << row.summary << "\n";
 }
@@ -35,10 +44,13 @@ void list() {
 void add_explain(CLI::App &app, Session &session) {
   CLI::App *command = app.add_subcommand("explain", "Say what a diagnostic means and what to do; without id, list all");
   auto wanted = std::make_shared<std::string>();
+  auto json = std::make_shared<bool>(false);
   command->add_option("id", *wanted, "As in SYM012");
-  command->callback([wanted, &session] {
+  command->add_flag("--json", *json, "All of them as JSON");
+  command->callback([wanted, json, &session] {
     refuse_flags(session);
-    if (wanted->empty()) return list();
+    if (*json && !wanted->empty()) fail(DiagnosticId::option_without_effect, {}, "--json is for the whole list");
+    if (wanted->empty()) return *json ? list_json() : list();
     DiagnosticInfo const *row = find_diagnostic(*wanted);
     if (!row) fail(DiagnosticId::bad_option, {}, "no diagnostic has the id '" + *wanted + "'");
     explain(*row);

@@ -1,5 +1,7 @@
 #include "diagnostics/diagnostic.h"
 
+#include "diagnostics/source_line.h"
+
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -52,7 +54,8 @@ static std::string_view spelling(Severity severity) {
 void print(std::ostream &out, Diagnostic const &diagnostic) {
   auto prefix = [](Place const &place) { return place.file.empty() ? std::string("symreal") : to_string(place); };
   out << prefix(diagnostic.place) << ": " << spelling(diagnostic.severity) << ": " << diagnostic.message << " ["
-      << code(diagnostic.id) << "]\n";
+      << code(diagnostic.id) << "]\n"
+      << marked_line(diagnostic.place);
   for (Note const &note : diagnostic.notes) out << prefix(note.place) << ": note: " << note.message << "\n";
   out << "  way out: " << info(diagnostic.id).way_out << "\n";
 }

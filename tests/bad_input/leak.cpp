@@ -47,22 +47,22 @@ int main() {
 // CHECK: program| 1 2 2 1
 // CHECK-NEXT: program| 2.25 3.25 1.5 0.5 2.75
 // CHECK: leak.cpp:[[@LINE-17]]:{{[0-9]+}}: error: code that was not rewritten computes with {{.*}}x[0]{{.*}} (met 1 time) [SYM055]
-// CHECK-NEXT: Inputs/plain.c:4:{{[0-9]+}}: note: here, in plain_less
+// CHECK: Inputs/plain.c:4:{{[0-9]+}}: note: here, in plain_less
 // CHECK: leak.cpp:[[@LINE-18]]:{{[0-9]+}}: error: {{.*}} computes with x[1] (met 1 time) [SYM055]
-// CHECK-NEXT: Inputs/plain.c:5:{{[0-9]+}}: note: here, in plain_truncate
+// CHECK: Inputs/plain.c:5:{{[0-9]+}}: note: here, in plain_truncate
 // CHECK: leak.cpp:[[@LINE-19]]:{{[0-9]+}}: error: {{.*}} computes with x[1] (met 1 time) [SYM055]
-// CHECK-NEXT: Inputs/plain.c:6:{{[0-9]+}}: note: here, in plain_round
+// CHECK: Inputs/plain.c:6:{{[0-9]+}}: note: here, in plain_round
 // CHECK: leak.cpp:[[@LINE-20]]:{{[0-9]+}}: error: {{.*}} computes with x[1] (met 1 time) [SYM055]
-// CHECK-NEXT: Inputs/plain.c:7:{{[0-9]+}}: note: here, in plain_larger
+// CHECK: Inputs/plain.c:7:{{[0-9]+}}: note: here, in plain_larger
 // CHECK: leak.cpp:[[@LINE-21]]:{{[0-9]+}}: error: {{.*}} computes with x[1] (met 1 time) [SYM055]
-// CHECK-NEXT: Inputs/plain.c:8:{{[0-9]+}}: note: here, in plain_distance
+// CHECK: Inputs/plain.c:8:{{[0-9]+}}: note: here, in plain_distance
 // CHECK: leak.cpp:[[@LINE-22]]:{{[0-9]+}}: error: {{.*}} computes with x[1] (met 1 time) [SYM055]
-// CHECK-NEXT: Inputs/plain.c:9:{{[0-9]+}}: note: here, in plain_root
+// CHECK: Inputs/plain.c:9:{{[0-9]+}}: note: here, in plain_root
 // CHECK: leak.cpp:[[@LINE-23]]:{{[0-9]+}}: error: {{.*}} computes with x[0] (met 1 time) [SYM055]
-// CHECK-NEXT: Inputs/plain.c:10:{{[0-9]+}}: note: here, in plain_float
+// CHECK: Inputs/plain.c:10:{{[0-9]+}}: note: here, in plain_float
 // CHECK: leak.cpp:[[@LINE-24]]:{{[0-9]+}}: error: {{.*}} computes with x[0] (met 1 time) [SYM055]
-// CHECK-NEXT: Inputs/plain.c:14:{{[0-9]+}}: note: here, in plain_sum
+// CHECK: Inputs/plain.c:14:{{[0-9]+}}: note: here, in plain_sum
 // CHECK: leak.cpp:[[@LINE-26]]:{{[0-9]+}}: error: {{.*}} computes with x[1] (met 1 time) [SYM055]
-// CHECK-NEXT: Inputs/plain.c:14:{{[0-9]+}}: note: here, in plain_sum
+// CHECK: Inputs/plain.c:14:{{[0-9]+}}: note: here, in plain_sum
 // CHECK: leak.cpp:[[@LINE-27]]:{{[0-9]+}}: error: {{.*}} computes with x[0] (met 1 time) [SYM055]
-// CHECK-NEXT: plain.h:10:{{[0-9]+}}: note: here, in plain_is_positive
+// CHECK: plain.h:10:{{[0-9]+}}: note: here, in plain_is_positive
