@@ -47,9 +47,11 @@ void add(Events &events, std::vector<std::string> const &field) {
     Severity const severity = kind == "warning" ? Severity::warning : Severity::error;
     events.diagnostics.push_back({row(field[1]).id, severity, place, field[5]});
   }
-  if ((kind == "decision" || kind == "settled") && has(4))
-    (kind == "decision" ? events.decisions : events.settled)
-        .push_back({number<std::size_t>(field[1]), field[2], addresses(field[3])});
+  std::vector<Decision> *const decisions = kind == "decision"  ? &events.decisions
+                                           : kind == "carried" ? &events.carried
+                                           : kind == "settled" ? &events.settled
+                                                               : nullptr;
+  if (decisions && has(4)) decisions->push_back({number<std::size_t>(field[1]), field[2], addresses(field[3])});
   if (kind == "frozen" && has(6)) events.frozen.push_back({field[1], field[2], field[3], addresses(field[5])});
   if (kind == "located" && has(4)) events.located.push_back({row(field[1]).id, field[2], addresses(field[3])});
 }

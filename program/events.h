@@ -7,6 +7,7 @@
 //   located     SYM0nn  message  address,address,...
 //   frozen      kernel  name  place  values  address,address,...
 //   decision    count  condition  address,address,...   hexadecimal, relative to the load base, innermost first
+//   carried     count  condition  address,address,...
 //   settled     count  condition  address,address,...
 //
 // Other kinds of event are for other readers.
@@ -48,7 +49,7 @@ struct Events {
   std::vector<std::string> started; // kernels that were begun
   std::vector<RecordedKernel> kernels;
   std::vector<Diagnostic> diagnostics;
-  std::vector<Decision> decisions, settled;
+  std::vector<Decision> decisions, carried, settled;
   std::vector<Located> located;
   std::vector<FrozenRead> frozen;
 };

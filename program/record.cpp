@@ -83,6 +83,13 @@ Diagnostic explain(Decision const &decision, Symbolizer &symbolizer) {
   return locate({DiagnosticId::symbolic_decision, message, decision.addresses}, symbolizer);
 }
 
+Diagnostic carried(Decision const &decision, Symbolizer &symbolizer) {
+  std::string message = fmt::format("by a pragma's word no output depends on {}", decision.condition);
+  Diagnostic diagnostic = locate({DiagnosticId::carried_decision, message, decision.addresses}, symbolizer);
+  diagnostic.severity = Severity::warning;
+  return diagnostic;
+}
+
 Diagnostic remark(Decision const &settled, Symbolizer &symbolizer) {
   std::string message =
       fmt::format("{} is taken for constant: in mode finite every value is finite", settled.condition);
@@ -201,6 +208,7 @@ Recording record(std::string const &executable, RunOptions const &options, rewri
   Symbolizer symbolizer(executable, overlay);
   for (Located const &located : events.located) add_once(recording.diagnostics, locate(located, symbolizer));
   for (Decision const &decision : events.decisions) recording.diagnostics.push_back(explain(decision, symbolizer));
+  for (Decision const &one : events.carried) recording.diagnostics.push_back(carried(one, symbolizer));
   for (Decision const &settled : events.settled) recording.diagnostics.push_back(remark(settled, symbolizer));
   bool explained = has_error(recording.diagnostics);
   std::vector<rewrite::Kernel> const kernels = wanted.empty() ? kernels_of(events) : wanted;

@@ -1,6 +1,7 @@
 #include "rewrite/decide.h"
 
 #include <algorithm>
+#include <set>
 
 namespace symreal::rewrite {
 namespace {
@@ -61,9 +62,10 @@ bool only_directives(PragmaFact const &pragma) {
 
 void check_directive(PragmaFact const &pragma, ClauseFact const &clause, Result &result) {
   std::string const &argument = clause.argument;
-  if (clause.name == "decisions" && argument != "error" && argument != "guard" && argument != "select")
+  static std::set<std::string> const policies = {"error", "guard", "select", "carry"};
+  if (clause.name == "decisions" && policies.count(argument) == 0)
     report(result, DiagnosticId::pragma_syntax, clause.place,
-           "decisions takes error, guard or select, not '" + argument + "'");
+           "decisions takes error, guard, select or carry, not '" + argument + "'");
   bool const is_number = argument.find_first_not_of("0123456789") == std::string::npos && argument.size() < 8 &&
                          argument.find_first_not_of('0') != std::string::npos;
   if (clause.name == "loop" && !is_number)

@@ -54,13 +54,20 @@ RealNumber compare_finite(RealNumber x) noexcept {
   return pool.record(Op::le, magnitude, std::numeric_limits<double>::max(), 0.0, caller);
 }
 
+static void report(std::string const &decision) {
+  if (decisions() == Decisions::carry)
+    trace::report_carried(decision);
+  else
+    trace::report_decision(decision);
+}
+
 bool decide(RealNumber condition) noexcept {
   double value = Pool::current().carried_value(condition);
   if (trace::is_missing(value)) require_value(value, "the decision on " + trace::describe(condition));
   if (decisions() == Decisions::guard)
     trace::Guards::current().add(SymbolicBool::from_condition(condition), value != 0);
   else
-    trace::report_decision(trace::describe(condition));
+    report(trace::describe(condition));
   return value != 0;
 }
 
@@ -69,13 +76,13 @@ double convert_to_integer(RealNumber x) noexcept {
   if (decisions() == Decisions::guard)
     trace::Guards::current().add(trunc(x) == RealNumber(std::trunc(value)), true);
   else
-    trace::report_decision("the conversion of " + trace::describe(x));
+    report("the conversion of " + trace::describe(x));
   return value;
 }
 
 double convert(RealNumber x) noexcept {
   double value = needed_value(x);
-  trace::report_decision("the conversion of " + trace::describe(x));
+  report("the conversion of " + trace::describe(x));
   return value;
 }
 

@@ -39,7 +39,7 @@ private:
 
 struct Log {
   std::vector<std::string> lines;
-  Meetings decisions, settled;
+  Meetings decisions, carried, settled;
   std::map<DiagnosticId, Meetings> interrupted;
   bool wrong = false;
 };
@@ -114,6 +114,8 @@ void report_decision(std::string const &condition) {
   log().wrong = true;
 }
 
+void report_carried(std::string const &condition) { log().carried.add(condition, call_stack()); }
+
 void report_settled(std::string const &condition) { log().settled.add(condition, call_stack()); }
 
 bool anything_wrong() { return log().wrong; }
@@ -128,6 +130,7 @@ void flush_events() {
     });
   };
   append("decision", log().decisions);
+  append("carried", log().carried);
   append("settled", log().settled);
   for (auto const &[id, meetings] : log().interrupted)
     meetings.for_each([&text, id = id](std::size_t count, std::string const &message, auto const &stack) {

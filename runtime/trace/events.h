@@ -8,6 +8,7 @@
 //   warning     the same, but nothing is wrong
 //   located     SYM0nn  message  address,address,...    the place is where the program stood: innermost first,
 //   decision    count  condition  address,address,...   hexadecimal, relative to where the executable is loaded
+//   carried     count  condition  address,address,...   a decision that a pragma answers for
 //   settled     count  condition  address,address,...   a condition that a premise of the floating-point mode settles
 //   frozen      kernel  name  place  values  address,address,...
 #pragma once
@@ -31,6 +32,8 @@ void report_here(DiagnosticId id, std::string const &message);
 void report_interrupted(DiagnosticId id, std::string const &message, std::uintptr_t delayed = 0);
 // A decision on a symbolic value at the caller's place; repetitions are counted.
 void report_decision(std::string const &condition);
+// A decision whose outcome a pragma answers for: the driver warns of it.
+void report_carried(std::string const &condition);
 // A condition at the caller's place that needs no decision: the driver remarks on it.
 void report_settled(std::string const &condition);
 bool anything_wrong();

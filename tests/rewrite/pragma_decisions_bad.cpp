@@ -1,6 +1,6 @@
 // Errors of decisions(...) and loop(N).
 // RUN: not %rewrite %s 2>&1 | FileCheck %s
-// CHECK-DAG: bad.cpp:[[@LINE+1]]:26: error: decisions takes error, guard or select, not 'maybe' [SYM021]
+// CHECK-DAG: bad.cpp:[[@LINE+1]]:26: error: decisions takes error, guard, select or carry, not 'maybe' [SYM021]
 #pragma symreal function decisions(maybe)
 double one(double x) { return x; }
 // CHECK-DAG: bad.cpp:[[@LINE+1]]:26: error: 'loop' does not belong in a function pragma [SYM021]

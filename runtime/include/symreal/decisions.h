@@ -10,6 +10,7 @@ enum class Decisions {
   error,  // the program goes on with the carried value, and every such place is reported
   guard,  // the path taken is recorded with its conditions
   select, // both arms are recorded where the source allows it; elsewhere as error
+  carry,  // the carried value is taken, and the place noted: the word of a pragma that no output depends on the outcome
 };
 
 // The policy of the calling thread at this moment.
