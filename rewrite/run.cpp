@@ -88,7 +88,8 @@ private:
       for (symreal::Diagnostic const &one : found.diagnostics) add_diagnostic(facts_, one);
       return;
     }
-    if (sources_.size() > 1) configurations_.add(source.source, found);
+    // A tree that the compiler gave up on agrees with no other.
+    if (sources_.size() > 1 && !found.broken) configurations_.add(source.source, found);
     merge(facts_, std::move(found));
   }
 
