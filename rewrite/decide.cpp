@@ -35,6 +35,7 @@ Rewording rewording(Wrap const &wrap) {
   case Use::integer: return make("SYMREAL_REAL_INT(", ")");
   case Use::table: return make("SYMREAL_REAL_TABLE(" + wrap.detail + ", ", ")");
   case Use::pasted: return make("SYMREAL_REAL_PASTED((" + wrap.detail + "), ", ")");
+  case Use::name: return make("SYMREAL_REAL_NAME(", ")");
   case Use::external: return make("SYMREAL_REAL_EXTERNAL(", ", " + wrap.detail + ")");
   case Use::function: return make("SYMREAL_REAL_FUNCTION(" + wrap.detail + ", ", ")");
   case Use::cast: return make("(" + wrap.detail + ")(", ")");
@@ -94,7 +95,7 @@ bool is_rewritten(std::string const &text, Span const &span) {
   return false;
 }
 
-void add_wraps(Facts const &facts, std::set<Span> const &pragmas, ByFile &rewordings) {
+void add_wraps(Facts const &facts, std::set<Span> const &pragmas, ByFile &rewordings, Result &result) {
   Wrap const *before = nullptr;
   for (Wrap const &wrap : facts.wraps) {
     // The same words in a macro or header that two sources name differently.
@@ -104,6 +105,10 @@ void add_wraps(Facts const &facts, std::set<Span> const &pragmas, ByFile &reword
     // The function reads the REALs itself, as REALs.
     if (wrap.use == Use::value && facts.number_readers.count(wrap.detail) != 0) continue;
     bool const is_text = wrap.use != Use::pasted && is_quoted(facts, wrap.span);
+    if (is_text && wrap.use == Use::name)
+      result.diagnostics.push_back({DiagnosticId::c_source, Severity::error,
+                                    place_in(facts.files.at(wrap.span.file), wrap.span.begin),
+                                    "'" + wrap.detail + "' is a keyword of C++, and a macro turns it into text"});
     if (!meets(pragmas, wrap.span) && !is_text) rewordings[wrap.span.file].push_back(rewording(wrap));
   }
 }
@@ -170,6 +175,14 @@ void add_dependence(Facts const &facts, Result &result) {
   result.comparisons = facts.comparisons.size();
 }
 
+// By file, the names in it that symbolic mode has others for: what the rewriter inserts may hold them as well.
+std::map<std::string, std::set<std::string>> renamed_names(Facts const &facts) {
+  std::map<std::string, std::set<std::string>> names;
+  for (Wrap const &wrap : facts.wraps)
+    if (wrap.use == Use::name) names[wrap.span.file].insert(wrap.detail);
+  return names;
+}
+
 bool has_error(Result const &result) {
   return std::any_of(result.diagnostics.begin(), result.diagnostics.end(),
                      [](Diagnostic const &one) { return one.severity == Severity::error; });
@@ -217,18 +230,21 @@ Result decide(Facts facts, Request const &request) {
   ByFile rewordings;
   add_types(facts, pragmas, ledger, rewordings, result);
   add_unaccounted(facts, pragmas, ledger, rewordings, result);
-  add_wraps(facts, pragmas, rewordings);
+  add_wraps(facts, pragmas, rewordings, result);
   add_selects(facts, rewordings, result);
   add_members(facts, rewordings);
   collect_kernels(facts, result);
   if (!has_error(result)) add_pragmas(facts, rewordings);
   add_boundaries(facts, result);
   add_dependence(facts, result);
+  auto renamed = renamed_names(facts);
   for (auto const &[path, file] : facts.files) {
-    for (Rewording &one : rewordings[path]) {
-      one.before = with_type_name(one.before, result.type_name);
-      one.after = with_type_name(one.after, result.type_name);
-    }
+    for (Rewording &one : rewordings[path])
+      for (std::string *inserted : {&one.before, &one.after}) {
+        // A rewording of the name itself holds it between the two.
+        if (renamed.contains(path)) *inserted = with_renamed(*inserted, renamed[path]);
+        *inserted = with_type_name(*inserted, result.type_name);
+      }
     std::vector<Edit> edits = compose(file.text, std::move(rewordings[path]));
     std::string text = apply_edits(file.text, edits);
     std::vector<Spelling> entries = ledger.entries(path, edits);

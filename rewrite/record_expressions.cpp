@@ -184,26 +184,4 @@ void Recorder::deduced_elements(Expr const *initializer) {
     wrap(initializer, Use::literal);
 }
 
-void Recorder::c_declaration(NamedDecl const *declaration) {
-  if (map_.language().CPlusPlus || !declaration->getIdentifier()) return;
-  static llvm::StringSet<> const keywords = {
-      "alignas",  "alignof", "and",      "bool",     "catch",    "class",     "compl",     "concept",      "constexpr",
-      "decltype", "delete",  "explicit", "export",   "false",    "friend",    "mutable",   "namespace",    "new",
-      "noexcept", "not",     "nullptr",  "operator", "or",       "private",   "protected", "public",       "requires",
-      "template", "this",    "throw",    "true",     "try",      "typeid",    "typename",  "using",        "virtual",
-      "wchar_t",  "xor",     "char16_t", "char32_t", "co_await", "co_return", "co_yield",  "static_assert"};
-  if (keywords.contains(declaration->getName()))
-    report(DiagnosticId::c_source, declaration->getLocation(),
-           "'" + declaration->getNameAsString() + "' is a keyword of C++");
-  if (auto const *variable = dyn_cast<VarDecl>(declaration))
-    if (variable->isFileVarDecl() && variable->getPreviousDecl() && !variable->hasExternalStorage() &&
-        variable->getPreviousDecl()->isThisDeclarationADefinition(context_) != VarDecl::DeclarationOnly)
-      report(DiagnosticId::c_source, variable->getLocation(),
-             "'" + variable->getNameAsString() + "' is defined a second time");
-  if (auto const *function = dyn_cast<FunctionDecl>(declaration))
-    if (function->isThisDeclarationADefinition() && !function->hasWrittenPrototype() && function->getNumParams() > 0)
-      report(DiagnosticId::c_source, function->getLocation(),
-             "'" + function->getNameAsString() + "' is defined in the style before C89");
-}
-
 } // namespace symreal::rewrite

@@ -46,6 +46,7 @@ public:
   void deduced_return(clang::Stmt const *body);
   void deduced_elements(clang::Expr const *initializer);
   void c_declaration(clang::NamedDecl const *declaration);
+  void c_call(clang::CallExpr const *call);
 
   // What has no counterpart (record_refused.cpp).
   void assembly(clang::GCCAsmStmt const *assembly);

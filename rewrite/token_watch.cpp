@@ -1,5 +1,6 @@
 #include "rewrite/token_watch.h"
 
+#include "rewrite/keyword_names.h"
 #include "support/files.h"
 #include "support/installation.h"
 
@@ -75,8 +76,10 @@ void watch_tokens(Preprocessor &preprocessor, SourceMap const &map, std::string 
     }
     if (token.is(tok::kw_double)) {
       if (std::optional<Span> const span = map.token(token.getLocation())) facts.doubles.insert(*span);
-    } else if (token.is(tok::identifier))
+    } else if (token.is(tok::identifier)) {
       names.note(token.getIdentifierInfo()->getName(), token.getLocation());
+      if (!map.language().CPlusPlus) note_keyword_name(token, map, facts);
+    }
   });
 }
 

@@ -9,6 +9,18 @@ namespace {
 
 bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 
+std::size_t end_of_literal(std::string const &text, std::size_t begin) {
+  std::size_t at = begin + 1;
+  while (at < text.size() && text[at] != text[begin]) at += text[at] == '\\' ? 2 : 1;
+  return std::min(at + 1, text.size());
+}
+
+std::size_t end_of_word(std::string const &text, std::size_t begin) {
+  std::size_t at = begin;
+  while (at < text.size() && is_word(text[at])) ++at;
+  return at;
+}
+
 } // namespace
 
 std::string choose_type_name(Request const &request, Facts const &facts, std::vector<Diagnostic> &diagnostics) {
@@ -41,6 +53,17 @@ std::string with_type_name(std::string const &text, std::string const &type_name
     result.append(text, at, found - at).append(is_type || is_macro ? type_name : stem);
   }
   return result.append(text, at);
+}
+
+std::string with_renamed(std::string const &text, std::set<std::string> const &names) {
+  std::string result;
+  for (std::size_t at = 0, end; at < text.size(); at = end) {
+    bool const is_literal = text[at] == '"' || text[at] == '\'';
+    end = is_literal ? end_of_literal(text, at) : std::max(end_of_word(text, at), at + 1);
+    std::string const word = text.substr(at, end - at);
+    result += names.contains(word) ? "SYMREAL_REAL_NAME(" + word + ")" : word;
+  }
+  return result;
 }
 
 std::vector<std::string> type_name_flags(std::string const &type_name) {

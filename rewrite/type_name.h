@@ -7,6 +7,7 @@
 
 #include "rewrite/facts.h"
 
+#include <set>
 #include <string>
 
 namespace symreal::rewrite {
@@ -16,5 +17,8 @@ std::string choose_type_name(Request const &request, Facts const &facts, std::ve
 
 // The text with the long forms in it replaced.
 std::string with_type_name(std::string const &text, std::string const &type_name);
+
+// The text with each of `names` in it renamed (keyword_names.h), but for literals.
+std::string with_renamed(std::string const &text, std::set<std::string> const &names);
 
 } // namespace symreal::rewrite

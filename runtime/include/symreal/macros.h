@@ -31,6 +31,7 @@
 #define SYMREAL_REAL_BITS(name, place, ...) __VA_ARGS__
 #define SYMREAL_REAL_BYTES(how, name, place, ...) __VA_ARGS__
 #define SYMREAL_REAL_PASTED(text, ...) __VA_ARGS__
+#define SYMREAL_REAL_NAME(name) name
 #define SYMREAL_REAL_MEMBERS(...)
 #define SYMREAL_OBJECT(...)
 #define SYMREAL_DECLARE(...)
@@ -111,7 +112,9 @@ public:                                                                         
 /* What a macro makes of the spelling `double`, which does not stand there any more. */
 #define SYMREAL_REAL_PASTED(text, ...) SYMREAL_UNPACKED text
 #define SYMREAL_UNPACKED(...) __VA_ARGS__
-/* C sources are compiled as C++ here: what a library has under a C name keeps it. */
+/* C sources are compiled as C++ here: what is a keyword of C++ gets another name, and what a library has under a C name
+   keeps it. */
+#define SYMREAL_REAL_NAME(name) symreal_##name
 #define SYMREAL_REAL_LINKAGE(...)                                                                                      \
   extern "C" {                                                                                                         \
   __VA_ARGS__;                                                                                                         \
