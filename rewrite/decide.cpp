@@ -44,17 +44,28 @@ Rewording rewording(Wrap const &wrap) {
   internal_failure("a use has a macro", __FILE__, __LINE__);
 }
 
+std::string text_of(Span const &span, Facts const &facts) {
+  return facts.files.at(span.file).text.substr(span.begin, span.end - span.begin);
+}
+
+// A library's typedef keeps its name where the program prints it.
+std::string replacement_of(TypeToken const &token, Facts const &facts) {
+  if (token.replacement == reserved_type_name || !meets(facts.printed, token.span)) return token.replacement;
+  return "SYMREAL_REAL_TYPE(" + text_of(token.span, facts) + ", " + token.replacement + ")";
+}
+
 void add_types(Facts const &facts, std::set<Span> const &pragmas, Ledger const &ledger, ByFile &rewordings,
                Result &result) {
   for (TypeToken const &token : facts.types) {
     if (meets(pragmas, token.span) || ledger.is_kept(token.span)) continue;
     if (!meets(facts.quoted, token.span)) {
       if (!token.replacement.empty())
-        rewordings[token.span.file].push_back({token.span.begin, token.span.end, token.replacement, "", true});
+        rewordings[token.span.file].push_back(
+            {token.span.begin, token.span.end, replacement_of(token, facts), "", true});
       continue;
     }
     FileFact const &file = facts.files.at(token.span.file);
-    std::string const text = file.text.substr(token.span.begin, token.span.end - token.span.begin);
+    std::string const text = text_of(token.span, facts);
     result.diagnostics.push_back({DiagnosticId::quoted_double, Severity::warning, place_in(file, token.span.begin),
                                   "'" + text + "' stays as it is: a macro turns this argument into text"});
   }

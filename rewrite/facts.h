@@ -215,6 +215,7 @@ struct Facts {
   std::map<Span, Consumed> consumed;                // tokens that may not have reached the parser
   std::map<Span, std::string> to_integers;          // conversions of REALs, with the integer type
   std::set<Span> comparisons;                       // of REALs, by the operator
+  std::set<Span> printed;                           // declarations whose text the program prints
   std::set<Span> quoted;                            // arguments that a macro stringifies or pastes: their text is data
   std::map<Span, PragmaFact> pragmas;               // by the span of the directive, or of the function's brace
   std::set<std::string> number_readers;        // variadic functions that read doubles themselves, by qualified name

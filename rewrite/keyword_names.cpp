@@ -1,21 +1,7 @@
 #include "rewrite/keyword_names.h"
 
 namespace symreal::rewrite {
-namespace {
-
 using namespace clang;
-
-// Does the token stand in REAL_NAME(...), from the rewriting before?
-bool is_renamed_already(SourceLocation location, SourceMap const &map) {
-  SourceManager const &sources = map.sources();
-  for (; sources.isMacroArgExpansion(location); location = sources.getImmediateSpellingLoc(location)) {
-    SourceLocation const parameter = sources.getImmediateExpansionRange(location).getBegin();
-    if (Lexer::getImmediateMacroName(parameter, sources, map.language()).ends_with("REAL_NAME")) return true;
-  }
-  return false;
-}
-
-} // namespace
 
 bool is_keyword_of_cpp(llvm::StringRef name) {
   static llvm::StringSet<> const keywords = {
@@ -33,7 +19,7 @@ bool is_renamed(llvm::StringRef name) {
 
 void note_keyword_name(Token const &token, SourceMap const &map, Facts &facts) {
   llvm::StringRef const name = token.getIdentifierInfo()->getName();
-  if (!is_renamed(name) || is_renamed_already(token.getLocation(), map)) return;
+  if (!is_renamed(name) || map.is_argument_of(token.getLocation(), "REAL_NAME")) return;
   // What a macro pasted together stands nowhere; the declaration is reported.
   std::optional<Span> const span = map.token(token.getLocation());
   if (span && map.text(*span, token.getLocation()) == name) facts.wraps.insert({*span, Use::name, name.str()});

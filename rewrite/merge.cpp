@@ -60,9 +60,9 @@ void add_diagnostic(Facts &facts, Diagnostic const &diagnostic) {
 
 void merge(Facts &facts, Facts &&other) {
   // Named one by one, so that a new kind of fact does not compile until it is merged as well.
-  auto &[files, types, doubles, wraps, members, reached, skipped, consumed, to_integers, comparisons, quoted, pragmas,
-         number_readers, by_hand, definitions, exported, uses, names, decisions, externals, configured_externals,
-         taken_names, include_dirs, read, diagnostics, broken] = other;
+  auto &[files, types, doubles, wraps, members, reached, skipped, consumed, to_integers, comparisons, printed, quoted,
+         pragmas, number_readers, by_hand, definitions, exported, uses, names, decisions, externals,
+         configured_externals, taken_names, include_dirs, read, diagnostics, broken] = other;
   for (auto &[path, file] : files)
     if (auto const [at, is_new] = facts.files.try_emplace(path, std::move(file)); !is_new)
       merge_file(at->second, std::move(file), facts);
@@ -75,6 +75,7 @@ void merge(Facts &facts, Facts &&other) {
   facts.consumed.merge(consumed);
   facts.to_integers.merge(to_integers);
   facts.comparisons.merge(comparisons);
+  facts.printed.merge(printed);
   facts.quoted.merge(quoted);
   for (auto &[span, pragma] : pragmas)
     if (auto const [at, is_new] = facts.pragmas.try_emplace(span, std::move(pragma)); !is_new)

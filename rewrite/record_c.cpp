@@ -26,7 +26,7 @@ void Recorder::c_declaration(NamedDecl const *declaration) {
 }
 
 void Recorder::c_call(CallExpr const *call) {
-  if (map_.language().CPlusPlus || call->getNumArgs() == 0) return;
+  if (map_.language().CPlusPlus || call->getNumArgs() == 0 || call->getBuiltinCallee() != 0) return;
   QualType const function = call->getCallee()->getType()->getPointeeType();
   if (!function.isNull() && function->getAs<FunctionNoProtoType>())
     report(DiagnosticId::c_source, call->getBeginLoc(),

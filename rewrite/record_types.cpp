@@ -64,6 +64,7 @@ std::string one_argument_template(TypedefNameDecl const *declaration) {
 
 void Recorder::typedef_name(TypedefNameDecl const *declaration, SourceLocation name, bool qualified, bool within_type) {
   if (!declaration || within_type || reals_.in_roots(declaration) || !map_.in_roots(name)) return;
+  if (map_.is_argument_of(name, "REAL_TYPE")) return;
   if (isa<CXXRecordDecl>(declaration->getDeclContext())) return; // its class says what it is
   QualType const type = declaration->getUnderlyingType();
   if (type->isDependentType() || !reals_.mentions_real(type) || Reals::is_passive_class(type)) return;
@@ -97,6 +98,15 @@ void Recorder::typedef_name(TypedefNameDecl const *declaration, SourceLocation n
     return;
   }
   facts_.types.insert({*span, replacement});
+}
+
+void Recorder::printed_signature(FunctionDecl const *function) {
+  for (FunctionDecl const *declaration : function->redecls()) {
+    SourceLocation const end =
+        declaration->doesThisDeclarationHaveABody() ? declaration->getBody()->getBeginLoc() : declaration->getEndLoc();
+    if (std::optional<Span> const span = map_.range({declaration->getOuterLocStart(), end}))
+      facts_.printed.insert(*span);
+  }
 }
 
 } // namespace symreal::rewrite

@@ -45,6 +45,8 @@ public:
   void deduced_variable(clang::VarDecl const *variable);
   void deduced_return(clang::Stmt const *body);
   void deduced_elements(clang::Expr const *initializer);
+  // The text of its declaration is part of the program: __PRETTY_FUNCTION__, which assert prints.
+  void printed_signature(clang::FunctionDecl const *function);
   void c_declaration(clang::NamedDecl const *declaration);
   void c_call(clang::CallExpr const *call);
 

@@ -164,6 +164,14 @@ std::vector<Note> SourceMap::expansions(clang::SourceLocation location) const {
   return notes;
 }
 
+bool SourceMap::is_argument_of(clang::SourceLocation location, llvm::StringRef macro) const {
+  for (; sources_.isMacroArgExpansion(location); location = sources_.getImmediateSpellingLoc(location)) {
+    clang::SourceLocation const parameter = sources_.getImmediateExpansionRange(location).getBegin();
+    if (clang::Lexer::getImmediateMacroName(parameter, sources_, language_).ends_with(macro)) return true;
+  }
+  return false;
+}
+
 std::string SourceMap::text(Span const &span, clang::SourceLocation inside) const {
   clang::FileID const file = sources_.getFileID(sources_.getSpellingLoc(inside));
   return sources_.getBufferData(file).substr(span.begin, span.end - span.begin).str();

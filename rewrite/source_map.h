@@ -53,6 +53,9 @@ public:
   // The macros in whose bodies it is written, the innermost first.
   std::vector<Note> expansions(clang::SourceLocation location) const;
 
+  // Does the token stand in a call of one of our macros, from the rewriting before? By the end of the macro's name.
+  bool is_argument_of(clang::SourceLocation location, llvm::StringRef macro) const;
+
   std::string text(Span const &span, clang::SourceLocation inside) const;
   std::string text_in(clang::FileID frame, Span const &span) const;
 

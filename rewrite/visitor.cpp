@@ -158,6 +158,10 @@ public:
     if (!passive_) record_.function_value(reference);
     return true;
   }
+  bool VisitPredefinedExpr(PredefinedExpr *name) {
+    if (function_ && name->getIdentKind() == PredefinedIdentKind::PrettyFunction) record_.printed_signature(function_);
+    return true;
+  }
   bool VisitMemberExpr(MemberExpr *member) {
     if (auto const *variable = dyn_cast<VarDecl>(member->getMemberDecl())) state(variable, member);
     if (!passive_ && !no_state_) record_.union_member(member);

@@ -1,6 +1,9 @@
 // Eigen's typedefs become their templates on REAL, spelled without a comma where Eigen has such a name.
 // What a macro of a library does is the library's.
 // RUN: %rewrite %s -- -I/usr/include/eigen3 2>&1 | FileCheck %s --implicit-check-not='SYM{{040}}'
+// RUN: %same %s -- -I/usr/include/eigen3
+// RUN: rm -rf %t && mkdir %t && cp %s %t/e.cpp && cd %t && %symreal rewrite e.cpp --out-root once -- -I/usr/include/eigen3
+// RUN: cd %t/once && %symreal rewrite e.cpp --diff -- -I/usr/include/eigen3 | count 0
 #include <Eigen/Dense>
 #include <Eigen/StdVector>
 
@@ -24,4 +27,17 @@ double f(Eigen::Matrix3d const &m, Eigen::VectorXd v) {
   Isometry3d t = Isometry3d::Identity();
   a *= 0.25;
   return a.dot(q * a) + map(0, 0) + (t * a).norm() + b(1);
+}
+
+// A function that prints what it is keeps the typedef's name in numeric mode.
+struct Solver {
+  // CHECK: bool solve(Eigen::REAL_TYPE(VectorXd, VectorX<REAL>) const &v, REAL tolerance);
+  bool solve(Eigen::VectorXd const &v, double tolerance);
+};
+// CHECK: bool Solver::solve(Eigen::REAL_TYPE(VectorXd, VectorX<REAL>) const &v, REAL tolerance) {
+bool Solver::solve(Eigen::VectorXd const &v, double tolerance) {
+  assert(v.size() > 2);
+  // CHECK: Eigen::VectorX<REAL> w =
+  Eigen::VectorXd w = v * tolerance;
+  return w.size() == 3;
 }

@@ -32,6 +32,7 @@
 #define SYMREAL_REAL_BYTES(how, name, place, ...) __VA_ARGS__
 #define SYMREAL_REAL_PASTED(text, ...) __VA_ARGS__
 #define SYMREAL_REAL_NAME(name) name
+#define SYMREAL_REAL_TYPE(name, ...) name
 #define SYMREAL_REAL_MEMBERS(...)
 #define SYMREAL_OBJECT(...)
 #define SYMREAL_DECLARE(...)
@@ -115,6 +116,7 @@ public:                                                                         
 /* C sources are compiled as C++ here: what is a keyword of C++ gets another name, and what a library has under a C name
    keeps it. */
 #define SYMREAL_REAL_NAME(name) symreal_##name
+#define SYMREAL_REAL_TYPE(name, ...) __VA_ARGS__
 #define SYMREAL_REAL_LINKAGE(...)                                                                                      \
   extern "C" {                                                                                                         \
   __VA_ARGS__;                                                                                                         \
