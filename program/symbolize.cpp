@@ -39,8 +39,10 @@ static bool is_runtime(llvm::DILineInfo const &info) {
 
 // The function as the user's program has it.
 static std::string original_name(std::string function) {
-  constexpr std::string_view real = "symreal::RealNumber";
+  constexpr std::string_view real = "symreal::types::RealNumber";
   for (std::size_t at; (at = function.find(real)) != function.npos;) function.replace(at, real.size(), "double");
+  constexpr std::string_view renamed = "symreal_"; // a keyword of C++ that is a name in C
+  if (function.starts_with(renamed)) function.erase(0, renamed.size());
   return function;
 }
 

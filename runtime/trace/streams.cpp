@@ -3,7 +3,7 @@
 #include <istream>
 #include <ostream>
 
-namespace symreal {
+namespace symreal::types {
 
 std::ostream &operator<<(std::ostream &out, RealNumber x) { return out << value(x); }
 
@@ -14,4 +14,4 @@ std::istream &operator>>(std::istream &in, RealNumber &x) {
   return in;
 }
 
-} // namespace symreal
+} // namespace symreal::types

@@ -9,8 +9,6 @@
 
 namespace symreal {
 
-template <class T> class SymbolicInt; // holds a number and nothing else
-
 namespace detail {
 
 template <class T, class = void> struct is_matrix : std::false_type {};

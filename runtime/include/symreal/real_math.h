@@ -75,7 +75,6 @@ inline RealNumber hypot(RealNumber x, RealNumber y, RealNumber z) noexcept {
 }
 
 // Rounding to an integer type is rounding and a conversion (symbolic_int.h).
-template <class T> class SymbolicInt;
 SymbolicInt<long> lround(RealNumber x) noexcept;
 SymbolicInt<long long> llround(RealNumber x) noexcept;
 SymbolicInt<long> lrint(RealNumber x) noexcept;

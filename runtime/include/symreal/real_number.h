@@ -18,10 +18,17 @@
 #include <cstdint>
 #include <type_traits>
 
+// The types have a namespace of their own, with their operators and nothing else: for a double the language looks into
+// no namespace, so a program's own max(x, y) or value(x) must not meet the functions of ours.
 namespace symreal {
-
+namespace types {
 class RealNumber;
-
+class SymbolicBool;
+template <class T> class SymbolicInt;
+} // namespace types
+using types::RealNumber;
+using types::SymbolicBool;
+using types::SymbolicInt;
 } // namespace symreal
 
 // Code that asks for a floating-point number means RealNumber, too, and would take its other way otherwise. The
@@ -61,8 +68,7 @@ bool selects() noexcept;
 
 } // namespace detail
 
-// What a comparison yields: a truth value that knows what it was computed from. Converting it to bool is a decision.
-class SymbolicBool;
+namespace types {
 
 class RealNumber {
   double value_;
@@ -165,6 +171,7 @@ public:
 static_assert(sizeof(RealNumber) == 8 && alignof(RealNumber) == alignof(double));
 static_assert(std::is_trivially_copyable_v<RealNumber> && std::is_trivially_default_constructible_v<RealNumber>);
 
+// What a comparison yields: a truth value that knows what it was computed from. Converting it to bool is a decision.
 class SymbolicBool {
 public:
   // Explicit: otherwise `c ? x < y : flag` might become either type.
@@ -238,6 +245,8 @@ SYMREAL_COMPOUND(*)
 SYMREAL_COMPOUND(/)
 #undef SYMREAL_COMPOUND
 
+} // namespace types
+
 // The carried value: the number that the program would have here. For printing; no dependency is recorded.
 inline double value(RealNumber x) noexcept { return x.is_node() ? detail::needed_value(x) : x.plain(); }
 template <class T, class = std::enable_if_t<std::is_arithmetic_v<T>>> constexpr T value(T x) noexcept { return x; }
@@ -254,7 +263,7 @@ constexpr T &&value(T &&x) noexcept {
   return condition.holds() ? y : z;
 }
 
-[[gnu::always_inline]] inline RealNumber::RealNumber(SymbolicBool condition) noexcept : value_(0) {
+[[gnu::always_inline]] inline types::RealNumber::RealNumber(SymbolicBool condition) noexcept : value_(0) {
   if (!condition.is_symbolic() || !detail::selects())
     value_ = static_cast<bool>(condition) ? 1 : 0;
   else

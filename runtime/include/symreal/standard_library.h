@@ -12,12 +12,12 @@
 #include <ostream>
 #include <string>
 
-namespace symreal {
+namespace symreal::types {
 // Prints the carried value.
 std::ostream &operator<<(std::ostream &out, RealNumber x);
 inline std::ostream &operator<<(std::ostream &out, SymbolicBool x) { return out << value(x); }
 std::istream &operator>>(std::istream &in, RealNumber &x);
-} // namespace symreal
+} // namespace symreal::types
 
 namespace std {
 

@@ -13,8 +13,6 @@
 
 namespace symreal {
 
-template <class T> class SymbolicInt;
-
 namespace detail {
 
 template <class T> using IfInteger =
@@ -38,6 +36,8 @@ inline void require_not_negative(RealNumber x) noexcept {
 }
 
 } // namespace detail
+
+namespace types {
 
 template <class T> class SymbolicInt {
   static_assert(std::is_integral_v<T>);
@@ -102,6 +102,8 @@ private:
   RealNumber number_;
 };
 
+} // namespace types
+
 namespace detail {
 
 // Operands after the usual conversions. A negative number would become a large one in an unsigned type.
@@ -126,6 +128,8 @@ template <class C> SymbolicInt<C> remainder_of(RealNumber x, RealNumber y) {
 }
 
 } // namespace detail
+
+namespace types {
 
 // With an integer the result is an integer, with a floating-point number a real number, as in the language.
 #define SYMREAL_INTEGER(op, compute)                                                                                   \
@@ -193,6 +197,8 @@ SYMREAL_INTEGER_COMPARISON(!=)
 template <class T> SymbolicInt<detail::Common<T, T>> operator-(SymbolicInt<T> x) noexcept { return T(0) - x; }
 template <class T> SymbolicInt<detail::Common<T, T>> operator+(SymbolicInt<T> x) noexcept { return T(0) + x; }
 
+} // namespace types
+
 template <class T> SymbolicInt<detail::Common<T, T>> abs(SymbolicInt<T> x) noexcept {
   return SymbolicInt<detail::Common<T, T>>::from_number(abs(x.number()));
 }
@@ -232,13 +238,16 @@ SymbolicInt<T> clamp(SymbolicInt<T> x, typename detail::Given<SymbolicInt<T>>::T
 
 // Prints the carried value; so does REAL_VALUE among the arguments of printf.
 template <class T> T value(SymbolicInt<T> x) noexcept { return static_cast<T>(value(x.number())); }
+namespace types {
 template <class Character, class Traits, class T>
 std::basic_ostream<Character, Traits> &operator<<(std::basic_ostream<Character, Traits> &out, SymbolicInt<T> x) {
   return out << value(x);
 }
+} // namespace types
 
 } // namespace symreal
 
+using symreal::abs;
 namespace std {
 using symreal::abs;
 using symreal::clamp;

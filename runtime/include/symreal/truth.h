@@ -22,6 +22,8 @@ template <class T> inline constexpr bool is_symbolic_truth =
 
 template <class T> inline constexpr bool is_truth = std::is_same_v<T, SymbolicBool> || std::is_same_v<T, bool>;
 
+namespace types {
+
 // An integer made of truth values. It becomes a number without a decision, an integer by one.
 class SymbolicInteger {
 public:
@@ -46,6 +48,9 @@ private:
   RealNumber value_;
 };
 
+} // namespace types
+using types::SymbolicInteger;
+
 inline int value(SymbolicInteger x) noexcept { return static_cast<int>(value(x.number())); }
 
 template <class T> inline constexpr bool is_number_or_truth =
@@ -60,6 +65,8 @@ template <class A, class B> inline constexpr bool counts =
     (is_symbolic_integer<A> && (is_symbolic_integer<B> || std::is_arithmetic_v<B>)) ||
     (std::is_arithmetic_v<A> && is_symbolic_integer<B>);
 } // namespace detail
+
+namespace types {
 
 #define SYMREAL_COUNT(op)                                                                                              \
   template <class A, class B, class = std::enable_if_t<detail::counts<A, B>>>                                          \
@@ -108,5 +115,7 @@ SYMREAL_WITH_BOOL(|)
 SYMREAL_WITH_BOOL(==)
 SYMREAL_WITH_BOOL(!=)
 #undef SYMREAL_WITH_BOOL
+
+} // namespace types
 
 } // namespace symreal
