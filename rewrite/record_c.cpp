@@ -33,4 +33,15 @@ void Recorder::c_call(CallExpr const *call) {
            "a function that is declared without parameters is called with arguments");
 }
 
+// What takes a pointer to const in C++ gives one.
+void Recorder::c_search(CallExpr const *call) {
+  static llvm::StringSet<> const searches = {"memchr", "strchr",  "strrchr", "strstr",  "strpbrk",
+                                             "wcschr", "wcsrchr", "wcsstr",  "wcspbrk", "wmemchr"};
+  FunctionDecl const *function = call->getDirectCallee();
+  if (map_.language().CPlusPlus || !function || reals_.in_roots(function) || !function->getIdentifier()) return;
+  if (searches.contains(function->getName()) &&
+      call->getArg(0)->IgnoreParenImpCasts()->getType()->getPointeeType().isConstQualified())
+    wrap(call, Use::cast, call->getType().getAsString(PrintingPolicy(map_.language())));
+}
+
 } // namespace symreal::rewrite

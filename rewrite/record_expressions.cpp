@@ -55,10 +55,9 @@ void Recorder::implicit_cast(ImplicitCastExpr const *cast, bool decides) {
     if (auto const *construction = dyn_cast<CXXConstructExpr>(from->IgnoreImplicit()))
       converting_construction(construction);
     return;
-  case CK_BitCast:
-    if (map_.language().CPlusPlus || cast->isPartOfExplicitCast()) return;
-    if (from->getType()->isVoidPointerType() && !to->isVoidPointerType())
-      wrap(from, Use::cast, spelled(to, map_.language()));
+  case CK_BitCast: // to another type, or to one that is less const
+  case CK_NoOp:
+    if (!cast->isPartOfExplicitCast() && is_pointer_of_c(cast)) wrap(from, Use::cast, spelled(to, map_.language()));
     return;
   case CK_IntegralToFloating: // an enumerator among numbers: a class has no built-in promotion
     if (Expr const *written = from->IgnoreParenImpCasts();
@@ -72,6 +71,14 @@ void Recorder::implicit_cast(ImplicitCastExpr const *cast, bool decides) {
     return;
   default: return;
   }
+}
+
+// C converts pointers that C++ does not.
+bool Recorder::is_pointer_of_c(ImplicitCastExpr const *cast) const {
+  QualType const from = cast->getSubExpr()->getType()->getPointeeType(), to = cast->getType()->getPointeeType();
+  if (map_.language().CPlusPlus || from.isNull() || to.isNull() || !cast->getType()->isPointerType()) return false;
+  if (!to.isAtLeastAsQualifiedAs(from)) return true;
+  return !to->isVoidType() && !context_.hasSameUnqualifiedType(from, to);
 }
 
 void Recorder::explicit_cast(ExplicitCastExpr const *cast) {

@@ -48,6 +48,8 @@ public:
   // The text of its declaration is part of the program: __PRETTY_FUNCTION__, which assert prints.
   void printed_signature(clang::FunctionDecl const *function);
   void c_declaration(clang::NamedDecl const *declaration);
+  bool is_pointer_of_c(clang::ImplicitCastExpr const *cast) const;
+  void c_search(clang::CallExpr const *call);
   void c_call(clang::CallExpr const *call);
 
   // What has no counterpart (record_refused.cpp).

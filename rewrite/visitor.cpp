@@ -61,6 +61,7 @@ public:
     if (passive_ || !map_.in_roots(call->getBeginLoc())) return true;
     record_.call(call);
     record_.c_call(call);
+    record_.c_search(call);
     record_.dependent_variadic_call(call);
     if (no_state_) return true;
     record_.state_of_call(call);

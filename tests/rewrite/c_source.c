@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 struct node { double value; struct node *next; };
 enum side { left, right };
@@ -30,6 +31,16 @@ double smallest(int n, double *given)
     // CHECK: i = REAL_TO(REAL_INT(int), floor(result));
     i = floor(result);
     printf("%d %g\n", i, result);
+    // CHECK: char *found = (char *)(strchr(label, 'x'));
+    const char *label = "x", **labels = &label;
+    char *found = strchr(label, 'x');
+    // CHECK: unsigned *bits = (unsigned int *)(&n);
+    unsigned *bits = &n;
+    // CHECK: char **words = (char **)(labels);
+    char **words = labels;
+    // CHECK: const void *any = words;
+    const void *any = words;
+    printf("%p %p %p\n", (void *)found, (void *)bits, any);
     free(x);
     free(head);
     return result;

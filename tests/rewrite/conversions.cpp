@@ -18,3 +18,7 @@ int const half = 2.5;
 void show(double x, float y) { std::printf("%g %g %g %d\n", x, y, 1.5, half); }
 // CHECK: void read(REAL *x) { if (std::scanf("%lf", x) != 1) REAL_WRITTEN({{.*}}, *x) = 0; }
 void read(double *x) { if (std::scanf("%lf", x) != 1) *x = 0; }
+enum Direction { backwards = -1, forwards = 1 };
+enum class Side { left, right };
+// CHECK: return REAL(d) * x + static_cast<REAL>(s) + REAL_TO(int, d) * x + (REAL)d;
+double turn(Direction d, Side s, double x) { return double(d) * x + static_cast<double>(s) + d * x + (double)d; }

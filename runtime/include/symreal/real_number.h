@@ -82,6 +82,8 @@ public:
   template <class T, class = std::enable_if_t<std::is_arithmetic_v<T>>> constexpr RealNumber(T value) noexcept
       : value_(static_cast<double>(value)) {}
 
+  template <class T, std::enable_if_t<std::is_enum_v<T>, int> = 0> explicit constexpr RealNumber(T value) noexcept
+      : value_(static_cast<double>(value)) {}
   // Of volatile numbers, which recording sees like any other. As templates these are no copy operations of the class,
   // which stays trivially copyable.
   template <class T, IfReal<T> = 0> constexpr RealNumber(T const volatile &other) noexcept : value_(other.value_) {}
