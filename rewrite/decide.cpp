@@ -35,6 +35,7 @@ Rewording rewording(Wrap const &wrap) {
   case Use::integer: return make("SYMREAL_REAL_INT(", ")");
   case Use::table: return make("SYMREAL_REAL_TABLE(" + wrap.detail + ", ", ")");
   case Use::pasted: return make("SYMREAL_REAL_PASTED((" + wrap.detail + "), ", ")");
+  case Use::prototype: return make(" SYMREAL_REAL_PROTOTYPE((" + wrap.detail + "), ", ")");
   case Use::name: return make("SYMREAL_REAL_NAME(", ")");
   case Use::external: return make("SYMREAL_REAL_EXTERNAL(", ", " + wrap.detail + ")");
   case Use::function: return make("SYMREAL_REAL_FUNCTION(" + wrap.detail + ", ", ")");

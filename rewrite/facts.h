@@ -68,6 +68,7 @@ enum class Use {
   state,
   local_state, // of integers that only one function can name
   pasted,      // a macro whose expansion pastes or quotes what a converted type is spelled as
+  prototype,   // of a function that is declared as before C89
   name,        // a keyword of C++ that is a name in C
 };
 
@@ -76,7 +77,8 @@ struct Wrap {
   Use use;
   // conversion, cast: the type; state: the declaration's place; returned, and the uses between literal and state: the
   // other arguments; value: the function of the program, if it is one, whose variadic argument the expression is;
-  // external, table: the other arguments; pasted: the text that the macro expands to; name: it
+  // external, table: the other arguments; pasted: the text that the macro expands to; name: it;
+  // prototype: the parameters
   std::string detail;
   auto operator<=>(Wrap const &) const = default;
 };

@@ -1,9 +1,20 @@
 // What C allows and C++ does not, beyond what a cast can make good.
 #include "rewrite/keyword_names.h"
+#include "rewrite/pragma_text.h"
 #include "rewrite/recorder.h"
 
 namespace symreal::rewrite {
 using namespace clang;
+
+namespace {
+
+// The definition, if it has parameters.
+FunctionDecl const *parameters_of_c(FunctionDecl const *function) {
+  FunctionDecl const *definition = function->getDefinition();
+  return definition && definition->getNumParams() > 0 ? definition : nullptr;
+}
+
+} // namespace
 
 void Recorder::c_declaration(NamedDecl const *declaration) {
   if (map_.language().CPlusPlus || !declaration->getIdentifier()) return;
@@ -19,14 +30,41 @@ void Recorder::c_declaration(NamedDecl const *declaration) {
         variable->getPreviousDecl()->isThisDeclarationADefinition(context_) != VarDecl::DeclarationOnly)
       report(DiagnosticId::c_source, variable->getLocation(),
              "'" + variable->getNameAsString() + "' is defined a second time");
-  if (auto const *function = dyn_cast<FunctionDecl>(declaration))
-    if (function->isThisDeclarationADefinition() && !function->hasWrittenPrototype() && function->getNumParams() > 0)
-      report(DiagnosticId::c_source, function->getLocation(),
-             "'" + function->getNameAsString() + "' is defined in the style before C89");
+  if (auto const *function = dyn_cast<FunctionDecl>(declaration)) c_prototype(function);
+}
+
+// A function that is declared as before C89, f() or f(a, b) double a; int b; and defined with parameters: C++ must be
+// told of them. What stands there remains for numeric mode.
+void Recorder::c_prototype(FunctionDecl const *function) {
+  FunctionDecl const *definition = parameters_of_c(function);
+  if (function->hasWrittenPrototype() || !definition || !map_.in_roots(function->getLocation())) return;
+  std::string parameters;
+  for (ParmVarDecl const *parameter : definition->parameters()) {
+    std::string declarator = parameter->getNameAsString();
+    PrintingPolicy policy(map_.language());
+    policy.Bool = true;
+    parameter->getOriginalType().getAsStringInternal(declarator, policy);
+    parameters.append(parameters.empty() ? "" : ", ").append(declarator);
+  }
+  FunctionTypeLoc const type = function->getFunctionTypeLoc();
+  if (type && map_.is_argument_of(type.getLParenLoc(), "REAL_PROTOTYPE")) return;
+  SourceLocation end = type ? type.getRParenLoc().getLocWithOffset(1) : SourceLocation();
+  if (function->isThisDeclarationADefinition())
+    for (ParmVarDecl const *parameter : function->parameters())
+      end = std::max(end, Lexer::findLocationAfterToken(parameter->getEndLoc(), tok::semi, map_.sources(),
+                                                        map_.language(), /*SkipTrailingWhitespaceAndNewLine=*/false));
+  std::optional<Span> const span = type ? map_.characters(type.getLParenLoc(), end) : std::nullopt;
+  if (!span || map_.text(*span, type.getLParenLoc()).find('#') != std::string::npos)
+    report(DiagnosticId::c_source, function->getLocation(),
+           "'" + function->getNameAsString() +
+               "' is declared in the style before C89, partly by macros or under conditions");
+  else
+    facts_.wraps.insert({*span, Use::prototype, with_real(parameters)});
 }
 
 void Recorder::c_call(CallExpr const *call) {
   if (map_.language().CPlusPlus || call->getNumArgs() == 0 || call->getBuiltinCallee() != 0) return;
+  if (FunctionDecl const *callee = call->getDirectCallee(); callee && parameters_of_c(callee)) return;
   QualType const function = call->getCallee()->getType()->getPointeeType();
   if (!function.isNull() && function->getAs<FunctionNoProtoType>())
     report(DiagnosticId::c_source, call->getBeginLoc(),

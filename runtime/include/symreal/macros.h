@@ -33,6 +33,7 @@
 #define SYMREAL_REAL_PASTED(text, ...) __VA_ARGS__
 #define SYMREAL_REAL_NAME(name) name
 #define SYMREAL_REAL_TYPE(name, ...) name
+#define SYMREAL_REAL_PROTOTYPE(parameters, ...) __VA_ARGS__
 #define SYMREAL_REAL_MEMBERS(...)
 #define SYMREAL_OBJECT(...)
 #define SYMREAL_DECLARE(...)
@@ -117,6 +118,7 @@ public:                                                                         
    keeps it. */
 #define SYMREAL_REAL_NAME(name) symreal_##name
 #define SYMREAL_REAL_TYPE(name, ...) __VA_ARGS__
+#define SYMREAL_REAL_PROTOTYPE(parameters, ...) parameters
 #define SYMREAL_REAL_LINKAGE(...)                                                                                      \
   extern "C" {                                                                                                         \
   __VA_ARGS__;                                                                                                         \
