@@ -207,7 +207,10 @@ void Recorder::outside_argument(FunctionDecl const *function, unsigned index, Ex
   QualType const parameter = function->getParamDecl(index)->getType();
   QualType const declared = [&] {
     FunctionDecl const *pattern = Reals::pattern(function);
-    return index < pattern->getNumParams() ? pattern->getParamDecl(index)->getType() : parameter;
+    unsigned const count = pattern->getNumParams();
+    if (index < count) return pattern->getParamDecl(index)->getType();
+    bool const in_pack = count > 0 && pattern->getParamDecl(count - 1)->isParameterPack();
+    return in_pack ? pattern->getParamDecl(count - 1)->getType() : parameter;
   }();
   auto const *method = dyn_cast<CXXMethodDecl>(function);
   // complex<double>, written out by the library, is another class than complex<REAL>, and so are its members.
