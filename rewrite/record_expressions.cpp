@@ -7,7 +7,15 @@ using namespace clang;
 void Recorder::wrap(Expr const *expression, Use use, std::string detail) {
   SourceLocation const begin = expression->getBeginLoc();
   if (!map_.in_roots(begin)) return;
-  if (std::optional<Span> const span = map_.range(expression->getSourceRange()))
+  std::optional<Span> span = map_.range(expression->getSourceRange());
+  // The parentheses may be those of a library's macro around its argument.
+  for (Expr const *inner = expression; !span;) {
+    auto const *parens = dyn_cast<ParenExpr>(inner->IgnoreImplicit());
+    if (!parens) break;
+    inner = parens->getSubExpr();
+    span = map_.range(inner->getSourceRange());
+  }
+  if (span)
     facts_.wraps.insert({*span, use, std::move(detail)});
   else
     report(DiagnosticId::split_expression, begin, "this expression is partly made by a macro and needs a conversion");
