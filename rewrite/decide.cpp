@@ -2,6 +2,7 @@
 
 #include "rewrite/compose.h"
 #include "rewrite/pragma_text.h"
+#include "rewrite/text_calls.h"
 #include "rewrite/type_name.h"
 
 #include <algorithm>
@@ -238,8 +239,9 @@ Result decide(Facts facts, Request const &request) {
   std::set<Span> pragmas;
   for (auto const &[span, pragma] : facts.pragmas)
     if (!pragma.configured) pragmas.insert(span);
-  Ledger const ledger(facts);
   ByFile rewordings;
+  copy_text_calls(facts, rewordings);
+  Ledger const ledger(facts);
   add_types(facts, pragmas, ledger, rewordings, result);
   add_unaccounted(facts, pragmas, ledger, rewordings, result);
   add_wraps(facts, pragmas, rewordings, result);

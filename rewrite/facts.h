@@ -219,6 +219,8 @@ struct Facts {
   std::set<Span> comparisons;                       // of REALs, by the operator
   std::set<Span> printed;                           // declarations whose text the program prints
   std::set<Span> quoted;                            // arguments that a macro stringifies or pastes: their text is data
+  std::set<Span> pasted;                            // those of them that a macro pastes
+  std::set<Span> text_calls;                        // calls of macros that stringify an argument
   std::map<Span, PragmaFact> pragmas;               // by the span of the directive, or of the function's brace
   std::set<std::string> number_readers;        // variadic functions that read doubles themselves, by qualified name
   std::vector<Kernel> by_hand;                 // generate_code("...") in a symbolic main that was written by hand

@@ -61,7 +61,7 @@ void add_diagnostic(Facts &facts, Diagnostic const &diagnostic) {
 void merge(Facts &facts, Facts &&other) {
   // Named one by one, so that a new kind of fact does not compile until it is merged as well.
   auto &[files, types, doubles, wraps, members, reached, skipped, consumed, to_integers, comparisons, printed, quoted,
-         pragmas, number_readers, by_hand, definitions, exported, uses, names, decisions, externals,
+         pasted, text_calls, pragmas, number_readers, by_hand, definitions, exported, uses, names, decisions, externals,
          configured_externals, taken_names, include_dirs, read, diagnostics, broken] = other;
   for (auto &[path, file] : files)
     if (auto const [at, is_new] = facts.files.try_emplace(path, std::move(file)); !is_new)
@@ -77,6 +77,8 @@ void merge(Facts &facts, Facts &&other) {
   facts.comparisons.merge(comparisons);
   facts.printed.merge(printed);
   facts.quoted.merge(quoted);
+  facts.pasted.merge(pasted);
+  facts.text_calls.merge(text_calls);
   for (auto &[span, pragma] : pragmas)
     if (auto const [at, is_new] = facts.pragmas.try_emplace(span, std::move(pragma)); !is_new)
       merge_pragma(at->second, std::move(pragma));

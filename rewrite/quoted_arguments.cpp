@@ -12,8 +12,9 @@ public:
         facts_(facts),
         expansions_(expansions) {}
 
-  void MacroExpands(Token const &name, MacroDefinition const &definition, SourceRange,
+  void MacroExpands(Token const &name, MacroDefinition const &definition, SourceRange range,
                     MacroArgs const *arguments) override {
+    end_ = range.getEnd();
     MacroInfo const *macro = definition.getMacroInfo();
     if (!arguments || !macro) return;
     llvm::ArrayRef<Token> const body = macro->tokens();
@@ -21,20 +22,32 @@ public:
       if (!body[i].getIdentifierInfo()) continue;
       int const parameter = macro->getParameterNum(body[i].getIdentifierInfo());
       if (parameter < 0) continue;
-      bool const after = i > 0 && body[i - 1].isOneOf(tok::hash, tok::hashhash, tok::hashat);
-      bool const before = i + 1 < body.size() && body[i + 1].is(tok::hashhash);
-      if (!after && !before) continue;
+      bool const is_text = i > 0 && body[i - 1].isOneOf(tok::hash, tok::hashat);
+      bool const is_pasted =
+          (i > 0 && body[i - 1].is(tok::hashhash)) || (i + 1 < body.size() && body[i + 1].is(tok::hashhash));
+      if (!is_text && !is_pasted) continue;
+      if (is_text) call(name.getLocation());
       Token const *token = arguments->getUnexpArgument(static_cast<unsigned>(parameter));
-      for (; token && token->isNot(tok::eof); ++token) quote(name, *token);
+      for (; token && token->isNot(tok::eof); ++token) quote(name, *token, is_pasted);
     }
   }
 
 private:
-  void quote(Token const &macro, Token const &token) {
+  void quote(Token const &macro, Token const &token, bool is_pasted) {
     if (token.is(tok::kw_double) && is_from_body(token.getLocation()))
       expansions_.want(macro.getLocation());
-    else if (std::optional<Span> const span = map_.token(token.getLocation()))
+    else if (std::optional<Span> const span = map_.token(token.getLocation())) {
       facts_.quoted.insert(*span);
+      if (is_pasted) facts_.pasted.insert(*span);
+    }
+  }
+
+  // The outermost call, where that stands in the text of a file.
+  void call(SourceLocation macro) {
+    CharSourceRange const range = macro.isMacroID() ? map_.sources().getExpansionRange(macro) : CharSourceRange();
+    SourceLocation const begin = macro.isMacroID() ? range.getBegin() : macro;
+    SourceLocation const end = macro.isMacroID() ? range.getEnd() : end_;
+    if (std::optional<Span> const span = map_.range({begin, end})) facts_.text_calls.insert(*span);
   }
 
   // Did the expansion of a macro, in an argument that has been handed down, yield this token?
@@ -52,6 +65,7 @@ private:
   SourceMap const &map_;
   Facts &facts_;
   ExpansionText &expansions_;
+  SourceLocation end_; // of the call at hand
 };
 
 } // namespace

@@ -16,16 +16,20 @@
 #define DECLARE(type, name) type name##_value
 // CHECK: #define UNUSED double
 #define UNUSED double
+#define NAMED(type, name) type name = 0; char const *name##_type = #type
 double level = 1.0;
 // CHECK: REAL f(NUMBER x) {
 double f(NUMBER x) {
   VECTOR(v) = {x, x, x};
-  // CHECK: assert((double)x > 1.0 && level > 0.0);
-  // WARNING: macros.cpp:[[@LINE+1]]:{{[0-9]+}}: warning: 'double' stays as it is
+  // CHECK: REAL_EITHER((assert((double)x > 1.0 && level > 0.0)), assert((REAL)x > 1.0 && {{.*}} > 0.0));
   assert((double)x > 1.0 && level > 0.0);
   // CHECK: char const *s = TEXT(double);
   char const *s = TEXT(double);
+  // A macro that also pastes stands there once.
+  // CHECK: NAMED(double, q);
+  // WARNING: macros.cpp:[[@LINE+1]]:{{[0-9]+}}: warning: 'double' stays as it is
+  NAMED(double, q);
   // CHECK: DECLARE(REAL, w) = std::max(x, REAL_C(HALF)) + SQUARE(REAL_READ("level", "{{.*}}", REAL_STATE(level, "{{.*}}")));
   DECLARE(double, w) = std::max(x, HALF) + SQUARE(level);
-  return v[0] + w_value + s[0] + std::min(M_PI, 1.0);
+  return v[0] + w_value + s[0] + q + q_type[0] + std::min(M_PI, 1.0);
 }

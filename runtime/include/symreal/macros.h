@@ -31,6 +31,8 @@
 #define SYMREAL_REAL_BITS(name, place, ...) __VA_ARGS__
 #define SYMREAL_REAL_BYTES(how, name, place, ...) __VA_ARGS__
 #define SYMREAL_REAL_PASTED(text, ...) __VA_ARGS__
+#define SYMREAL_REAL_EITHER(original, ...) SYMREAL_ORIGINAL original
+#define SYMREAL_ORIGINAL(...) __VA_ARGS__
 #define SYMREAL_REAL_NAME(name) name
 #define SYMREAL_REAL_TYPE(name, ...) name
 #define SYMREAL_REAL_PROTOTYPE(parameters, ...) __VA_ARGS__
@@ -117,6 +119,7 @@ public:                                                                         
 /* C sources are compiled as C++ here: what is a keyword of C++ gets another name, and what a library has under a C name
    keeps it. */
 #define SYMREAL_REAL_NAME(name) symreal_##name
+#define SYMREAL_REAL_EITHER(original, ...) __VA_ARGS__
 #define SYMREAL_REAL_TYPE(name, ...) __VA_ARGS__
 #define SYMREAL_REAL_PROTOTYPE(parameters, ...) parameters
 #define SYMREAL_REAL_LINKAGE(...)                                                                                      \
