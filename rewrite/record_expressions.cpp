@@ -124,6 +124,18 @@ void Recorder::function_value(DeclRefExpr const *name) {
   wrap(name, Use::function, std::to_string(function->getNumParams()));
 }
 
+// __builtin_sqrt takes a double and nothing else.
+void Recorder::builtin(DeclRefExpr const *name) {
+  auto const *function = dyn_cast<FunctionDecl>(name->getDecl());
+  if (!function || function->getBuiltinID() == 0 || !map_.in_roots(name->getBeginLoc())) return;
+  llvm::StringRef known = function->getName();
+  if (!known.consume_front("__builtin_") || !Reals::is_math_name(known) || known == "sincos") return;
+  // One that a macro of the library's spells, or pastes, does what the library wants.
+  if (std::optional<Span> const span = map_.token(name->getLocation());
+      span && map_.text(*span, name->getLocation()) == function->getName())
+    facts_.types.insert({*span, "SYMREAL_REAL_BUILTIN(" + known.str() + ")"});
+}
+
 void Recorder::compound_assignment(CompoundAssignOperator const *assignment) {
   Expr const *left = assignment->getLHS();
   if (assignment->isTypeDependent() || Reals::is_double(left->getType())) return;

@@ -32,6 +32,7 @@ public:
   void call(clang::CallExpr const *call);
   void symbolic_main(clang::CallExpr const *call, clang::FunctionDecl const *function);
   void construction(clang::CXXConstructExpr const *construction);
+  void builtin(clang::DeclRefExpr const *name);
   void function_value(clang::DeclRefExpr const *name);
   void dependent_variadic_call(clang::CallExpr const *call);
   void variadic_definition(clang::FunctionDecl const *function);

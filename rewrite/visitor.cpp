@@ -157,6 +157,7 @@ public:
   bool VisitDeclRefExpr(DeclRefExpr *reference) {
     if (auto const *variable = dyn_cast<VarDecl>(reference->getDecl())) state(variable, reference);
     if (!passive_) record_.function_value(reference);
+    if (!passive_) record_.builtin(reference);
     return true;
   }
   bool VisitPredefinedExpr(PredefinedExpr *name) {

@@ -33,6 +33,7 @@
 #define SYMREAL_REAL_PASTED(text, ...) __VA_ARGS__
 #define SYMREAL_REAL_EITHER(original, ...) SYMREAL_ORIGINAL original
 #define SYMREAL_ORIGINAL(...) __VA_ARGS__
+#define SYMREAL_REAL_BUILTIN(name) __builtin_##name
 #define SYMREAL_REAL_NAME(name) name
 #define SYMREAL_REAL_TYPE(name, ...) name
 #define SYMREAL_REAL_PROTOTYPE(parameters, ...) __VA_ARGS__
@@ -120,6 +121,7 @@ public:                                                                         
    keeps it. */
 #define SYMREAL_REAL_NAME(name) symreal_##name
 #define SYMREAL_REAL_EITHER(original, ...) __VA_ARGS__
+#define SYMREAL_REAL_BUILTIN(name) ::std::name
 #define SYMREAL_REAL_TYPE(name, ...) __VA_ARGS__
 #define SYMREAL_REAL_PROTOTYPE(parameters, ...) parameters
 #define SYMREAL_REAL_LINKAGE(...)                                                                                      \
