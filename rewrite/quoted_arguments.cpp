@@ -23,8 +23,9 @@ public:
       int const parameter = macro->getParameterNum(body[i].getIdentifierInfo());
       if (parameter < 0) continue;
       bool const is_text = i > 0 && body[i - 1].isOneOf(tok::hash, tok::hashat);
-      bool const is_pasted =
-          (i > 0 && body[i - 1].is(tok::hashhash)) || (i + 1 < body.size() && body[i + 1].is(tok::hashhash));
+      // #x ## _suffix pastes the text.
+      bool const is_pasted = !is_text && ((i > 0 && body[i - 1].is(tok::hashhash)) ||
+                                          (i + 1 < body.size() && body[i + 1].is(tok::hashhash)));
       if (!is_text && !is_pasted) continue;
       if (is_text) call(name.getLocation());
       Token const *token = arguments->getUnexpArgument(static_cast<unsigned>(parameter));
