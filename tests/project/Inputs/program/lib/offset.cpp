@@ -3,7 +3,7 @@
 
 double offset(double x) {
 #ifdef REFUSED
-  x = __builtin_sqrt(x);
+  x = __builtin_powi(x, 2);
 #endif
 #ifdef DECIDES
   if (x > SHIFT) return x;
