@@ -81,12 +81,6 @@ private:
   std::optional<std::vector<std::string>> types_;
 };
 
-Stmt const *block_of(FunctionDecl const *function) {
-  Stmt const *body = function->getBody();
-  auto const *attempt = dyn_cast_or_null<CXXTryStmt>(body);
-  return attempt ? attempt->getTryBlock() : body;
-}
-
 // The clauses of a kernel, each read by itself so that no item can end its clause.
 bool read_clauses(ConfiguredKernel const &kernel, Span const &span, ASTContext &context, PragmaFact &fact,
                   std::vector<PragmaIndex::Name> &names, Facts &facts) {

@@ -2,6 +2,7 @@
 
 #include "rewrite/compose.h"
 #include "rewrite/pragma_text.h"
+#include "rewrite/scan_text.h"
 #include "rewrite/text_calls.h"
 #include "rewrite/type_name.h"
 
@@ -46,10 +47,6 @@ Rewording rewording(Wrap const &wrap) {
   internal_failure("a use has a macro", __FILE__, __LINE__);
 }
 
-std::string text_of(Span const &span, Facts const &facts) {
-  return facts.files.at(span.file).text.substr(span.begin, span.end - span.begin);
-}
-
 // A library's typedef keeps its name where the program prints it.
 std::string replacement_of(TypeToken const &token, Facts const &facts) {
   if (token.replacement == reserved_type_name || !meets(facts.printed, token.span)) return token.replacement;
@@ -91,21 +88,8 @@ void add_unaccounted(Facts const &facts, std::set<Span> const &pragmas, Ledger c
 // Is the expression one call of our macros, from the rewriting before? Then all that stands there has what it needs.
 bool is_rewritten(std::string const &text, Span const &span) {
   if (text.compare(span.begin, 5, "REAL_") != 0 && text.compare(span.begin, 8, "SYMREAL_") != 0) return false;
-  std::size_t at = text.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ_", span.begin);
-  int depth = 0;
-  for (bool quoted = false; at < span.end; ++at) {
-    char const c = text[at];
-    if (quoted && c == '\\')
-      ++at;
-    else if (c == '"')
-      quoted = !quoted;
-    else if (!quoted && c == '(')
-      ++depth;
-    else if (!quoted && c == ')' && --depth == 0)
-      return at + 1 == span.end;
-    if (depth == 0) return false;
-  }
-  return false;
+  std::size_t const at = text.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ_", span.begin);
+  return at < span.end && text[at] == '(' && closing_parenthesis(text, at) + 1 == span.end;
 }
 
 void add_wraps(Facts const &facts, std::set<Span> const &pragmas, ByFile &rewordings, Result &result) {
@@ -217,6 +201,10 @@ bool meets(std::set<Span> const &spans, Span const &span) {
 bool is_quoted(Facts const &facts, Span const &expression) {
   Span const first{expression.file, expression.begin, expression.begin + 1};
   return meets(facts.quoted, first) || meets(facts.quoted, {expression.file, expression.end - 1, expression.end});
+}
+
+std::string text_of(Span const &span, Facts const &facts) {
+  return facts.files.at(span.file).text.substr(span.begin, span.end - span.begin);
 }
 
 Place place_in(FileFact const &file, std::size_t offset) {

@@ -14,6 +14,9 @@ void add_selects(Facts &facts, std::map<std::string, std::vector<Rewording>> &re
 // Do any of the sorted, disjoint spans overlap this one?
 bool meets(std::set<Span> const &spans, Span const &span);
 
+// What stands there.
+std::string text_of(Span const &span, Facts const &facts);
+
 Place place_in(FileFact const &file, std::size_t offset);
 
 // Would a macro around the expression stand in an argument that becomes text? An expression may also hold the whole

@@ -1,5 +1,7 @@
 #include "rewrite/externals.h"
 
+#include "rewrite/merge.h"
+
 #include "rewrite/pragma_text.h"
 
 #include <algorithm>
@@ -96,12 +98,7 @@ public:
 
 private:
   void refuse(Place const &place, std::string message, DiagnosticId id = DiagnosticId::external_function) {
-    symreal::Diagnostic diagnostic{id, Severity::error, place, std::move(message)};
-    for (symreal::Diagnostic const &known : facts_.diagnostics) // a header's pragma is met once for every source
-      if (known.id == id && known.message == diagnostic.message &&
-          to_string(known.place) == to_string(diagnostic.place))
-        return;
-    facts_.diagnostics.push_back(std::move(diagnostic));
+    add_diagnostic(facts_, {id, Severity::error, place, std::move(message)});
   }
 
   FunctionDecl const *look_up(ExternalPragma const &pragma) {

@@ -21,8 +21,8 @@ void note_keyword_name(Token const &token, SourceMap const &map, Facts &facts) {
   llvm::StringRef const name = token.getIdentifierInfo()->getName();
   if (!is_renamed(name) || map.is_argument_of(token.getLocation(), "REAL_NAME")) return;
   // What a macro pasted together stands nowhere; the declaration is reported.
-  std::optional<Span> const span = map.token(token.getLocation());
-  if (span && map.text(*span, token.getLocation()) == name) facts.wraps.insert({*span, Use::name, name.str()});
+  if (std::optional<Span> const span = map.token(token.getLocation(), name))
+    facts.wraps.insert({*span, Use::name, name.str()});
 }
 
 } // namespace symreal::rewrite

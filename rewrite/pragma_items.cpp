@@ -162,8 +162,7 @@ private:
   void note_function(PragmaFact &pragma, FunctionDecl const *function) {
     auto const [file, begin] = map_.sources().getDecomposedExpansionLoc(function->getBeginLoc());
     llvm::StringRef const text = map_.sources().getBufferData(file);
-    Stmt const *body = function->getBody();
-    if (auto const *attempt = dyn_cast<CXXTryStmt>(body)) body = attempt->getTryBlock();
+    Stmt const *body = block_of(function);
     std::optional<Span> const brace = map_.token(body->getBeginLoc());
     if (!brace) {
       report(DiagnosticId::pragma_unattached, function->getLocation(), "the function's body is made by a macro");
@@ -298,6 +297,12 @@ void attach_function_pragmas(std::vector<FunctionDecl const *> const &definition
 void attach_pragma(Span const &span, FunctionDecl const *definition, std::vector<PragmaIndex::Name> const &names,
                    SourceMap const &map, Reals const &reals, IntegerState const &integers, Facts &facts) {
   Attacher(map, reals, integers, names, facts).attach_to(span, definition);
+}
+
+Stmt const *block_of(FunctionDecl const *function) {
+  Stmt const *body = function->getBody();
+  auto const *attempt = dyn_cast_or_null<CXXTryStmt>(body);
+  return attempt ? attempt->getTryBlock() : body;
 }
 
 } // namespace symreal::rewrite

@@ -25,4 +25,7 @@ void attach_function_pragmas(std::vector<clang::FunctionDecl const *> const &def
 void attach_pragma(Span const &span, clang::FunctionDecl const *definition, std::vector<PragmaIndex::Name> const &names,
                    SourceMap const &map, Reals const &reals, IntegerState const &integers, Facts &facts);
 
+// The block between the braces of a function, or of its function-try-block; null where it has no body.
+clang::Stmt const *block_of(clang::FunctionDecl const *function);
+
 } // namespace symreal::rewrite

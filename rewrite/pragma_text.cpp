@@ -1,11 +1,11 @@
 #include "rewrite/pragma_text.h"
 
+#include "rewrite/scan_text.h"
+
 #include <cctype>
 
 namespace symreal::rewrite {
 namespace {
-
-bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 
 std::string without_comments(std::string const &source) {
   std::string text;

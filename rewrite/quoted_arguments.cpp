@@ -14,7 +14,6 @@ public:
 
   void MacroExpands(Token const &name, MacroDefinition const &definition, SourceRange range,
                     MacroArgs const *arguments) override {
-    end_ = range.getEnd();
     MacroInfo const *macro = definition.getMacroInfo();
     if (!arguments || !macro) return;
     llvm::ArrayRef<Token> const body = macro->tokens();
@@ -27,7 +26,7 @@ public:
       bool const is_pasted = !is_text && ((i > 0 && body[i - 1].is(tok::hashhash)) ||
                                           (i + 1 < body.size() && body[i + 1].is(tok::hashhash)));
       if (!is_text && !is_pasted) continue;
-      if (is_text) call(name.getLocation());
+      if (is_text) call(range);
       Token const *token = arguments->getUnexpArgument(static_cast<unsigned>(parameter));
       for (; token && token->isNot(tok::eof); ++token) quote(name, *token, is_pasted);
     }
@@ -44,11 +43,9 @@ private:
   }
 
   // The outermost call, where that stands in the text of a file.
-  void call(SourceLocation macro) {
-    CharSourceRange const range = macro.isMacroID() ? map_.sources().getExpansionRange(macro) : CharSourceRange();
-    SourceLocation const begin = macro.isMacroID() ? range.getBegin() : macro;
-    SourceLocation const end = macro.isMacroID() ? range.getEnd() : end_;
-    if (std::optional<Span> const span = map_.range({begin, end})) facts_.text_calls.insert(*span);
+  void call(SourceRange range) {
+    CharSourceRange const outermost = map_.sources().getExpansionRange(range);
+    if (std::optional<Span> const span = map_.range(outermost.getAsRange())) facts_.text_calls.insert(*span);
   }
 
   // Did the expansion of a macro, in an argument that has been handed down, yield this token?
@@ -66,7 +63,6 @@ private:
   SourceMap const &map_;
   Facts &facts_;
   ExpansionText &expansions_;
-  SourceLocation end_; // of the call at hand
 };
 
 } // namespace

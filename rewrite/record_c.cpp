@@ -18,13 +18,9 @@ FunctionDecl const *parameters_of_c(FunctionDecl const *function) {
 
 void Recorder::c_declaration(NamedDecl const *declaration) {
   if (map_.language().CPlusPlus || !declaration->getIdentifier()) return;
-  if (is_keyword_of_cpp(declaration->getName())) {
-    std::optional<Span> const span = map_.token(declaration->getLocation());
-    bool const stands_there = span && map_.text(*span, declaration->getLocation()) == declaration->getName();
-    if (!stands_there || !is_renamed(declaration->getName()))
-      report(DiagnosticId::c_source, declaration->getLocation(),
-             "'" + declaration->getNameAsString() + "' is a keyword of C++");
-  }
+  llvm::StringRef const name = declaration->getName();
+  if (is_keyword_of_cpp(name) && (!is_renamed(name) || !map_.token(declaration->getLocation(), name)))
+    report(DiagnosticId::c_source, declaration->getLocation(), "'" + name.str() + "' is a keyword of C++");
   if (auto const *variable = dyn_cast<VarDecl>(declaration))
     if (variable->isFileVarDecl() && variable->getPreviousDecl() && !variable->hasExternalStorage() &&
         variable->getPreviousDecl()->isThisDeclarationADefinition(context_) != VarDecl::DeclarationOnly)

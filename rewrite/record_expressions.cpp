@@ -131,8 +131,7 @@ void Recorder::builtin(DeclRefExpr const *name) {
   llvm::StringRef known = function->getName();
   if (!known.consume_front("__builtin_") || !Reals::is_math_name(known) || known == "sincos") return;
   // One that a macro of the library's spells, or pastes, does what the library wants.
-  if (std::optional<Span> const span = map_.token(name->getLocation());
-      span && map_.text(*span, name->getLocation()) == function->getName())
+  if (std::optional<Span> const span = map_.token(name->getLocation(), function->getName()))
     facts_.types.insert({*span, "SYMREAL_REAL_BUILTIN(" + known.str() + ")"});
 }
 

@@ -1,3 +1,4 @@
+#include "rewrite/merge.h"
 #include "rewrite/pragma_text.h"
 #include "rewrite/recorder.h"
 
@@ -5,11 +6,7 @@ namespace symreal::rewrite {
 using namespace clang;
 
 void Recorder::report(DiagnosticId id, SourceLocation location, std::string message, Severity severity) {
-  Diagnostic diagnostic{id, severity, map_.place(location), std::move(message), map_.expansions(location)};
-  for (Diagnostic const &known : facts_.diagnostics)
-    if (known.id == id && to_string(known.place) == to_string(diagnostic.place) && known.message == diagnostic.message)
-      return;
-  facts_.diagnostics.push_back(std::move(diagnostic));
+  add_diagnostic(facts_, {id, severity, map_.place(location), std::move(message), map_.expansions(location)});
 }
 
 void Recorder::builtin_type(BuiltinTypeLoc type, Passive passive) {
@@ -68,8 +65,8 @@ void Recorder::typedef_name(TypedefNameDecl const *declaration, SourceLocation n
   if (isa<CXXRecordDecl>(declaration->getDeclContext())) return; // its class says what it is
   QualType const type = declaration->getUnderlyingType();
   if (type->isDependentType() || !reals_.mentions_real(type) || Reals::is_passive_class(type)) return;
-  std::optional<Span> const span = map_.token(name);
-  if (!span || map_.text(*span, name) != declaration->getName()) {
+  std::optional<Span> const span = map_.token(name, declaration->getName());
+  if (!span) {
     report(DiagnosticId::unconvertible_type, name, "'" + declaration->getNameAsString() + "' is spelled by a macro");
     return;
   }

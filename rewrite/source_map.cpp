@@ -81,6 +81,11 @@ std::optional<Span> SourceMap::token(clang::SourceLocation location) const {
   return characters(spelled, spelled.getLocWithOffset(static_cast<int>(length)));
 }
 
+std::optional<Span> SourceMap::token(clang::SourceLocation location, llvm::StringRef spelling) const {
+  std::optional<Span> const span = token(location);
+  return span && text(*span, location) == spelling ? span : std::nullopt;
+}
+
 std::optional<Span> SourceMap::first_character(clang::SourceLocation location) const {
   if (location.isInvalid()) return std::nullopt;
   auto const [file, offset] = sources_.getDecomposedSpellingLoc(location);

@@ -30,6 +30,8 @@ public:
 
   // The token as it is spelled; nothing when that is outside the roots or was pasted together.
   std::optional<Span> token(clang::SourceLocation location) const;
+  // The same where it is spelled so: what a macro pastes or names otherwise stands nowhere.
+  std::optional<Span> token(clang::SourceLocation location, llvm::StringRef spelling) const;
 
   // The first character of the token, as it is spelled.
   std::optional<Span> first_character(clang::SourceLocation location) const;

@@ -1,6 +1,7 @@
 #include "rewrite/text_calls.h"
 
 #include "rewrite/decide.h"
+#include "rewrite/scan_text.h"
 
 #include <algorithm>
 
@@ -26,10 +27,6 @@ bool is_needed(Use use) {
   case Use::name: return true;
   default: return false;
   }
-}
-
-std::string text_of(Span const &span, Facts const &facts) {
-  return facts.files.at(span.file).text.substr(span.begin, span.end - span.begin);
 }
 
 // The outermost calls, and none that pastes what it is given, or with a directive within.
@@ -67,15 +64,9 @@ std::vector<Span> originals(std::string const &path, std::string const &text) {
   constexpr std::string_view opening = "REAL_EITHER((";
   std::vector<Span> spans;
   for (std::size_t at = text.find(opening); at != text.npos; at = text.find(opening, at)) {
-    std::size_t const begin = at + opening.size();
-    int depth = 1;
-    for (at = begin; at < text.size() && depth > 0; ++at) {
-      if (text[at] == '"' || text[at] == '\'')
-        for (char const quote = text[at++]; at < text.size() && text[at] != quote; ++at)
-          if (text[at] == '\\') ++at;
-      depth += text[at] == '(' ? 1 : text[at] == ')' ? -1 : 0;
-    }
-    spans.push_back({path, begin, at - 1});
+    std::size_t const open = at + opening.size() - 1;
+    at = std::min(closing_parenthesis(text, open), text.size());
+    spans.push_back({path, open + 1, at});
   }
   return spans;
 }

@@ -1,19 +1,12 @@
 #include "rewrite/type_name.h"
 
+#include "rewrite/scan_text.h"
+
 #include <algorithm>
-#include <cctype>
 #include <string_view>
 
 namespace symreal::rewrite {
 namespace {
-
-bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
-
-std::size_t end_of_literal(std::string const &text, std::size_t begin) {
-  std::size_t at = begin + 1;
-  while (at < text.size() && text[at] != text[begin]) at += text[at] == '\\' ? 2 : 1;
-  return std::min(at + 1, text.size());
-}
 
 std::size_t end_of_word(std::string const &text, std::size_t begin) {
   std::size_t at = begin;
