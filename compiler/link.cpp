@@ -2,7 +2,7 @@
 
 #include "compiler/link_marks.h"
 #include "diagnostics/diagnostic.h"
-#include "program/process.h"
+#include "program/compile.h"
 #include "support/installation.h"
 
 #include <algorithm>
@@ -17,12 +17,6 @@ bool has(Words const &words, std::initializer_list<std::string_view> wanted) {
   });
 }
 
-// A sanitizer replaces the allocation functions itself.
-bool brings_allocator(Words const &words) {
-  return std::any_of(words.begin(), words.end(),
-                     [](std::string const &word) { return word.starts_with("-fsanitize"); });
-}
-
 } // namespace
 
 int link(Words const &compiler, Words words) {
@@ -30,7 +24,7 @@ int link(Words const &compiler, Words words) {
   bool const is_relocatable = has(words, {"-r", "-Wl,-r"});
   words.insert(words.begin(), compiler.begin(), compiler.end());
   if (!is_relocatable) {
-    if (!is_library && !brings_allocator(words)) words.emplace_back("-Wl,-u,symreal_heap_hooks");
+    if (!is_library && !program::brings_allocator(words)) words.emplace_back("-Wl,-u,symreal_heap_hooks");
     words.insert(words.end(), {"-x", "none", runtime_library()});
   }
   program::Captured const done = program::capture({.arguments = words});

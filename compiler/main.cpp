@@ -52,14 +52,23 @@ void forget_language(Words &words) {
 
 enum class Way { as_it_is, preprocessed, symbolic };
 
-Way way_of(Input const &input) {
+// An input and how it is compiled.
+struct Source {
+  Input input;
+  Way way;
+  Words roots; // of a symbolic one
+};
+
+Source source_of(Input const &input) {
   std::error_code error;
   bool const is_source =
       input.language != Language::other && input.language != Language::header && fs::is_regular_file(input.name, error);
-  if (!is_source || is_probe(input.name)) return Way::as_it_is;
+  if (!is_source || is_probe(input.name)) return {input, Way::as_it_is, {}};
   if (input.language == Language::preprocessed)
-    return is_symbolic(read_file(input.name)) ? Way::preprocessed : Way::as_it_is;
-  return roots_of(input.name).empty() ? Way::as_it_is : Way::symbolic;
+    return {input, is_symbolic(read_file(input.name)) ? Way::preprocessed : Way::as_it_is, {}};
+  Words roots = roots_of(input.name);
+  Way const way = roots.empty() ? Way::as_it_is : Way::symbolic;
+  return {input, way, std::move(roots)};
 }
 
 std::string named_after(std::string const &source, Action action) {
@@ -73,33 +82,36 @@ public:
       : arguments_(std::move(arguments)),
         cxx_(host_compiler("SYMREAL_CXX", "c++")),
         own_(is_c ? host_compiler("SYMREAL_CC", "cc") : cxx_),
-        line_(parse(arguments_, is_c ? Language::c : Language::cxx)) {}
+        line_(parse(arguments_, is_c ? Language::c : Language::cxx)) {
+    for (Input const &input : line_.inputs) sources_.push_back(source_of(input));
+  }
 
   int run() {
     bool symbolic = false, header = false;
-    for (Input const &input : line_.inputs) {
-      symbolic |= way_of(input) != Way::as_it_is;
-      header |= input.language == Language::header; // compiled ahead: nothing is linked
+    for (Source const &source : sources_) {
+      symbolic |= source.way != Way::as_it_is;
+      header |= source.input.language == Language::header; // compiled ahead: nothing is linked
     }
     if (line_.action == Action::link && !header && !is_probe(".")) return compile_and_link();
     if (!symbolic || line_.action == Action::other || line_.action == Action::link) return pass_on(own_, arguments_);
     bool done = true;
-    for (Input const &input : line_.inputs)
-      done &= compile(input, line_.action, line_.output.empty() ? named_after(input.name, line_.action) : line_.output);
+    for (Source const &source : sources_)
+      done &= compile(source, line_.action,
+                      line_.output.empty() ? named_after(source.input.name, line_.action) : line_.output);
     return done ? 0 : 1;
   }
 
 private:
-  bool compile(Input const &input, Action action, std::string const &output) {
-    Translation const translation{cxx_, input, roots_of(input.name), action, output};
-    switch (way_of(input)) {
+  bool compile(Source const &source, Action action, std::string const &output) {
+    Translation const translation{cxx_, source.input, source.roots, action, output};
+    switch (source.way) {
     case Way::symbolic: return translate(translation, line_);
     case Way::preprocessed: return compile_preprocessed(translation, line_);
     case Way::as_it_is: break;
     }
     Words words = own_;
     words.insert(words.end(), line_.flags.begin(), line_.flags.end());
-    words.insert(words.end(), {"-c", input.name, "-o", output});
+    words.insert(words.end(), {"-c", source.input.name, "-o", output});
     program::Captured const done = program::capture({.arguments = words});
     std::cerr << done.output;
     return done.outcome.success();
@@ -109,12 +121,12 @@ private:
     std::optional<program::Workspace> workspace;
     Words words = line_.words;
     forget_language(words); // the inputs become objects
-    for (Input const &input : line_.inputs) {
-      if (input.language == Language::other) continue;
+    for (Source const &source : sources_) {
+      if (source.input.language == Language::other) continue;
       if (!workspace) workspace.emplace(false);
-      std::string const object = workspace->file(std::to_string(input.word) + ".o");
-      if (!compile(input, Action::compile, object)) return 1;
-      words[input.word] = object;
+      std::string const object = workspace->file(std::to_string(source.input.word) + ".o");
+      if (!compile(source, Action::compile, object)) return 1;
+      words[source.input.word] = object;
     }
     return link(cxx_, workspace ? words : arguments_);
   }
@@ -122,6 +134,7 @@ private:
   Words const arguments_;
   Words const cxx_, own_;
   CommandLine const line_;
+  std::vector<Source> sources_;
 };
 
 } // namespace

@@ -149,10 +149,6 @@ Words compile_words(Translation const &translation, Words const &flags, std::str
   return words;
 }
 
-program::Captured run(Words const &words) {
-  return program::capture({.arguments = words, .environment = {"LC_ALL=C", "GCC_COLORS="}});
-}
-
 bool compile(Translation const &translation, CommandLine const &line, rewrite::Result const &result) {
   bool const keep = std::getenv("SYMREAL_KEEP") != nullptr;
   Workspace const workspace(keep);
@@ -168,7 +164,7 @@ bool compile(Translation const &translation, CommandLine const &line, rewrite::R
   append(words, {line.dependencies.wanted && !line.dependencies.system ? "-MMD" : "-MD", "-MF", listed, "-MT", "x"});
   append(words, {"-x", "c++", overlay.compiled_path(source)});
   if (translation.action != Action::check) append(words, {"-o", output});
-  if (!succeeded(run(words), words, overlay)) return false;
+  if (!succeeded(program::capture(program::compiler_run(words)), words, overlay)) return false;
 
   Words dependencies = program::read_make_rule(read_file(listed));
   if (!all_rewritten(dependencies, names, source)) return false;
@@ -203,7 +199,7 @@ bool compile_preprocessed(Translation const &translation, CommandLine const &lin
   append(words, {"-frandom-seed=" + translation.source.name, option(translation.action)});
   append(words, {"-x", "c++-cpp-output", translation.source.name});
   if (!translation.output.empty()) append(words, {"-o", translation.output});
-  if (succeeded(run(words), words, Overlay())) return true;
+  if (succeeded(program::capture(program::compiler_run(words)), words, Overlay())) return true;
   remove_output(translation);
   return false;
 }

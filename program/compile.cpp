@@ -1,13 +1,11 @@
 #include "program/compile.h"
 
 #include "program/compiler_errors.h"
-#include "program/process.h"
+#include "program/parallel.h"
 #include "support/installation.h"
 
 #include <algorithm>
-#include <atomic>
 #include <filesystem>
-#include <thread>
 
 namespace symreal::program {
 namespace {
@@ -37,6 +35,15 @@ Words const reference_flags = {
 constexpr char const *no_speculation = "-ftrapping-math";
 
 } // namespace
+
+bool brings_allocator(Words const &words) {
+  return std::any_of(words.begin(), words.end(),
+                     [](std::string const &word) { return word.starts_with("-fsanitize"); });
+}
+
+Command compiler_run(Words words, std::string const &directory) {
+  return {.arguments = std::move(words), .directory = directory, .environment = {"LC_ALL=C", "GCC_COLORS="}};
+}
 
 Words variant_flags(Words const &flags, Variant variant) {
   Words words = adapted_flags(flags, variant);
@@ -75,12 +82,6 @@ bool is_for_linker(std::string_view flag) {
          flag.starts_with("-fsanitize");
 }
 
-// A sanitizer replaces the allocation functions itself.
-bool brings_allocator(Words const &words) {
-  return std::any_of(words.begin(), words.end(),
-                     [](std::string const &word) { return word.starts_with("-fsanitize"); });
-}
-
 // Those among the compiler flags of all sources that the linker must have, each once.
 Words linker_flags(BuildRequest const &request) {
   Words words;
@@ -103,22 +104,9 @@ Words link_command(BuildRequest const &request, Variant variant, Words const &ob
   return words;
 }
 
-// The messages are read by a program.
-Command compiler_run(Words words, std::string const &directory) {
-  return {.arguments = std::move(words), .directory = directory, .environment = {"LC_ALL=C", "GCC_COLORS="}};
-}
-
 std::vector<Captured> run_all(std::vector<Command> const &commands) {
   std::vector<Captured> results(commands.size());
-  std::atomic<std::size_t> next = 0;
-  auto work = [&] {
-    for (std::size_t i; (i = next++) < commands.size();) results[i] = capture(commands[i]);
-  };
-  std::vector<std::jthread> threads;
-  for (unsigned i = 1; i < std::min<std::size_t>(compilations_at_a_time, commands.size()); ++i)
-    threads.emplace_back(work);
-  work();
-  threads.clear();
+  in_parallel(commands.size(), compilations_at_a_time, [&](std::size_t k) { results[k] = capture(commands[k]); });
   return results;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "program/overlay.h"
+#include "program/process.h"
 #include "program/workspace.h"
 
 #include <functional>
@@ -31,6 +32,12 @@ std::vector<std::string> adapted_flags(std::vector<std::string> const &flags, Va
 
 // How a source is compiled in the variant, with the user's flags in it; needs the runtime's headers besides.
 std::vector<std::string> variant_flags(std::vector<std::string> const &flags, Variant variant);
+
+// A run of a compiler whose messages a program reads.
+Command compiler_run(std::vector<std::string> words, std::string const &directory = {});
+
+// Do these flags bring a sanitizer? It replaces the allocation functions itself.
+bool brings_allocator(std::vector<std::string> const &flags);
 
 // What is left of the user's flags for a source that is compiled as it is.
 std::vector<std::string> unchanged_flags(std::vector<std::string> const &flags);

@@ -1,16 +1,15 @@
 #include "program/numeric_identity.h"
 
+#include "program/parallel.h"
 #include "program/process.h"
+#include "program/search_flags.h"
 #include "rewrite/pragma_text.h"
 #include "support/files.h"
 #include "support/installation.h"
 
-#include <algorithm>
-#include <atomic>
 #include <filesystem>
 #include <optional>
 #include <set>
-#include <thread>
 
 namespace symreal::program {
 namespace {
@@ -73,35 +72,12 @@ Words compiling(Words const &flags) {
   return words;
 }
 
-std::string_view search_option(std::string_view flag) {
-  for (std::string_view option : {"-iquote", "-isystem", "-idirafter", "-I"})
-    if (flag.starts_with(option)) return option;
-  return {};
-}
-
-// Each search directory that has a counterpart is preceded by it, so that the order of the search stays.
 Words in_shadow(Words const &flags, Shadow const &shadow, std::string const &directory) {
-  Words words;
+  std::vector<std::string> searched;
+  Words words =
+      search_flags(flags, [&](std::string const &name) { return shadow.counterpart(name, directory); }, searched);
   std::set<std::string> last = shadow.directories();
-  for (std::size_t i = 0; i < flags.size(); ++i) {
-    std::string const &flag = flags[i];
-    if (flag == "-include" && i + 1 < flags.size()) {
-      words.push_back(flag);
-      words.push_back(shadow.counterpart(flags[i + 1], directory).value_or(flags[i + 1]));
-      ++i;
-      continue;
-    }
-    std::string_view const option = search_option(flag);
-    bool const apart = flag == option && i + 1 < flags.size();
-    if (!option.empty()) {
-      std::string const searched = apart ? flags[i + 1] : flag.substr(option.size());
-      last.erase(fs::weakly_canonical(fs::path(directory) / searched).string());
-      if (auto const found = shadow.counterpart(searched, directory))
-        words.insert(words.end(), {std::string(option), *found});
-    }
-    words.push_back(flag);
-    if (!option.empty() && apart) words.push_back(flags[++i]);
-  }
+  for (std::string const &one : searched) last.erase(fs::weakly_canonical(fs::path(directory) / one).string());
   for (std::string const &one : last) words.insert(words.end(), {"-idirafter", one});
   return words;
 }
@@ -134,7 +110,6 @@ Pair prepare(rewrite::Compilation const &one, Shadow const &shadow, Compilers co
              Words const &name_flags) {
   Pair pair;
   pair.directory = one.directory.empty() ? fs::current_path().string() : one.directory;
-  std::string const real = fs::weakly_canonical(fs::path(pair.directory) / one.source).string();
   bool const is_c = one.source.ends_with(".c");
   std::string const &asked = is_c ? compilers.c : compilers.cxx;
   std::string const known = one.compiler.empty() ? (is_c ? "cc" : "c++") : one.compiler;
@@ -146,19 +121,8 @@ Pair prepare(rewrite::Compilation const &one, Shadow const &shadow, Compilers co
   pair.before.insert(pair.before.end(), flags.begin(), flags.end());
   pair.after.insert(pair.after.end(), adapted.begin(), adapted.end());
   pair.before.push_back(one.source);
-  pair.after.push_back(shadow.source(real, one.source));
+  pair.after.push_back(shadow.source(rewrite::real_source(one), one.source));
   return pair;
-}
-
-// Calls work(k) for each k below count, so many at once.
-template <class Work> void in_parallel(std::size_t count, unsigned jobs, Work work) {
-  std::atomic<std::size_t> next = 0;
-  auto const worker = [&] {
-    for (std::size_t k = next++; k < count; k = next++) work(k);
-  };
-  std::vector<std::jthread> helpers;
-  for (std::size_t i = 1; i < std::min<std::size_t>(std::max(1U, jobs), count); ++i) helpers.emplace_back(worker);
-  worker();
 }
 
 } // namespace

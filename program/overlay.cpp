@@ -1,5 +1,7 @@
 #include "program/overlay.h"
 
+#include "program/search_flags.h"
+#include "rewrite/pragma_text.h"
 #include "support/files.h"
 #include "support/installation.h"
 
@@ -17,16 +19,6 @@ std::string real_path(std::string const &path) {
   std::error_code error;
   fs::path real = fs::weakly_canonical(path, error);
   return error ? path : real.string();
-}
-
-// A name as it stands between the quotes of a #line directive.
-std::string quoted(std::string const &name) {
-  std::string text = "\"";
-  for (char c : name) {
-    if (c == '"' || c == '\\') text += '\\';
-    text += c;
-  }
-  return text + '"';
 }
 
 std::size_t line_start(std::string const &text, unsigned line) {
@@ -74,7 +66,7 @@ void Overlay::write(rewrite::File const &file) const {
   fs::create_directories(fs::path(path).parent_path(), ignored);
   // A byte order mark is one only at the very beginning.
   std::size_t const mark = file.text.starts_with("\xEF\xBB\xBF") ? 3 : 0;
-  write_if_changed(path, file.text.substr(0, mark) + "#line 1 " + quoted(file.compiled_name) + "\n" +
+  write_if_changed(path, file.text.substr(0, mark) + "#line 1 " + rewrite::quoted(file.compiled_name) + "\n" +
                              redirected(file.text.substr(mark)));
   // A symbolic link to the file is found beside what includes it.
   fs::path const named(file.compiled_name);
@@ -129,27 +121,11 @@ std::vector<std::string> Overlay::include_flags() const {
 }
 
 std::vector<std::string> Overlay::search_flags(std::vector<std::string> const &flags) const {
-  static constexpr std::string_view searching[] = {"-iquote", "-isystem", "-idirafter", "-I"};
-  std::vector<std::string> words;
+  std::vector<std::string> named;
+  std::vector<std::string> words =
+      program::search_flags(flags, [&](std::string const &name) { return counterpart(name); }, named);
   std::set<std::string> searched; // a directory that is named again, to be searched last, would be searched only there
-  for (std::size_t i = 0; i < flags.size(); ++i) {
-    std::string const &flag = flags[i];
-    bool const has_operand = i + 1 < flags.size();
-    auto const option = std::find_if(std::begin(searching), std::end(searching),
-                                     [&](std::string_view one) { return flag.starts_with(one); });
-    if ((flag == "-include" || flag == "-imacros") && has_operand) {
-      words.insert(words.end(), {flag, counterpart(flags[i + 1]).value_or(flags[i + 1])});
-      ++i;
-    } else if (option == std::end(searching)) {
-      words.push_back(flag);
-    } else {
-      bool const apart = flag == *option && has_operand;
-      std::string const directory = apart ? flags[++i] : flag.substr(option->size());
-      searched.insert(real_path(directory));
-      if (auto const found = counterpart(directory)) words.insert(words.end(), {std::string(*option), *found});
-      words.insert(words.end(), {std::string(*option), directory});
-    }
-  }
+  for (std::string const &directory : named) searched.insert(real_path(directory));
   // Last come the directories of the environment (CPATH), and those of files outside the roots beside rewritten ones.
   for (std::string const &directory : include_dirs_)
     if (auto const found = counterpart(directory); found && searched.insert(real_path(directory)).second)
