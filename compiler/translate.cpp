@@ -65,9 +65,8 @@ public:
 
   // Is it a file of the user that was rewritten, but is read as it was?
   rewrite::File const *read_unchanged(std::string const &name) const {
-    if (name.starts_with(top_)) return nullptr;
     std::error_code error;
-    std::string const real = fs::weakly_canonical(name, error).string();
+    std::string const real = fs::weakly_canonical(name, error).string(); // below top_ unless it is a link out of there
     for (rewrite::File const &file : rewritten_.files)
       if (file.path == real && file.text != file.original) return &file;
     return nullptr;
@@ -160,7 +159,6 @@ bool compile(Translation const &translation, CommandLine const &line, rewrite::R
   bool const preprocess = translation.action == Action::preprocess;
   std::string const output = preprocess ? workspace.file("preprocessed") : translation.output;
   Words words = compile_words(translation, overlay.search_flags(line.flags), result.type_name);
-  append(words, {"-ffile-prefix-map=" + top + "=", "-iquote", fs::absolute(source).parent_path().string()});
   append(words, {line.dependencies.wanted && !line.dependencies.system ? "-MMD" : "-MD", "-MF", listed, "-MT", "x"});
   append(words, {"-x", "c++", overlay.compiled_path(source)});
   if (translation.action != Action::check) append(words, {"-o", output});

@@ -5,7 +5,6 @@
 #include "support/installation.h"
 
 #include <algorithm>
-#include <filesystem>
 
 namespace symreal::program {
 namespace {
@@ -58,14 +57,11 @@ namespace {
 
 Words compile_command(BuildRequest const &request, Variant variant, Overlay const &overlay,
                       rewrite::Compilation const &source, std::string const &object) {
-  std::string const real = rewrite::real_source(source);
   Words words = {request.compiler};
-  append(words, overlay.include_flags());
-  append(words, variant_flags(source.flags, variant));
+  append(words, overlay.search_flags(variant_flags(source.flags, variant), source.directory));
   append(words, {"-I", runtime_include()});
   append(words, rewrite::type_name_flags(request.type_name));
-  append(words, {"-iquote", std::filesystem::path(real).parent_path().string()});
-  append(words, {"-x", "c++", "-c", overlay.compiled_path(real), "-o", object});
+  append(words, {"-x", "c++", "-c", overlay.compiled_path(rewrite::real_source(source)), "-o", object});
   return words;
 }
 

@@ -1,5 +1,6 @@
 #include "program/numeric_identity.h"
 
+#include "program/neighbours.h"
 #include "program/parallel.h"
 #include "program/process.h"
 #include "program/search_flags.h"
@@ -22,6 +23,7 @@ class Shadow {
 public:
   Shadow(rewrite::Result const &rewritten, std::string top) : rewritten_(rewritten), top_(std::move(top)) {
     for (rewrite::File const &file : rewritten.files) write(file, file.compiled_name);
+    link_neighbours(rewritten, top_);
   }
 
   // The source under the name that this compilation gives it.
@@ -38,12 +40,15 @@ public:
     return !error && fs::exists(path) ? std::optional(path) : std::nullopt;
   }
 
-  // Where else a rewritten file finds what stands beside it and is left as it is: what the configuration excludes.
+  // Where else a rewritten file finds what is left as it is: what the configuration excludes.
   std::set<std::string> directories() const {
     std::set<std::string> found;
     for (rewrite::File const &file : rewritten_.files) found.insert(fs::path(file.path).parent_path().string());
     return found;
   }
+
+  // So that the files have the names of the originals.
+  std::string names() const { return "-ffile-prefix-map=" + top_ + "="; }
 
 private:
   void write(rewrite::File const &file, std::string const &name) const {
@@ -79,6 +84,7 @@ Words in_shadow(Words const &flags, Shadow const &shadow, std::string const &dir
   std::set<std::string> last = shadow.directories();
   for (std::string const &one : searched) last.erase(fs::weakly_canonical(fs::path(directory) / one).string());
   for (std::string const &one : last) words.insert(words.end(), {"-idirafter", one});
+  words.push_back(shadow.names());
   return words;
 }
 

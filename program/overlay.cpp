@@ -1,5 +1,6 @@
 #include "program/overlay.h"
 
+#include "program/neighbours.h"
 #include "program/search_flags.h"
 #include "rewrite/pragma_text.h"
 #include "support/files.h"
@@ -58,6 +59,7 @@ Overlay::Overlay(rewrite::Result const &rewritten, std::string directory)
     by_name_[fs::path(file.display_path).lexically_normal().string()] = i;
   }
   for (rewrite::File const &file : files_) write(file);
+  link_neighbours(rewritten, directory_);
 }
 
 void Overlay::write(rewrite::File const &file) const {
@@ -101,38 +103,22 @@ std::optional<std::string> Overlay::counterpart(std::string const &name) const {
 
 std::string Overlay::compiled_path(std::string const &source) const { return directory_ + real_path(source); }
 
-std::vector<std::string> Overlay::include_flags() const {
-  std::set<std::string> mirrored; // every directory that holds a mirrored file somewhere below it
-  for (rewrite::File const &file : files_)
-    for (fs::path at = fs::path(file.path).parent_path(); mirrored.insert(at.string()).second; at = at.parent_path()) {
-    }
-
-  std::vector<std::string> flags;
-  for (std::string const &directory : include_dirs_) {
-    std::string real = real_path(directory);
-    if (mirrored.contains(real)) flags.insert(flags.end(), {"-I", directory_ + real});
-  }
-  // A rewritten file may include a file beside it that is outside the roots; last, since it is an exception.
-  std::set<std::string> own;
-  for (rewrite::File const &file : files_)
-    if (own.insert(fs::path(file.path).parent_path().string()).second)
-      flags.insert(flags.end(), {"-idirafter", fs::path(file.path).parent_path().string()});
-  return flags;
-}
-
-std::vector<std::string> Overlay::search_flags(std::vector<std::string> const &flags) const {
+std::vector<std::string> Overlay::search_flags(std::vector<std::string> const &flags,
+                                               std::string const &directory) const {
   std::vector<std::string> named;
-  std::vector<std::string> words =
-      program::search_flags(flags, [&](std::string const &name) { return counterpart(name); }, named);
+  std::vector<std::string> words = program::search_flags(
+      flags, [&](std::string const &name) { return counterpart(fs::path(directory) / name); }, named);
   std::set<std::string> searched; // a directory that is named again, to be searched last, would be searched only there
-  for (std::string const &directory : named) searched.insert(real_path(directory));
-  // Last come the directories of the environment (CPATH), and those of files outside the roots beside rewritten ones.
-  for (std::string const &directory : include_dirs_)
-    if (auto const found = counterpart(directory); found && searched.insert(real_path(directory)).second)
-      words.insert(words.end(), {"-idirafter", *found});
+  for (std::string const &one : named) searched.insert(real_path(fs::path(directory) / one));
+  // Behind -I come the directories of the environment (CPATH) and of the compiler; last the originals, for what is not
+  // beside them.
+  for (std::string const &one : include_dirs_)
+    if (auto const found = counterpart(one); found && searched.insert(real_path(one)).second)
+      words.insert(words.end(), {"-I", *found});
   for (rewrite::File const &file : files_)
     if (searched.insert(fs::path(file.path).parent_path().string()).second)
       words.insert(words.end(), {"-idirafter", fs::path(file.path).parent_path().string()});
+  words.push_back("-ffile-prefix-map=" + directory_ + "=");
   return words;
 }
 

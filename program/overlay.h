@@ -24,11 +24,10 @@ public:
 
   // Where the rewritten text of a source stands.
   std::string compiled_path(std::string const &source) const;
-  // To stand before the user's own flags, so that rewritten headers are found first.
-  std::vector<std::string> include_flags() const;
-  // The user's flags with the counterpart of each search directory before it, so that the order of the search stays,
-  // and with that of each header that they include.
-  std::vector<std::string> search_flags(std::vector<std::string> const &flags) const;
+  // The flags of a source whose compiler runs in `directory` (empty: that of this process) with the counterpart of each
+  // search directory before it, so that the order of the search stays, and with that of each header that they include.
+  // In what is compiled, the files of the overlay have the names of the originals.
+  std::vector<std::string> search_flags(std::vector<std::string> const &flags, std::string const &directory = {}) const;
 
   // True for the name (as the user or an #include spells it) of a rewritten file.
   bool contains(std::string const &file) const;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <fstream>
 
 using namespace symreal;
 namespace fs = std::filesystem;
@@ -37,10 +38,24 @@ TEST_F(OverlayTest, ColumnsAreThoseOfTheOriginal) {
   EXPECT_EQ(overlay.original({"/project/a.cpp", 2, 8}).file, "a.cpp");
 }
 
-TEST_F(OverlayTest, OnlyDirectoriesWithRewrittenFilesAreSearched) {
-  program::Overlay overlay(result, directory.string());
-  EXPECT_EQ(overlay.include_flags(),
-            (std::vector<std::string>{"-I", directory.string() + "/project", "-idirafter", "/project"}));
+TEST_F(OverlayTest, DirectoriesAreSearchedInTheirOrder) {
+  std::string const top = directory.string(), names = "-ffile-prefix-map=" + top + "=";
+  program::Overlay overlay(result, top);
+  EXPECT_EQ(overlay.search_flags({"-I/elsewhere", "-Iproject", "-Dx"}, "/"),
+            (std::vector<std::string>{"-I", "/elsewhere", "-I", top + "/project", "-I", "project", "-Dx", names}));
+  EXPECT_EQ(overlay.search_flags({}), (std::vector<std::string>{"-I", top + "/project", names}));
+}
+
+TEST_F(OverlayTest, WhatStandsBesideARewrittenFileIsFoundThere) {
+  fs::path const project = directory / "real", top = directory / "overlay";
+  fs::create_directories(project / "detail");
+  std::ofstream(project / "excluded.h") << "int n;\n";
+  result.files[0].path = (project / "a.cpp").string();
+  program::Overlay overlay(result, top.string());
+  fs::path const mirror = top.string() + project.string();
+  EXPECT_TRUE(fs::is_regular_file(fs::symlink_status(mirror / "a.cpp")));
+  EXPECT_EQ(fs::read_symlink(mirror / "excluded.h"), project / "excluded.h");
+  EXPECT_EQ(fs::read_symlink(mirror / "detail"), project / "detail");
 }
 
 } // namespace

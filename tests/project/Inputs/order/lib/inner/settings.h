@@ -1,0 +1,2 @@
+#define OFFSET 5
+static char const *const where = __FILE__;

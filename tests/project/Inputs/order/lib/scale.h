@@ -1,0 +1,2 @@
+#include "config.h"
+inline double scaled(double x) { return FACTOR * x; }
