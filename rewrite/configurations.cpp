@@ -9,7 +9,8 @@
 namespace symreal::rewrite {
 namespace {
 
-// Uses that depend on types alone, and what they carry with them is no place.
+// Uses that depend on types alone, and what they carry with them is no place. A literal does not count: that one source
+// sees more overloads and must write REAL(2.) harms none that does not.
 bool is_told_by_types(Use use) {
   switch (use) {
   case Use::cast:
@@ -17,7 +18,6 @@ bool is_told_by_types(Use use) {
   case Use::linkage:
   case Use::table:
   case Use::value:
-  case Use::literal:
   case Use::external: return true;
   default: return false;
   }
@@ -54,6 +54,14 @@ Configurations::View Configurations::view(std::string const &path, Facts const &
   return view;
 }
 
+bool Configurations::View::same(View const &other) const {
+  return types == other.types && wraps == other.wraps && reached == other.reached &&
+         std::equal(members.begin(), members.end(), other.members.begin(), other.members.end(),
+                    [](auto const &one, auto const &another) {
+                      return one.first == another.first && same_members(one.second, another.second);
+                    });
+}
+
 void Configurations::add(std::string const &source, Facts const &facts) {
   for (auto const &[path, file] : facts.files) {
     View mine = view(path, facts);
@@ -76,7 +84,8 @@ void Configurations::compare(FileFact const &file, View const &one, View const &
                     "this type " + words(replacement) + " for " + one.source + " and " + words(found->second) +
                         " for " + other.source);
   for (auto const &[offset, list] : one.members)
-    if (auto const found = other.members.find(offset); found != other.members.end() && found->second != list)
+    if (auto const found = other.members.find(offset);
+        found != other.members.end() && !same_members(found->second, list))
       contradiction(file, offset, "this class has other members for " + one.source + " than for " + other.source);
   compare_wraps(file, one, other);
   compare_wraps(file, other, one);

@@ -29,9 +29,7 @@ private:
     std::map<Key, std::string> wraps;
     std::map<std::size_t, ClassFact> members;
     std::vector<bool> reached;
-    bool same(View const &other) const {
-      return types == other.types && wraps == other.wraps && members == other.members && reached == other.reached;
-    }
+    bool same(View const &other) const;
   };
   View view(std::string const &path, Facts const &facts) const;
   void compare(FileFact const &file, View const &one, View const &other);

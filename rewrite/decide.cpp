@@ -128,10 +128,14 @@ void add_members(Facts const &facts, ByFile &rewordings) {
   for (auto const &[brace, members] : facts.members) {
     std::string_view const behind = std::string_view(facts.files.at(brace.file).text).substr(brace.end);
     if (behind.starts_with(" REAL_MEMBERS(") || behind.starts_with(" SYMREAL_REAL_MEMBERS(")) continue;
-    std::string list = members.access;
-    for (Span const &base : members.bases) list += ", static_cast<" + type_text(facts, base) + " const &>(*this)";
-    rewordings[brace.file].push_back(
-        {brace.begin, brace.end, "", " SYMREAL_REAL_MEMBERS(" + list + members.fields + ")"});
+    std::string list;
+    for (auto const &[base, holds] : members.bases)
+      if (holds) list += ", static_cast<" + type_text(facts, base) + " const &>(*this)";
+    for (auto const &[field, holds] : members.fields)
+      if (holds) list += ", " + field;
+    if (!list.empty())
+      rewordings[brace.file].push_back(
+          {brace.begin, brace.end, "", " SYMREAL_REAL_MEMBERS(" + members.access + list + ")"});
   }
 }
 

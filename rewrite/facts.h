@@ -198,12 +198,16 @@ struct FileFact {
 // What the preprocessor does to a token so that it never reaches the parser.
 enum class Consumed { dropped_argument, macro_name };
 
-// What holds REAL or an integer in a class.
+// The bases and fields of a class, and which of them hold REAL or an integer: a source that knows a class only by its
+// name does not see what a pointer to it owns.
 struct ClassFact {
-  std::string access;           // of the members that follow the opening brace
-  std::vector<Span> bases = {}; // as they are written
-  std::string fields = {};      // each with a comma before it
-  auto operator<=>(ClassFact const &) const = default;
+  template <class Name> struct Part {
+    Name name;
+    bool holds;
+  };
+  std::string access;                 // of the members that follow the opening brace
+  std::vector<Part<Span>> bases = {}; // as they are written
+  std::vector<Part<std::string>> fields = {};
 };
 
 struct Facts {

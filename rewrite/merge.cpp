@@ -41,6 +41,19 @@ void merge_decision(DecisionFact &decision, DecisionFact &&other) {
   }
 }
 
+template <class Name>
+bool same_names(std::vector<ClassFact::Part<Name>> const &one, std::vector<ClassFact::Part<Name>> const &other) {
+  return std::equal(one.begin(), one.end(), other.begin(), other.end(),
+                    [](auto const &left, auto const &right) { return left.name == right.name; });
+}
+
+// A class with other members is a contradiction, which is reported elsewhere (configurations.h).
+void merge_class(ClassFact &fact, ClassFact const &other) {
+  if (!same_members(fact, other)) return;
+  for (std::size_t i = 0; i < fact.bases.size(); ++i) fact.bases[i].holds |= other.bases[i].holds;
+  for (std::size_t i = 0; i < fact.fields.size(); ++i) fact.fields[i].holds |= other.fields[i].holds;
+}
+
 void merge_file(FileFact &file, FileFact &&other, Facts &facts) {
   if (file.text != other.text)
     add_diagnostic(
@@ -49,6 +62,10 @@ void merge_file(FileFact &file, FileFact &&other, Facts &facts) {
 }
 
 } // namespace
+
+bool same_members(ClassFact const &one, ClassFact const &other) {
+  return same_names(one.bases, other.bases) && same_names(one.fields, other.fields);
+}
 
 void add_diagnostic(Facts &facts, Diagnostic const &diagnostic) {
   for (Diagnostic const &known : facts.diagnostics)
@@ -69,7 +86,9 @@ void merge(Facts &facts, Facts &&other) {
   facts.types.merge(types);
   facts.doubles.merge(doubles);
   facts.wraps.merge(wraps);
-  facts.members.merge(members);
+  for (auto &[brace, fact] : members)
+    if (auto const [at, is_new] = facts.members.try_emplace(brace, std::move(fact)); !is_new)
+      merge_class(at->second, fact);
   reached.clear(); // of one source alone (configurations.h)
   facts.skipped.merge(skipped);
   facts.consumed.merge(consumed);

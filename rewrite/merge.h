@@ -8,6 +8,9 @@ namespace symreal::rewrite {
 // Adds what another source tells. The order of the sources decides only what is said of a thing that several describe.
 void merge(Facts &facts, Facts &&other);
 
+// Do both tell of the same bases and fields? They may still know differently what these hold.
+bool same_members(ClassFact const &one, ClassFact const &other);
+
 // A header that several sources include says the same each time.
 void add_diagnostic(Facts &facts, Diagnostic const &diagnostic);
 

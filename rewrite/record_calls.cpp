@@ -213,6 +213,7 @@ void Recorder::outside_argument(FunctionDecl const *function, unsigned index, Ex
     return in_pack ? pattern->getParamDecl(count - 1)->getType() : parameter;
   }();
   auto const *method = dyn_cast<CXXMethodDecl>(function);
+  if (method && method->isDefaulted()) return; // it copies its own class, whatever that holds
   // complex<double>, written out by the library, is another class than complex<REAL>, and so are its members.
   if (method && Reals::pattern(function) == function && isa<ClassTemplateSpecializationDecl>(method->getParent()) &&
       reals_.carries_real(context_.getRecordType(method->getParent())))

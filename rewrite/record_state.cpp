@@ -167,19 +167,19 @@ void Recorder::members(CXXRecordDecl const *record) {
     return;
   ClassFact fact{record->isClass() ? "private" : "public"};
   for (CXXBaseSpecifier const &base : record->bases()) {
-    if (!base.getType()->isDependentType() && !holds_state(base.getType())) continue;
     std::optional<Span> const span = map_.range(base.getTypeSourceInfo()->getTypeLoc().getSourceRange());
-    if (span) fact.bases.push_back(*span);
+    if (span) fact.bases.push_back({*span, base.getType()->isDependentType() || holds_state(base.getType())});
   }
   for (FieldDecl const *field : record->fields()) {
     QualType const type = field->getType();
-    if (!field->getIdentifier() || field->isBitField() || type->isReferenceType() || type->isPointerType()) continue;
-    if (IntegerState::is_integer(type) && !IntegerState::has_address(field)) continue;
-    if (type->isDependentType() || holds_state(type)) fact.fields.append(", ").append(field->getNameAsString());
+    if (!field->getIdentifier()) continue;
+    bool const is_looked_at = !field->isBitField() && !type->isReferenceType() && !type->isPointerType() &&
+                              (!IntegerState::is_integer(type) || IntegerState::has_address(field));
+    bool const holds = is_looked_at && (type->isDependentType() || holds_state(type));
+    fact.fields.push_back({field->getNameAsString(), holds});
   }
   std::optional<Span> const brace = map_.token(record->getBraceRange().getBegin());
-  bool const holds_none = fact.bases.empty() && fact.fields.empty();
-  if (holds_none || !brace || record->getBraceRange().getBegin().isMacroID()) return;
+  if (!brace || record->getBraceRange().getBegin().isMacroID()) return;
   facts_.members.try_emplace(*brace, std::move(fact));
 }
 

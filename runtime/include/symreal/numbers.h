@@ -93,7 +93,7 @@ private:
       words(object);
     } else if constexpr (detail::is_integer<T>) {
       if (found_integer_) found_integer_(context_, IntegerObject::of(object));
-    } else if constexpr (!may_hold<T>) {
+    } else if constexpr (!may_hold<T> || !requires { sizeof(T); }) { // sizeof: what a pointer owns may be unknown here
     } else if constexpr (std::is_array_v<T>) {
       if constexpr (!detail::is_text<std::remove_cv_t<std::remove_extent_t<T>>>)
         for (auto const &part : object) one(part);

@@ -1,0 +1,13 @@
+#include <memory>
+struct Inner;
+struct Outer {
+  Outer();
+  ~Outer();
+  std::unique_ptr<Inner> inner;
+};
+struct Vector {
+  double x;
+};
+inline Vector operator*(double factor, Vector const &v) { return {factor * v.x}; }
+constexpr double half = 0.5;
+inline Vector halved(Vector const &v) { return half * v; }
