@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <fmt/ostream.h>
+#include <regex>
 
 namespace symreal::tool {
 namespace {
@@ -13,10 +14,22 @@ using rewrite::Fate;
 struct Group {
   std::size_t count = 0;
   Place first;
-  void add(Place const &place) {
-    if (count++ == 0) first = place;
+  std::string words; // of the first
+  void add(Place const &place, std::string const &said = {}) {
+    if (count++ != 0) return;
+    first = place;
+    words = said;
   }
 };
+
+// A reason without the names and places in it, and however many calls deep it is.
+std::string kind_of(std::string const &reason) {
+  static std::regex const name(" (of|to) '[A-Za-z_*(][^']*'"), place(R"( \([^()]*:\d+:\d+\))"),
+      calls("(, which has a call of '\\.\\.\\.')+");
+  std::string kind = std::regex_replace(reason, name, " $1 '...'");
+  kind = std::regex_replace(kind, place, "");
+  return std::regex_replace(kind, calls, ", which has a call of '...'");
+}
 
 std::string percent(Tally const &tally) {
   if (tally.compiled() == 0) return "-";
@@ -73,9 +86,14 @@ void print_dependence(std::ostream &out, rewrite::Result const &result) {
   fmt::print(out, "decisions on REAL: {}, of which {} can be a select\n", result.decisions.size(), selectable);
   std::map<std::string, Group> refused;
   for (rewrite::Decision const &one : result.decisions)
-    if (!one.selectable) refused[one.kind + ", because of " + one.reason].add(one.place);
-  for (auto const &[words, group] : refused)
-    fmt::print(out, "  {:>6}  {}; first at {}\n", group.count, words, to_string(group.first));
+    if (std::string const begin = one.kind + ", because of "; !one.selectable)
+      refused[begin + kind_of(one.reason)].add(one.place, begin + one.reason);
+  std::vector<std::pair<std::string, Group>> sorted(refused.begin(), refused.end());
+  std::stable_sort(sorted.begin(), sorted.end(),
+                   [](auto const &left, auto const &right) { return left.second.count > right.second.count; });
+  for (auto const &[kind, group] : sorted)
+    fmt::print(out, "  {:>6}  {}; first at {}\n", group.count, group.count == 1 ? group.words : kind,
+               to_string(group.first));
   fmt::print(out, "comparisons of REAL: {}; conversions of REAL to an integer: {}\n", result.comparisons,
              result.to_integers.size());
 }
