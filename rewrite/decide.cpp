@@ -124,6 +124,16 @@ std::string type_text(Facts const &facts, Span const &span) {
   return text + file.substr(at, span.end - at);
 }
 
+// On a line that is kept as it is, it is the user who says that the bytes are not those of a number.
+bool is_answered_for(Diagnostic const &diagnostic, Facts const &facts) {
+  if (diagnostic.id != DiagnosticId::reinterpretation) return false;
+  for (auto const &[path, file] : facts.files)
+    if (file.display_path == diagnostic.place.file)
+      for (auto const &[begin, end] : file.kept)
+        if (place_in(file, begin).line == diagnostic.place.line) return true;
+  return false;
+}
+
 void add_members(Facts const &facts, ByFile &rewordings) {
   for (auto const &[brace, members] : facts.members) {
     std::string_view const behind = std::string_view(facts.files.at(brace.file).text).substr(brace.end);
@@ -223,6 +233,7 @@ Result decide(Facts facts, Request const &request) {
   Result result;
   result.include_dirs = std::move(facts.include_dirs);
   result.diagnostics = std::move(facts.diagnostics);
+  std::erase_if(result.diagnostics, [&](Diagnostic const &one) { return is_answered_for(one, facts); });
   result.read.assign(facts.read.begin(), facts.read.end());
   result.definitions.assign(facts.exported.begin(), facts.exported.end());
   for (auto &[place, statement] : facts.names) result.names.push_back(std::move(statement));

@@ -193,6 +193,7 @@ struct FileFact {
   std::vector<SpelledType> spelled = {};
   std::map<std::size_t, std::string> conditions = {}; // by the offset of a directive that opens a part of an #if
   std::vector<std::pair<std::size_t, std::size_t>> directives = {};
+  std::vector<std::pair<std::size_t, std::size_t>> kept = {}; // lines with the comment `symreal: keep`
 };
 
 // What the preprocessor does to a token so that it never reaches the parser.

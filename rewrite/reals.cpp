@@ -53,6 +53,11 @@ bool Reals::mentions_real(QualType type) const {
   return holds(type, Depth::anything, seen);
 }
 
+QualType Reals::pointee(Expr const *expression) {
+  QualType const type = expression->IgnoreParenImpCasts()->getType();
+  return type->isArrayType() ? QualType(type->getAsArrayTypeUnsafe()->getElementType()) : type->getPointeeType();
+}
+
 bool Reals::is_passive(VarDecl const *variable) const {
   if (variable->isConstexpr() || !in_roots(variable)) return true;
   // A class may initialise a static const double in itself only because double is no class (a GNU extension).

@@ -46,6 +46,9 @@ public:
     return found == externals_.end() ? nullptr : &found->second;
   }
 
+  // What a pointer, or an array on its way to become one, points to as it is written; null for anything else.
+  static clang::QualType pointee(clang::Expr const *expression);
+
   // Integers that keep their dependency, as the class SymbolicInt (symbolic_ints.h).
   static bool is_integer(clang::QualType type);
   // Through what has no spelling of its own and through conversions between integers.

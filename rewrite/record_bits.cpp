@@ -26,6 +26,45 @@ void Recorder::union_member(MemberExpr const *member) {
            "'" + field->getNameAsString() + "' shares its bytes with a REAL");
 }
 
+// What a pointer, a reference or an array leads to at last; null if that is no built-in type.
+static BuiltinType const *innermost(QualType type) {
+  while (true) {
+    if (auto const *array = type->getAsArrayTypeUnsafe())
+      type = array->getElementType();
+    else if (QualType const pointee = type->getPointeeType(); !pointee.isNull())
+      type = pointee;
+    else
+      return type->getAs<BuiltinType>();
+  }
+}
+
+// A cast between pointers says what the bytes are taken for.
+void Recorder::reinterpretation(ExplicitCastExpr const *cast) {
+  Expr const *from = cast->getSubExpr();
+  if (cast->getCastKind() == CK_LValueToRValueBitCast &&
+      reals_.carries_real(from->getType()) != reals_.carries_real(cast->getType()))
+    report(DiagnosticId::reinterpretation, cast->getBeginLoc(), "the bytes of a REAL are used as another type");
+  if (cast->getCastKind() != CK_BitCast && cast->getCastKind() != CK_LValueBitCast) return;
+  QualType const source = cast->getSubExprAsWritten()->getType();
+  BuiltinType const *before = innermost(source), *after = innermost(cast->getType());
+  if (!before || !after || before->getKind() == after->getKind()) return;
+  bool const was_double = before->getKind() == BuiltinType::Double, is_double = after->getKind() == BuiltinType::Double;
+  auto const is_bytes = [](BuiltinType const *type) {
+    return type->isVoidType() || type->getKind() == BuiltinType::Char_S || type->getKind() == BuiltinType::Char_U ||
+           type->getKind() == BuiltinType::UChar;
+  };
+  // (double *)((char *)p + n) only counts in bytes; the outer cast is visited first.
+  auto const *sum = dyn_cast<BinaryOperator>(cast->getSubExprAsWritten()->IgnoreParens());
+  if (is_double && sum && sum->isAdditiveOp())
+    for (Expr const *side : {sum->getLHS(), sum->getRHS()}) counting_casts_.insert(side->IgnoreParenImpCasts());
+  bool const only_counts = is_bytes(after) && counting_casts_.contains(cast);
+  if (was_double && !after->isVoidType() && !only_counts)
+    report(DiagnosticId::reinterpretation, cast->getBeginLoc(),
+           "the bytes of a REAL are looked at as " + cast->getType().getAsString());
+  if (is_double && !is_bytes(before))
+    report(DiagnosticId::reinterpretation, cast->getBeginLoc(), source.getAsString() + " is looked at as a REAL");
+}
+
 // From void *, which may have been the address of a REAL, or from a structure that holds some, to a pointer to
 // integers.
 void Recorder::pointer_cast(CastExpr const *cast) {
@@ -45,10 +84,7 @@ void Recorder::moved_bytes(CallExpr const *call, FunctionDecl const *function) {
   if ((!sets && name != "memcpy" && name != "memmove") || call->getNumArgs() != 3) return;
   bool any = false;
   for (Expr const *argument : {call->getArg(0), call->getArg(1)}) {
-    Expr const *given = argument->IgnoreParenImpCasts();
-    QualType const type = given->getType();
-    QualType const pointee =
-        type->isArrayType() ? QualType(type->getAsArrayTypeUnsafe()->getElementType()) : type->getPointeeType();
+    QualType const pointee = Reals::pointee(argument);
     any = any || (!pointee.isNull() && reals_.carries_real(pointee));
   }
   Expr const *callee = call->getCallee()->IgnoreParenImpCasts();

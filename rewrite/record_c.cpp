@@ -73,8 +73,11 @@ void Recorder::c_search(CallExpr const *call) {
                                              "wcschr", "wcsrchr", "wcsstr",  "wcspbrk", "wmemchr"};
   FunctionDecl const *function = call->getDirectCallee();
   if (map_.language().CPlusPlus || !function || reals_.in_roots(function) || !function->getIdentifier()) return;
-  if (searches.contains(function->getName()) &&
-      call->getArg(0)->IgnoreParenImpCasts()->getType()->getPointeeType().isConstQualified())
+  if (!searches.contains(function->getName())) return;
+  Expr const *searched = call->getArg(0);
+  QualType const pointee = Reals::pointee(searched);
+  bool const is_literal = isa<StringLiteral>(searched->IgnoreParenImpCasts()); // whose characters are const in C++ only
+  if (is_literal || (!pointee.isNull() && pointee.isConstQualified()))
     wrap(call, Use::cast, call->getType().getAsString(PrintingPolicy(map_.language())));
 }
 

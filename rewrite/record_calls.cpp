@@ -233,10 +233,8 @@ void Recorder::outside_argument(FunctionDecl const *function, unsigned index, Ex
       report(DiagnosticId::boundary_call, argument->getBeginLoc(), "a REAL goes to " + name);
     return;
   }
-  QualType const given = argument->IgnoreParenImpCasts()->getType();
   if (parameter->isVoidPointerType()) {
-    QualType const pointee =
-        given->isArrayType() ? QualType(given->getAsArrayTypeUnsafe()->getElementType()) : given->getPointeeType();
+    QualType const pointee = Reals::pointee(argument);
     if (!pointee.isNull() && !moves_bytes(function) && reals_.carries_real(pointee))
       report(DiagnosticId::reinterpretation, argument->getBeginLoc(), "the bytes of a REAL go to " + name);
     return;

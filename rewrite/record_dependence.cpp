@@ -10,8 +10,25 @@ void Recorder::to_integer(CastExpr const *cast) {
     facts_.to_integers.try_emplace(*span, cast->getType().getUnqualifiedType().getAsString(map_.language()));
 }
 
+// x == 0.L: the same as in double where the constant is a double.
+bool Recorder::compares_exactly(Expr const *side, Expr const *constant) {
+  auto const *cast = dyn_cast<ImplicitCastExpr>(side->IgnoreParens());
+  if (!cast || !cast->getType()->isSpecificBuiltinType(BuiltinType::LongDouble)) return false;
+  llvm::APFloat value(0.);
+  if (!reals_.is_real(cast->getSubExpr()) || !constant->EvaluateAsFloat(value, context_)) return false;
+  bool is_rounded = false;
+  value.convert(llvm::APFloat::IEEEdouble(), llvm::APFloat::rmNearestTiesToEven, &is_rounded);
+  if (is_rounded) return false;
+  compared_exactly_.insert(cast);
+  wrap(constant->IgnoreImpCasts(), Use::literal);
+  return true;
+}
+
 void Recorder::comparison(BinaryOperator const *comparison) {
-  if (comparison->isTypeDependent() || (!reals_.is_real(comparison->getLHS()) && !reals_.is_real(comparison->getRHS())))
+  if (comparison->isTypeDependent()) return;
+  Expr const *left = comparison->getLHS(), *right = comparison->getRHS();
+  if (!reals_.is_real(left) && !reals_.is_real(right) && !compares_exactly(left, right) &&
+      !compares_exactly(right, left))
     return;
   if (std::optional<Span> const span = map_.token(comparison->getOperatorLoc())) facts_.comparisons.insert(*span);
 }

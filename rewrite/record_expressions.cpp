@@ -30,15 +30,20 @@ std::string spelled(QualType type, LangOptions const &language) {
   return with_real(type.getUnqualifiedType().getAsString(policy));
 }
 
-BuiltinType const *innermost(QualType type) {
-  while (true) {
-    if (auto const *array = type->getAsArrayTypeUnsafe())
-      type = array->getElementType();
-    else if (QualType const pointee = type->getPointeeType(); !pointee.isNull())
-      type = pointee;
-    else
-      return type->getAs<BuiltinType>();
-  }
+// The type of an enumerator, which in C is an integer; null for other expressions.
+EnumDecl const *enumeration_of(Expr const *expression) {
+  auto const *name = dyn_cast<DeclRefExpr>(expression->IgnoreParenImpCasts());
+  auto const *enumerator = name ? dyn_cast<EnumConstantDecl>(name->getDecl()) : nullptr;
+  return enumerator ? cast<EnumDecl>(enumerator->getDeclContext())->getCanonicalDecl() : nullptr;
+}
+
+// Is its type an enumeration in C++? In C, that of ?: is an integer as well.
+bool is_enumeration(Expr const *expression) {
+  expression = expression->IgnoreParenImpCasts();
+  if (auto const *choice = dyn_cast<ConditionalOperator>(expression))
+    return is_enumeration(choice->getTrueExpr()) && is_enumeration(choice->getFalseExpr());
+  if (EnumDecl const *enumeration = enumeration_of(expression)) return !enumeration->isScoped();
+  return expression->getType()->isUnscopedEnumerationType();
 }
 
 } // namespace
@@ -52,6 +57,7 @@ void Recorder::implicit_cast(ImplicitCastExpr const *cast, bool decides) {
   case CK_FloatingToBoolean:
   case CK_FloatingCast:
     if (cast->isPartOfExplicitCast() || decides || !Reals::is_double(from->getType()) || !reals_.is_real(from)) return;
+    if (compared_exactly_.contains(cast)) return;
     if (to->isSpecificBuiltinType(BuiltinType::LongDouble))
       report(DiagnosticId::long_double, from->getBeginLoc(), "a REAL is converted to long double");
     else if (reals_.keeps_integer(cast))
@@ -68,13 +74,13 @@ void Recorder::implicit_cast(ImplicitCastExpr const *cast, bool decides) {
     if (!cast->isPartOfExplicitCast() && is_pointer_of_c(cast)) wrap(from, Use::cast, spelled(to, map_.language()));
     return;
   case CK_IntegralToFloating: // an enumerator among numbers: a class has no built-in promotion
-    if (Expr const *written = from->IgnoreParenImpCasts();
-        Reals::is_double(to) && !cast->isPartOfExplicitCast() && written->getType()->isUnscopedEnumerationType())
+    if (Reals::is_double(to) && !cast->isPartOfExplicitCast() && is_enumeration(from))
       wrap(from->IgnoreImpCasts(), Use::conversion, "int");
     return;
   case CK_IntegralCast:
     if (!map_.language().CPlusPlus && to->isEnumeralType() && !cast->isPartOfExplicitCast() &&
-        !from->IgnoreParens()->getType()->isEnumeralType() && !isa<DeclRefExpr>(from->IgnoreParenImpCasts()))
+        !from->IgnoreParens()->getType()->isEnumeralType() &&
+        enumeration_of(from) != to->getAsTagDecl()->getCanonicalDecl())
       wrap(from, Use::cast, spelled(to, map_.language()));
     return;
   default: return;
@@ -95,23 +101,7 @@ void Recorder::explicit_cast(ExplicitCastExpr const *cast) {
   if (Reals::is_double(from->getType()) && cast->getType()->isSpecificBuiltinType(BuiltinType::LongDouble) &&
       reals_.is_real(from))
     report(DiagnosticId::long_double, cast->getBeginLoc(), "a REAL is converted to long double");
-  if (cast->getCastKind() == CK_LValueToRValueBitCast &&
-      reals_.carries_real(from->getType()) != reals_.carries_real(cast->getType()))
-    report(DiagnosticId::reinterpretation, cast->getBeginLoc(), "the bytes of a REAL are used as another type");
-  if (cast->getCastKind() != CK_BitCast && cast->getCastKind() != CK_LValueBitCast) return;
-  QualType const source = cast->getSubExprAsWritten()->getType();
-  BuiltinType const *before = innermost(source), *after = innermost(cast->getType());
-  if (!before || !after || before->getKind() == after->getKind()) return;
-  bool const was_double = before->getKind() == BuiltinType::Double, is_double = after->getKind() == BuiltinType::Double;
-  auto const is_bytes = [](BuiltinType const *type) {
-    return type->isVoidType() || type->getKind() == BuiltinType::Char_S || type->getKind() == BuiltinType::Char_U ||
-           type->getKind() == BuiltinType::UChar;
-  };
-  if (was_double && !after->isVoidType())
-    report(DiagnosticId::reinterpretation, cast->getBeginLoc(),
-           "the bytes of a REAL are looked at as " + cast->getType().getAsString());
-  if (is_double && !is_bytes(before))
-    report(DiagnosticId::reinterpretation, cast->getBeginLoc(), source.getAsString() + " is looked at as a REAL");
+  reinterpretation(cast);
 }
 
 // sin as a value: the overload for REAL is one that has no address.
@@ -153,6 +143,18 @@ void Recorder::choice(ConditionalOperator const *choice) {
   if (yes_stays == no_stays) return;
   Expr const *literal = (yes_stays ? yes : no)->IgnoreImpCasts();
   if (Reals::is_double(literal->getType())) wrap(literal, Use::literal);
+}
+
+// constexpr double k = half(2.): the variable stays double, and what the rewritten function returns does not.
+void Recorder::constant_initializer(Expr const *initializer) {
+  if (!initializer || initializer->isTypeDependent()) return;
+  if (auto const *list = dyn_cast<InitListExpr>(initializer->IgnoreImplicit())) {
+    for (Expr const *element : list->inits()) constant_initializer(element);
+    return;
+  }
+  if (auto const *cast = dyn_cast<ImplicitCastExpr>(initializer); cast && cast->getCastKind() != CK_LValueToRValue)
+    return constant_initializer(cast->getSubExpr());
+  if (Reals::is_double(initializer->getType()) && reals_.is_real(initializer)) wrap(initializer, Use::value);
 }
 
 // `auto s = 0.0`: the literal says what the type is.

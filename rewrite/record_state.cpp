@@ -46,10 +46,15 @@ void Recorder::integer(Expr const *expression, Use use) {
   SourceLocation const begin = expression->getBeginLoc();
   if (begin.isMacroID() && !map_.token(begin)) return;
   if (IntegerState::has_address(expression)) return note(expression, use);
+  // Once for a member, however often it is used.
+  auto const *member = dyn_cast<MemberExpr>(expression->IgnoreParens());
+  bool const is_declared_here = member && map_.in_roots(member->getMemberDecl()->getLocation());
   std::optional<Span> const span = map_.range(expression->getSourceRange());
-  std::string const name = span ? normalised(map_.text(*span, begin)) : "this";
-  report(DiagnosticId::integer_not_looked_at, begin, "whether '" + name + "' is hidden state is not looked at",
-         Severity::warning);
+  std::string const name = member ? member->getMemberDecl()->getQualifiedNameAsString()
+                           : span ? normalised(map_.text(*span, begin))
+                                  : "this";
+  report(DiagnosticId::integer_not_looked_at, is_declared_here ? member->getMemberDecl()->getLocation() : begin,
+         "whether '" + name + "' is hidden state is not looked at", Severity::warning);
 }
 
 bool Recorder::may_outlive(Expr const *expression) const { return storage_.home(expression) == Home::elsewhere; }

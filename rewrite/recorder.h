@@ -43,6 +43,7 @@ public:
   void explicit_cast(clang::ExplicitCastExpr const *cast);
   void compound_assignment(clang::CompoundAssignOperator const *assignment);
   void choice(clang::ConditionalOperator const *choice);
+  void constant_initializer(clang::Expr const *initializer);
   void deduced_variable(clang::VarDecl const *variable);
   void deduced_return(clang::Stmt const *body);
   void deduced_elements(clang::Expr const *initializer);
@@ -85,6 +86,7 @@ public:
 private:
   void name(llvm::StringRef name, clang::SourceLocation begin, clang::SourceLocation end);
 
+  bool compares_exactly(clang::Expr const *side, clang::Expr const *constant);
   using Arguments = llvm::ArrayRef<clang::Expr const *>;
   void arguments(clang::FunctionDecl const *function, Arguments arguments, bool overloaded);
   void literal_argument(clang::FunctionDecl const *function, unsigned index, clang::Expr const *argument,
@@ -93,6 +95,7 @@ private:
   bool takes_only(clang::FunctionDecl const *function) const;
   bool may_be_truth(clang::Expr const *argument) const;
 
+  void reinterpretation(clang::ExplicitCastExpr const *cast);
   void moved_bytes(clang::CallExpr const *call, clang::FunctionDecl const *function);
   // `named`: the expression that gives the name and the place, if it is another one.
   void note(clang::Expr const *expression, Use use, clang::Expr const *named = nullptr);
@@ -116,8 +119,10 @@ private:
   IntegerState const &integers_;
   Storage const storage_;
   Facts &facts_;
-  llvm::SmallPtrSet<clang::Expr const *, 32> judged_;  // names whose use is noted already
-  llvm::SmallPtrSet<clang::Expr const *, 32> callees_; // names of functions that are called there
+  llvm::SmallPtrSet<clang::Expr const *, 32> judged_;          // names whose use is noted already
+  llvm::SmallPtrSet<clang::Expr const *, 4> counting_casts_;   // to bytes, for the address of another number
+  llvm::SmallPtrSet<clang::Expr const *, 4> compared_exactly_; // conversions to long double that change nothing
+  llvm::SmallPtrSet<clang::Expr const *, 32> callees_;         // names of functions that are called there
 };
 
 } // namespace symreal::rewrite

@@ -117,12 +117,13 @@ private:
 
   void keep_line() {
     std::size_t const before = begin_ == 0 ? std::string::npos : text_.rfind('\n', begin_ - 1);
-    kept_.push_back({before == std::string::npos ? 0 : before + 1, std::min(text_.find('\n', begin_), text_.size())});
+    file_.kept.push_back(
+        {before == std::string::npos ? 0 : before + 1, std::min(text_.find('\n', begin_), text_.size())});
   }
 
   void mark_kept() {
     for (SpelledType &type : file_.spelled)
-      for (auto const &[begin, end] : kept_)
+      for (auto const &[begin, end] : file_.kept)
         type.kept = type.kept || (type.span.begin >= begin && type.span.end <= end);
   }
 
@@ -136,7 +137,6 @@ private:
   std::string directive_, name_, before_;
   std::vector<std::string> open_;   // each #if
   std::vector<std::size_t> within_; // the part of it
-  std::vector<std::pair<std::size_t, std::size_t>> kept_;
 };
 
 class SkippedText : public PPCallbacks {

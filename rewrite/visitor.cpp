@@ -133,6 +133,7 @@ public:
     return true;
   }
   bool VisitVarDecl(VarDecl *variable) {
+    if (passive_ == constant_variable || passive_ == static_member) record_.constant_initializer(variable->getInit());
     if (!passive_) record_.deduced_variable(variable);
     if (!passive_) record_.named_variable(variable);
     if (!passive_ && !no_state_ && depends(variable->getType())) record_.dependent_value(variable->getInit());

@@ -9,10 +9,10 @@ struct Options {
 #pragma symreal function input(x) output(return)
 double scale(Options const &options, double x) {
   Options own = {1};
-  return options.twice ? 2 * x * own.twice : x;
+  return options.twice ? 2 * x * own.twice : x + options.twice; // told once
 }
 
 int main() { std::printf("%g\n", scale({1}, 0.5)); }
 
-// CHECK: bit_field.cpp:12:10: warning: whether 'options.twice' is hidden state is not looked at [SYM064]
+// CHECK: bit_field.cpp:6:12: warning: whether 'Options::twice' is hidden state is not looked at [SYM064]
 // CHECK-NOT: SYM064]

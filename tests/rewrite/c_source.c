@@ -7,6 +7,7 @@
 #include <string.h>
 
 struct node { double value; struct node *next; };
+static char given_name[8] = "name";
 enum side { left, right };
 static int order(const void *a, const void *b)
 {
@@ -31,16 +32,16 @@ double smallest(int n, double *given)
     // CHECK: i = REAL_TO(REAL_INT(int), floor(result));
     i = floor(result);
     printf("%d %g\n", i, result);
-    // CHECK: char *found = (char *)(strchr(label, 'x'));
+    // CHECK: char *found = (char *)(strchr(label, 'x')), *digit = (char *)(strchr("0123", '1')), *in = strchr(given_name, 'a');
     const char *label = "x", **labels = &label;
-    char *found = strchr(label, 'x');
+    char *found = strchr(label, 'x'), *digit = strchr("0123", '1'), *in = strchr(given_name, 'a');
     // CHECK: unsigned *bits = (unsigned int *)(&n);
     unsigned *bits = &n;
     // CHECK: char **words = (char **)(labels);
     char **words = labels;
     // CHECK: const void *any = words;
     const void *any = words;
-    printf("%p %p %p\n", (void *)found, (void *)bits, any);
+    printf("%p %p %p %p %p\n", (void *)found, (void *)digit, (void *)in, (void *)bits, any);
     free(x);
     free(head);
     return result;

@@ -14,6 +14,8 @@ int cut(double x) { return (int)x + static_cast<int>(x); }
 // CHECK: int branch(REAL x) { if (x) return 1; while (!x) return 2; return x && 1 ? 3 : 4; }
 int branch(double x) { if (x) return 1; while (!x) return 2; return x && 1 ? 3 : 4; }
 int const half = 2.5;
+// CHECK: bool zero(REAL x) { return x == REAL_C(0.0L) || REAL_C(-0.5L) > x; }
+bool zero(double x) { return x == 0.0L || -0.5L > x; }
 // CHECK: void show(REAL x, float y) { std::printf("%g %g %g %d\n", REAL_VALUE(x), y, 1.5, half); }
 void show(double x, float y) { std::printf("%g %g %g %d\n", x, y, 1.5, half); }
 // CHECK: void read(REAL *x) { if (std::scanf("%lf", x) != 1) REAL_WRITTEN({{.*}}, *x) = 0; }

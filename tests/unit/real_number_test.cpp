@@ -40,6 +40,8 @@ TEST(RealNumberLayout, IsADouble) {
   constexpr RealNumber folded = RealNumber(2) * RealNumber(3.0f) - RealNumber(1u);
   static_assert(folded.plain() == 5.0);
   EXPECT_EQ(static_cast<int>(folded), 5);
+  enum class Gear { neutral, first, fifth = 5 };
+  EXPECT_TRUE(static_cast<Gear>(folded) == Gear::fifth);
 }
 
 TEST_F(Recording, NodesSurviveBytewiseCopies) {

@@ -125,6 +125,10 @@ public:
     if (!is_node()) return static_cast<T>(value_);
     return static_cast<T>(std::is_integral_v<T> ? detail::convert_to_integer(*this) : detail::convert(*this));
   }
+  template <class T, std::enable_if_t<std::is_enum_v<T>, int> = 0>
+  [[gnu::always_inline]] explicit constexpr operator T() const noexcept {
+    return static_cast<T>(static_cast<std::underlying_type_t<T>>(*this));
+  }
   [[gnu::always_inline]] explicit constexpr operator bool() const noexcept {
     return is_node() ? detail::decide(detail::compare(Op::ne, *this, RealNumber(0.0))) : value_ != 0;
   }
@@ -250,7 +254,7 @@ SYMREAL_COMPOUND(/)
 } // namespace types
 
 // The carried value: the number that the program would have here. For printing; no dependency is recorded.
-inline double value(RealNumber x) noexcept { return x.is_node() ? detail::needed_value(x) : x.plain(); }
+constexpr double value(RealNumber x) noexcept { return x.is_node() ? detail::needed_value(x) : x.plain(); }
 template <class T, class = std::enable_if_t<std::is_arithmetic_v<T>>> constexpr T value(T x) noexcept { return x; }
 inline bool value(SymbolicBool x) noexcept { return value(x.condition()) != 0; }
 // What a template prints besides numbers.

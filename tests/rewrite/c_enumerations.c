@@ -1,0 +1,38 @@
+/* In C an enumeration is an integer: what converts to it and from it by itself is written out. */
+// RUN: %rewrite %s | FileCheck %s
+// RUN: %same %s
+// RUN: %symreal generate %s -o %t.c && %symreal verify %s %t.c 2>&1 | FileCheck %s --check-prefix=SAME
+// SAME: y {{ *}}1 {{ *}}0 {{ *}}0
+#include <stdio.h>
+
+enum side { left, right };
+enum { count = 4 };
+enum colour { red, green };
+enum side side_of(int n)
+{
+    int i;
+    // CHECK: if (n < 0) return (enum side)(-1);
+    if (n < 0) return -1;
+    // CHECK: if (n > 9) return (enum side)(green);
+    if (n > 9) return green;
+    for (i = 0; i < 2; ++i)
+        // CHECK: if (i == n) return (enum side)(i);
+        if (i == n) return i;
+    return right;
+}
+double twice(double x) { return 2 * x; }
+double chosen(int n, enum side a, enum side b)
+{
+    // CHECK: return twice(REAL_TO(int, n ? a : b)) + twice(REAL_TO(int, right)) + (n ? REAL_TO(int, (1, b)) : 2.0) / REAL_TO(int, count);
+    return twice(n ? a : b) + twice(right) + (n ? (1, b) : 2.0) / count;
+}
+
+int main(void)
+{
+    double x = 3, y;
+#pragma symreal input(x)
+    y = x * chosen(1, side_of(1), left);
+#pragma symreal output(y) generate("y.c")
+    printf("%g\n", y);
+    return 0;
+}

@@ -1,0 +1,36 @@
+/* One allocation for numbers and integers is an error until a comment says that it is meant. */
+// RUN: %symreal generate %s -o %t.c && %symreal verify %s %t.c 2>&1 | FileCheck %s
+// CHECK: y {{ *}}1 {{ *}}0 {{ *}}0
+// RUN: not %symreal generate %s -o %t.none.c -- -DUNKEPT 2>&1 | FileCheck %s --check-prefix=UNKEPT
+// RUN: test ! -e %t.none.c
+// UNKEPT: kept_bytes.c:17:13: error: the bytes of a REAL are looked at as int * [SYM035]
+// UNKEPT: // symreal: keep
+#include <stdio.h>
+#include <stdlib.h>
+
+static double reordered(int n, double const *x)
+{
+    double *sum = malloc(n * sizeof(double) + n * sizeof(int)), *last, result = 0;
+    int i, *order;
+    last = (double *)((char *)sum + (n - 1) * sizeof *sum); // counts in bytes, and looks at none
+#ifdef UNKEPT
+    order = (int *)(sum + n);
+#else
+    order = (int *)(sum + n); // symreal: keep
+#endif
+    for (i = 0; i < n; ++i) order[i] = n - 1 - i;
+    for (i = 0; i < n; ++i) sum[i] = x[order[i]] * (i + 1);
+    for (i = 0; i < n; ++i) result += sum[i] * *last;
+    free(sum);
+    return result;
+}
+
+int main(void)
+{
+    double x[3] = {1, 2, 3}, y;
+#pragma symreal input(x)
+    y = reordered(3, x);
+#pragma symreal output(y) generate("y.c")
+    printf("%g\n", y);
+    return 0;
+}
