@@ -153,7 +153,10 @@ bool compile(Translation const &translation, CommandLine const &line, rewrite::R
   Workspace const workspace(keep);
   std::string const top = workspace.directory("overlay"), listed = workspace.file("dependencies");
   if (keep) std::cerr << "symreal: the rewritten sources are in " << top << "\n";
-  Overlay const overlay(result, top);
+  std::set<std::string> c_sources;
+  if (translation.source.language == Language::c)
+    c_sources.insert(fs::weakly_canonical(translation.source.name).string());
+  Overlay const overlay(result, top, std::move(c_sources));
   Names const names(result, top);
   std::string const &source = translation.source.name;
   bool const preprocess = translation.action == Action::preprocess;

@@ -35,6 +35,16 @@ constexpr char const *no_speculation = "-ftrapping-math";
 
 } // namespace
 
+bool is_c(rewrite::Compilation const &source) {
+  bool by_name = source.source.ends_with(".c");
+  for (std::size_t i = 0; i < source.flags.size(); ++i) {
+    std::string const &flag = source.flags[i];
+    if (flag == "-x" && i + 1 < source.flags.size()) by_name = source.flags[i + 1] == "c";
+    if (flag.starts_with("-x") && flag != "-x") by_name = flag == "-xc";
+  }
+  return by_name;
+}
+
 bool brings_allocator(Words const &words) {
   return std::any_of(words.begin(), words.end(),
                      [](std::string const &word) { return word.starts_with("-fsanitize"); });
@@ -68,7 +78,7 @@ Words compile_command(BuildRequest const &request, Variant variant, Overlay cons
 Words unchanged_command(BuildRequest const &request, rewrite::Compilation const &source, std::string const &object) {
   Words words = {request.compiler};
   append(words, unchanged_flags(source.flags));
-  append(words, {"-w", "-x", source.source.ends_with(".c") ? "c" : "c++", "-c", source.source, "-o", object});
+  append(words, {"-w", "-x", is_c(source) ? "c" : "c++", "-c", source.source, "-o", object});
   return words;
 }
 

@@ -36,6 +36,9 @@ std::vector<std::string> variant_flags(std::vector<std::string> const &flags, Va
 // A run of a compiler whose messages a program reads.
 Command compiler_run(std::vector<std::string> words, std::string const &directory = {});
 
+// Is the source one in C, by -x or by its name?
+bool is_c(rewrite::Compilation const &source);
+
 // Do these flags bring a sanitizer? It replaces the allocation functions itself.
 bool brings_allocator(std::vector<std::string> const &flags);
 

@@ -79,8 +79,11 @@ std::optional<Front> run_front(FrontRequest const &request, Talk const &talk) {
 
   talk.stage("building");
   front.workspace = std::make_unique<Workspace>(request.keep);
-  front.overlay = std::make_unique<Overlay>(rewritten, front.workspace->directory("overlay"));
   BuildRequest const build = build_request(request, rewritten);
+  std::set<std::string> c_sources;
+  for (rewrite::Compilation const &source : build.sources)
+    if (is_c(source)) c_sources.insert(rewrite::real_source(source));
+  front.overlay = std::make_unique<Overlay>(rewritten, front.workspace->directory("overlay"), std::move(c_sources));
   std::vector<Variant> variants = {Variant::symbolic};
   if (request.replay) variants.push_back(Variant::replay);
   bool own_flags = request.replay && std::any_of(build.sources.begin(), build.sources.end(),

@@ -47,10 +47,11 @@ std::size_t original_offset(std::vector<rewrite::Edit> const &edits, std::size_t
 
 } // namespace
 
-Overlay::Overlay(rewrite::Result const &rewritten, std::string directory)
+Overlay::Overlay(rewrite::Result const &rewritten, std::string directory, std::set<std::string> c_sources)
     : directory_(std::move(directory)),
       files_(rewritten.files),
-      include_dirs_(rewritten.include_dirs) {
+      include_dirs_(rewritten.include_dirs),
+      c_sources_(std::move(c_sources)) {
   for (std::size_t i = 0; i < files_.size(); ++i) {
     rewrite::File const &file = files_[i];
     by_name_[file.path] = i;
@@ -68,8 +69,10 @@ void Overlay::write(rewrite::File const &file) const {
   fs::create_directories(fs::path(path).parent_path(), ignored);
   // A byte order mark is one only at the very beginning.
   std::size_t const mark = file.text.starts_with("\xEF\xBB\xBF") ? 3 : 0;
-  write_if_changed(path, file.text.substr(0, mark) + "#line 1 " + rewrite::quoted(file.compiled_name) + "\n" +
-                             redirected(file.text.substr(mark)));
+  bool const is_c = c_sources_.contains(file.path);
+  write_if_changed(path, file.text.substr(0, mark) + (is_c ? "extern \"C\" {\n" : "") + "#line 1 " +
+                             rewrite::quoted(file.compiled_name) + "\n" + redirected(file.text.substr(mark)) +
+                             (is_c ? "\n}\n" : ""));
   // A symbolic link to the file is found beside what includes it.
   fs::path const named(file.compiled_name);
   std::string const link = directory_ + real_path(named.parent_path() / "") + "/" + named.filename().string();

@@ -9,6 +9,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -19,8 +20,9 @@ public:
   // Of a program that was built elsewhere: every file counts as rewritten but those of the system and Symreal's own,
   // and columns are not known.
   Overlay() = default;
-  // Writes the files below `directory`.
-  Overlay(rewrite::Result const &rewritten, std::string directory);
+  // Writes the files below `directory`. What the sources in C (real paths) and their headers define keeps C linkage,
+  // though they are compiled as C++.
+  Overlay(rewrite::Result const &rewritten, std::string directory, std::set<std::string> c_sources = {});
 
   // Where the rewritten text of a source stands.
   std::string compiled_path(std::string const &source) const;
@@ -43,6 +45,7 @@ private:
   std::string directory_;
   std::vector<rewrite::File> files_;
   std::vector<std::string> include_dirs_;
+  std::set<std::string> c_sources_;
   std::map<std::string, std::size_t> by_name_; // display path and real path to index
 };
 

@@ -80,8 +80,11 @@ void Recorder::moved_bytes(CallExpr const *call, FunctionDecl const *function) {
   if (!function->getDeclName().isIdentifier()) return;
   llvm::StringRef name = function->getName();
   name.consume_front("__builtin_");
-  bool const sets = name == "memset";
-  if ((!sets && name != "memcpy" && name != "memmove") || call->getNumArgs() != 3) return;
+  std::string const how = name == "memset"                        ? "set"
+                          : name == "memcmp"                      ? "compare"
+                          : name == "memcpy" || name == "memmove" ? "move"
+                                                                  : "";
+  if (how.empty() || call->getNumArgs() != 3) return;
   bool any = false;
   for (Expr const *argument : {call->getArg(0), call->getArg(1)}) {
     QualType const pointee = Reals::pointee(argument);
@@ -90,10 +93,13 @@ void Recorder::moved_bytes(CallExpr const *call, FunctionDecl const *function) {
   Expr const *callee = call->getCallee()->IgnoreParenImpCasts();
   std::optional<Span> const span = map_.range(callee->getSourceRange());
   if (!any || !span || !map_.in_roots(callee->getBeginLoc())) return;
-  Expr const *what = call->getArg(sets ? 0 : 1)->IgnoreParenImpCasts();
-  std::optional<Span> const words = map_.range(what->getSourceRange());
-  std::string detail =
-      (sets ? "set, " : "move, ") + quoted(words ? normalised(map_.text(*words, what->getBeginLoc())) : name.str());
+  auto const words = [&](unsigned index) {
+    Expr const *argument = call->getArg(index)->IgnoreParenImpCasts();
+    std::optional<Span> const written = map_.range(argument->getSourceRange());
+    return written ? normalised(map_.text(*written, argument->getBeginLoc())) : name.str();
+  };
+  std::string const what = how == "compare" ? words(0) + "' or '" + words(1) : words(how == "move" ? 1 : 0);
+  std::string detail = how + ", " + quoted(what);
   detail.append(", ").append(quoted(to_string(map_.place(call->getBeginLoc()))));
   facts_.wraps.insert({*span, Use::bytes, detail});
 }

@@ -41,10 +41,11 @@ bool overload_competes(FunctionDecl const *function, unsigned index, unsigned co
   return false;
 }
 
-// Functions to which the address of REAL objects may go: they move bytes, which carry nodes as well as numbers.
+// Functions to which the address of REAL objects may go: they move bytes, which carry nodes as well as numbers, or are
+// watched (record_bits.cpp).
 bool moves_bytes(FunctionDecl const *function) {
-  static llvm::StringSet<> const names = {"memcpy", "memmove", "memset", "bzero", "free",           "realloc",
-                                          "qsort",  "bsearch", "calloc", "swab",  "operator delete"};
+  static llvm::StringSet<> const names = {"memcpy",  "memmove", "memset",  "memcmp", "bzero", "free",
+                                          "realloc", "qsort",   "bsearch", "calloc", "swab",  "operator delete"};
   llvm::StringRef name = function->getDeclName().isIdentifier() ? function->getName() : "operator delete";
   if (name.consume_front("__builtin_")) name.consume_back("_chk");
   return names.contains(name);

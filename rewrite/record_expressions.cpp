@@ -130,8 +130,13 @@ void Recorder::compound_assignment(CompoundAssignOperator const *assignment) {
   if (assignment->isTypeDependent() || Reals::is_double(left->getType())) return;
   if (!left->getType()->isArithmeticType() || !Reals::is_double(assignment->getComputationResultType())) return;
   if (!reals_.is_real(assignment->getRHS()) && reals_.stays_double(assignment->getRHS())) return;
-  report(DiagnosticId::implicit_narrowing, assignment->getOperatorLoc(),
-         "the result is a REAL and is converted to " + left->getType().getAsString());
+  // The runtime has an operator that does what the original did. It takes a reference.
+  if (!IntegerState::has_address(left) || reals_.is_symbolic_integer(left))
+    report(DiagnosticId::implicit_narrowing, assignment->getOperatorLoc(),
+           "the result is a REAL and is converted to " + left->getType().getAsString());
+  else if (std::optional<Span> const span = map_.token(assignment->getOperatorLoc());
+           span && left->getType()->isIntegerType())
+    facts_.to_integers.try_emplace(*span, left->getType().getUnqualifiedType().getAsString(map_.language()));
 }
 
 void Recorder::choice(ConditionalOperator const *choice) {

@@ -51,6 +51,8 @@ uint64_t look(double x) {
   value.number = x;
   value.whole = 4; // overwritten, not read
   sum += value.whole;
+  State const other = {{1.0, 2.0}, 2};
+  sum += std::memcmp(&other, &state, sizeof state) == 0;
   return sum + copy + text[0] + hash(&x) + checksum(state);
 }
 
@@ -68,6 +70,7 @@ int main() {
 // CHECK-DAG: bytes_at_run.cpp:42:27: error: the bytes behind 'u' are those of a symbolic value [SYM035]
 // CHECK-DAG: bytes_at_run.cpp:44:3: error: the bytes behind '&x' are those of a symbolic value [SYM035]
 // CHECK-DAG: bytes_at_run.cpp:46:3: error: the bytes behind '&x' are those of a symbolic value [SYM035]
+// CHECK-DAG: bytes_at_run.cpp:55:10: error: the bytes behind '&other' or '&state' are those of a symbolic value [SYM035]
 // CHECK-DAG: bytes_at_run.cpp:30:{{[0-9]+}}: error: the bytes behind 'bytes' are those of a symbolic value [SYM035]
 // CHECK-DAG: bytes_at_run.cpp:33:{{[0-9]+}}: error: the bytes behind '&state' are those of a symbolic value [SYM035]
 // CHECK-NOT: value.whole

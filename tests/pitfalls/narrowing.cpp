@@ -1,18 +1,28 @@
-// A REAL that would be cut to an integer in passing.
+// A REAL that is cut to an integer in passing: what (int) is, too.
+// RUN: %rewrite %s | FileCheck %s --check-prefix=TEXT
+// RUN: %same %s
 // RUN: not %symreal generate %s -o %t.c 2>&1 | FileCheck %s
 // RUN: not ls %t.c
+// RUN: %symreal generate --decisions=guard %s -o %t.g.c && %symreal verify %s %t.g.c 2>&1 | FileCheck %s --check-prefix=SAME
+// SAME: return {{ *}}1 {{ *}}0 {{ *}}0
 #include <cstdio>
 
-int counter;
+struct Record {
+  float least = 0;
+  int number = 1;
+};
 
-#pragma symreal function input(x) constant(counter) output(return)
+#pragma symreal function input(x) range(1, 3) output(return)
 double cut(double x) {
-  int n = 1;
-  // CHECK-DAG: narrowing.cpp:[[@LINE+1]]:{{[0-9]+}}: error: the result is a REAL and is converted to int [SYM034]
-  n += x;
-  // CHECK-DAG: narrowing.cpp:[[@LINE+1]]:{{[0-9]+}}: error: the result is a REAL and is converted to int [SYM034]
-  counter *= 2.0 * x;
-  return n + x;
+  Record record;
+  // CHECK: narrowing.cpp:[[@LINE+2]]:20: error: the program decides on a symbolic value: the conversion of 1 + x (met 1 time) [SYM016]
+  // TEXT: record.number += x;
+  record.number += x;
+  return record.number + x;
 }
 
-int main() { std::printf("%g\n", cut(1.5)); }
+int main() {
+  Record outside;
+  outside.least -= cut(1.5);
+  std::printf("%g\n", outside.least);
+}

@@ -37,7 +37,8 @@ void save(double *x, FILE *file) { (void)fwrite(x, sizeof *x, 1, file); }
 void copy(double *x, double const *y) { memcpy(x, y, sizeof *x); memset(x, 0, sizeof *x); std::cout << *x; }
 // CHECK-DAG: boundary.cpp:[[@LINE+1]]:{{[0-9]+}}: error: the bytes of a REAL are looked at as unsigned long *
 unsigned long bits(double &x) { return *reinterpret_cast<unsigned long *>(&x); }
+struct Packed { int n : 4; };
 // CHECK-DAG: boundary.cpp:[[@LINE+1]]:{{[0-9]+}}: error: the result is a REAL and is converted to int [SYM034]
-void add(int &n, double x) { n += x; }
+void add(Packed &packed, double x) { packed.n += x; }
 // CHECK-DAG: boundary.cpp:[[@LINE+1]]:{{[0-9]+}}: error: a REAL is converted to long double [SYM036]
 long double widen(double x) { return x; }

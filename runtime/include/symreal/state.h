@@ -149,7 +149,7 @@ template <class T> constexpr T &&bits(T &&object, char const *name, char const *
   return static_cast<T &&>(object);
 }
 
-// memcpy, memmove and memset: what they read and write, where the types tell.
+// memcpy, memmove, memset and memcmp: what they read and write, where the types tell.
 class Bytes {
 public:
   constexpr Bytes(char const *name, char const *place) noexcept : name_(name), place_(place) {}
@@ -165,6 +165,15 @@ public:
   template <class To> void *set(To *to, int byte, std::size_t size) const noexcept {
     if (detail::recording) each(to, size, [this](auto &object) { detail::write_object(object, name_, place_); });
     return std::memset(to, byte, size);
+  }
+  template <class One, class Other> int compare(One *one, Other *other, std::size_t size) const noexcept {
+    if (detail::recording) {
+      detail::check_bits(one, size, name_, place_);
+      detail::check_bits(other, size, name_, place_);
+      each(one, size, [this](auto &object) { detail::read_object(std::as_const(object), name_, place_); });
+      each(other, size, [this](auto &object) { detail::read_object(std::as_const(object), name_, place_); });
+    }
+    return std::memcmp(one, other, size);
   }
 
 private:

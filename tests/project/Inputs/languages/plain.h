@@ -1,0 +1,3 @@
+double half(double x);
+double third(double x);
+double sixth(double x);
