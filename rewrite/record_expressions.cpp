@@ -23,8 +23,12 @@ void Recorder::wrap(Expr const *expression, Use use, std::string detail) {
 
 namespace {
 
-// The type as a cast or a macro argument spells it.
+// The type as a cast or a macro argument spells it, wherever that stands: value_type is a name in its class only.
 std::string spelled(QualType type, LangOptions const &language) {
+  while (auto const *named = type->getAs<TypedefType>()) {
+    if (named->getDecl()->getDeclContext()->getRedeclContext()->isTranslationUnit()) break;
+    type = named->desugar();
+  }
   PrintingPolicy policy(language);
   policy.Bool = true; // C's _Bool is compiled as C++ where it matters
   return with_real(type.getUnqualifiedType().getAsString(policy));

@@ -2,6 +2,8 @@
 // RUN: %rewrite %s | FileCheck %s
 // RUN: %same %s
 #include <cstdio>
+#include <vector>
+namespace n { typedef int number; void count(number); }
 
 // CHECK: int whole(REAL x) { return REAL_TO(int, x); }
 int whole(double x) { return x; }
@@ -16,6 +18,8 @@ int branch(double x) { if (x) return 1; while (!x) return 2; return x && 1 ? 3 :
 int const half = 2.5;
 // CHECK: bool zero(REAL x) { return x == REAL_C(0.0L) || REAL_C(-0.5L) > x; }
 bool zero(double x) { return x == 0.0L || -0.5L > x; }
+// CHECK: void keep(std::vector<int> &list, REAL x) { {{.*}}.push_back(REAL_TO(int, x)); n::count(REAL_TO(int, x)); }
+void keep(std::vector<int> &list, double x) { list.push_back(x); n::count(x); }
 // CHECK: void show(REAL x, float y) { std::printf("%g %g %g %d\n", REAL_VALUE(x), y, 1.5, half); }
 void show(double x, float y) { std::printf("%g %g %g %d\n", x, y, 1.5, half); }
 // CHECK: void read(REAL *x) { if (std::scanf("%lf", x) != 1) REAL_WRITTEN({{.*}}, *x) = 0; }
