@@ -29,6 +29,8 @@ struct State {
 
 uint64_t hash(void const *bytes) { return *(uint64_t const *)bytes; }
 
+uint64_t watched(void const volatile *bytes) { return *(uint64_t const volatile *)bytes; }
+
 uint64_t checksum(State const &state) {
   unsigned char const *bytes = (unsigned char const *)&state;
   uint64_t sum = 0;
@@ -53,7 +55,7 @@ uint64_t look(double x) {
   sum += value.whole;
   State const other = {{1.0, 2.0}, 2};
   sum += std::memcmp(&other, &state, sizeof state) == 0;
-  return sum + copy + text[0] + hash(&x) + checksum(state);
+  return sum + copy + text[0] + hash(&x) + watched(&copy) + checksum(state);
 }
 
 int main() {
@@ -66,11 +68,11 @@ int main() {
   std::printf("%d\n", harmless == harmful);
 }
 
-// CHECK-DAG: bytes_at_run.cpp:42:18: error: the bytes behind 'u' are those of a symbolic value [SYM035]
-// CHECK-DAG: bytes_at_run.cpp:42:27: error: the bytes behind 'u' are those of a symbolic value [SYM035]
-// CHECK-DAG: bytes_at_run.cpp:44:3: error: the bytes behind '&x' are those of a symbolic value [SYM035]
+// CHECK-DAG: bytes_at_run.cpp:44:18: error: the bytes behind 'u' are those of a symbolic value [SYM035]
+// CHECK-DAG: bytes_at_run.cpp:44:27: error: the bytes behind 'u' are those of a symbolic value [SYM035]
 // CHECK-DAG: bytes_at_run.cpp:46:3: error: the bytes behind '&x' are those of a symbolic value [SYM035]
-// CHECK-DAG: bytes_at_run.cpp:55:10: error: the bytes behind '&other' or '&state' are those of a symbolic value [SYM035]
+// CHECK-DAG: bytes_at_run.cpp:48:3: error: the bytes behind '&x' are those of a symbolic value [SYM035]
+// CHECK-DAG: bytes_at_run.cpp:57:10: error: the bytes behind '&other' or '&state' are those of a symbolic value [SYM035]
 // CHECK-DAG: bytes_at_run.cpp:30:{{[0-9]+}}: error: the bytes behind 'bytes' are those of a symbolic value [SYM035]
-// CHECK-DAG: bytes_at_run.cpp:33:{{[0-9]+}}: error: the bytes behind '&state' are those of a symbolic value [SYM035]
+// CHECK-DAG: bytes_at_run.cpp:35:{{[0-9]+}}: error: the bytes behind '&state' are those of a symbolic value [SYM035]
 // CHECK-NOT: value.whole

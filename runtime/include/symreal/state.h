@@ -84,21 +84,29 @@ template <class T> void write_object(T &object, char const *name, char const *pl
   }
 }
 
+inline void const *bytes_of(void const volatile *object) noexcept { return const_cast<void const *>(object); }
+
+// Of a class that this source does not know yet, or never, only where it begins.
+template <class T> constexpr std::size_t size_here() noexcept {
+  if constexpr (requires { sizeof(T); })
+    return sizeof(T);
+  else
+    return 1;
+}
+
 } // namespace detail
 
 // A reference to an object of static storage duration: what is read of it later is called by its name.
 template <class T> constexpr T &state(T &object, char const *name, char const *place) noexcept {
   if (!__builtin_is_constant_evaluated() && detail::recording)
-    detail::note_static(const_cast<std::remove_cv_t<T> const *>(&object), sizeof object, detail::Scope::any, name,
-                        place);
+    detail::note_static(detail::bytes_of(&object), detail::size_here<T>(), detail::Scope::any, name, place);
   return object;
 }
 
 // The same for one that is declared in a function: nobody else can read what is left in it.
 template <class T> constexpr T &local_state(T &object, char const *name, char const *place) noexcept {
   if (!__builtin_is_constant_evaluated() && detail::recording)
-    detail::note_static(const_cast<std::remove_cv_t<T> const *>(&object), sizeof object, detail::Scope::function, name,
-                        place);
+    detail::note_static(detail::bytes_of(&object), detail::size_here<T>(), detail::Scope::function, name, place);
   return object;
 }
 
@@ -140,11 +148,11 @@ template <class T> constexpr T &&bits(T &&object, char const *name, char const *
   if (!__builtin_is_constant_evaluated() && detail::recording) {
     using Pointee = std::remove_pointer_t<std::remove_reference_t<T>>;
     if constexpr (!std::is_pointer_v<std::remove_reference_t<T>>)
-      detail::check_bits(&object, sizeof object, name, place);
+      detail::check_bits(detail::bytes_of(&object), sizeof object, name, place);
     else if constexpr (std::is_class_v<Pointee>)
-      detail::check_bits(object, sizeof(Pointee), name, place);
+      detail::check_bits(detail::bytes_of(object), detail::size_here<Pointee>(), name, place);
     else if (object)
-      detail::check_bits(object, 1, name, place);
+      detail::check_bits(detail::bytes_of(object), 1, name, place);
   }
   return static_cast<T &&>(object);
 }

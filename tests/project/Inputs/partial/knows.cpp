@@ -3,6 +3,7 @@
 struct Inner {
   double mass = 2;
 };
+Inner kept_elsewhere;
 Outer::Outer() : inner(new Inner) {}
 Outer::~Outer() = default;
 double known(double x) {

@@ -5,6 +5,10 @@ struct Outer {
   ~Outer();
   std::unique_ptr<Inner> inner;
 };
+inline Inner *spare() {
+  extern Inner kept_elsewhere;
+  return &kept_elsewhere;
+}
 struct Vector {
   double x;
 };
