@@ -67,6 +67,15 @@ void Recorder::c_call(CallExpr const *call) {
            "a function that is declared without parameters is called with arguments");
 }
 
+// A literal's characters are const in C++, and so are those that `x ? name : "none"` leads to.
+void Recorder::c_choice(ConditionalOperator const *choice) {
+  QualType const pointee = choice->getType()->getPointeeType();
+  if (map_.language().CPlusPlus || pointee.isNull() || pointee.isConstQualified()) return;
+  for (Expr const *arm : {choice->getTrueExpr(), choice->getFalseExpr()})
+    if (Expr const *written = arm->IgnoreImpCasts(); isa<StringLiteral>(written->IgnoreParens()))
+      wrap(written, Use::cast, choice->getType().getAsString(PrintingPolicy(map_.language())));
+}
+
 // What takes a pointer to const in C++ gives one.
 void Recorder::c_search(CallExpr const *call) {
   static llvm::StringSet<> const searches = {"memchr", "strchr",  "strrchr", "strstr",  "strpbrk",

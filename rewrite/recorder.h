@@ -52,6 +52,7 @@ public:
   void c_declaration(clang::NamedDecl const *declaration);
   bool is_pointer_of_c(clang::ImplicitCastExpr const *cast) const;
   void c_search(clang::CallExpr const *call);
+  void c_choice(clang::ConditionalOperator const *choice);
   void c_prototype(clang::FunctionDecl const *function);
   void c_call(clang::CallExpr const *call);
 

@@ -125,6 +125,7 @@ public:
   bool VisitConditionalOperator(ConditionalOperator *choice) {
     decide(choice->getCond());
     if (!passive_) record_.choice(choice);
+    record_.c_choice(choice);
     return true;
   }
   bool VisitReturnStmt(ReturnStmt *statement) {

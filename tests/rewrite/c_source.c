@@ -35,13 +35,15 @@ double smallest(int n, double *given)
     // CHECK: char *found = (char *)(strchr(label, 'x')), *digit = (char *)(strchr("0123", '1')), *in = strchr(given_name, 'a');
     const char *label = "x", **labels = &label;
     char *found = strchr(label, 'x'), *digit = strchr("0123", '1'), *in = strchr(given_name, 'a');
+    // CHECK: char *shown = n > 2 ? found : (char *)("none");
+    char *shown = n > 2 ? found : "none";
     // CHECK: unsigned *bits = (unsigned int *)(&n);
     unsigned *bits = &n;
     // CHECK: char **words = (char **)(labels);
     char **words = labels;
     // CHECK: const void *any = words;
     const void *any = words;
-    printf("%p %p %p %p %p\n", (void *)found, (void *)digit, (void *)in, (void *)bits, any);
+    printf("%s %p %p %p %p %p\n", shown, (void *)found, (void *)digit, (void *)in, (void *)bits, any);
     free(x);
     free(head);
     return result;
