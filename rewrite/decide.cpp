@@ -124,8 +124,8 @@ std::string type_text(Facts const &facts, Span const &span) {
   return text + file.substr(at, span.end - at);
 }
 
-// On a line that is kept as it is, it is the user who says that the bytes are not those of a number, or that what leaves
-// the program is a variable that is kept as well.
+// On a line that is kept as it is, it is the user who says that the bytes are not those of a number, or that what
+// leaves the program is a variable that is kept as well.
 bool is_answered_for(Diagnostic const &diagnostic, Facts const &facts) {
   if (diagnostic.id != DiagnosticId::reinterpretation && diagnostic.id != DiagnosticId::boundary_call) return false;
   for (auto const &[path, file] : facts.files)
