@@ -36,13 +36,13 @@ constexpr char const *no_speculation = "-ftrapping-math";
 } // namespace
 
 bool is_c(rewrite::Compilation const &source) {
-  bool by_name = source.source.ends_with(".c");
+  bool c = source.source.ends_with(".c");
   for (std::size_t i = 0; i < source.flags.size(); ++i) {
     std::string const &flag = source.flags[i];
-    if (flag == "-x" && i + 1 < source.flags.size()) by_name = source.flags[i + 1] == "c";
-    if (flag.starts_with("-x") && flag != "-x") by_name = flag == "-xc";
+    if (flag == "-x" && i + 1 < source.flags.size()) c = source.flags[i + 1] == "c";
+    if (flag.starts_with("-x") && flag != "-x") c = flag == "-xc";
   }
-  return by_name;
+  return c;
 }
 
 bool brings_allocator(Words const &words) {
