@@ -29,6 +29,8 @@ void append(Words &words, Words const &more) { words.insert(words.end(), more.be
 // What is defined in other sources is known when they are linked.
 bool is_for_the_linker(Diagnostic const &diagnostic) { return diagnostic.id == DiagnosticId::boundary_function; }
 
+std::string real_path(Translation const &translation) { return fs::weakly_canonical(translation.source.name).string(); }
+
 std::optional<rewrite::Result> rewritten(Translation const &translation, CommandLine const &line) {
   rewrite::Request request;
   request.roots = translation.roots;
@@ -44,7 +46,7 @@ std::optional<rewrite::Result> rewritten(Translation const &translation, Command
     failed |= diagnostic.severity == Severity::error;
   }
   if (failed) return {};
-  std::string const real = fs::weakly_canonical(translation.source.name).string();
+  std::string const real = real_path(translation);
   for (rewrite::File &file : result.files)
     if (file.path == real) file.text += link_marks(result);
   return result;
@@ -154,8 +156,7 @@ bool compile(Translation const &translation, CommandLine const &line, rewrite::R
   std::string const top = workspace.directory("overlay"), listed = workspace.file("dependencies");
   if (keep) std::cerr << "symreal: the rewritten sources are in " << top << "\n";
   std::set<std::string> c_sources;
-  if (translation.source.language == Language::c)
-    c_sources.insert(fs::weakly_canonical(translation.source.name).string());
+  if (translation.source.language == Language::c) c_sources.insert(real_path(translation));
   Overlay const overlay(result, top, std::move(c_sources));
   Names const names(result, top);
   std::string const &source = translation.source.name;

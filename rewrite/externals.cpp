@@ -1,7 +1,6 @@
 #include "rewrite/externals.h"
 
 #include "rewrite/merge.h"
-
 #include "rewrite/pragma_text.h"
 
 #include <algorithm>

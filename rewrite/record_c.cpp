@@ -73,7 +73,7 @@ void Recorder::c_choice(ConditionalOperator const *choice) {
   if (map_.language().CPlusPlus || pointee.isNull() || pointee.isConstQualified()) return;
   for (Expr const *arm : {choice->getTrueExpr(), choice->getFalseExpr()})
     if (Expr const *written = arm->IgnoreImpCasts(); isa<StringLiteral>(written->IgnoreParens()))
-      wrap(written, Use::cast, choice->getType().getAsString(PrintingPolicy(map_.language())));
+      wrap(written, Use::cast, spelled(choice->getType()));
 }
 
 // What takes a pointer to const in C++ gives one.
@@ -86,8 +86,7 @@ void Recorder::c_search(CallExpr const *call) {
   Expr const *searched = call->getArg(0);
   QualType const pointee = Reals::pointee(searched);
   bool const is_literal = isa<StringLiteral>(searched->IgnoreParenImpCasts()); // whose characters are const in C++ only
-  if (is_literal || (!pointee.isNull() && pointee.isConstQualified()))
-    wrap(call, Use::cast, call->getType().getAsString(PrintingPolicy(map_.language())));
+  if (is_literal || (!pointee.isNull() && pointee.isConstQualified())) wrap(call, Use::cast, spelled(call->getType()));
 }
 
 } // namespace symreal::rewrite

@@ -21,18 +21,17 @@ void Recorder::wrap(Expr const *expression, Use use, std::string detail) {
     report(DiagnosticId::split_expression, begin, "this expression is partly made by a macro and needs a conversion");
 }
 
-namespace {
-
-// The type as a cast or a macro argument spells it, wherever that stands: value_type is a name in its class only.
-std::string spelled(QualType type, LangOptions const &language) {
+std::string Recorder::spelled(QualType type) const {
   while (auto const *named = type->getAs<TypedefType>()) {
     if (named->getDecl()->getDeclContext()->getRedeclContext()->isTranslationUnit()) break;
     type = named->desugar();
   }
-  PrintingPolicy policy(language);
+  PrintingPolicy policy(map_.language());
   policy.Bool = true; // C's _Bool is compiled as C++ where it matters
   return with_real(type.getUnqualifiedType().getAsString(policy));
 }
+
+namespace {
 
 // The type of an enumerator, which in C is an integer; null for other expressions.
 EnumDecl const *enumeration_of(Expr const *expression) {
@@ -65,9 +64,9 @@ void Recorder::implicit_cast(ImplicitCastExpr const *cast, bool decides) {
     if (to->isSpecificBuiltinType(BuiltinType::LongDouble))
       report(DiagnosticId::long_double, from->getBeginLoc(), "a REAL is converted to long double");
     else if (reals_.keeps_integer(cast))
-      wrap(from, Use::conversion, "SYMREAL_REAL_INT(" + spelled(to, map_.language()) + ")");
+      wrap(from, Use::conversion, "SYMREAL_REAL_INT(" + spelled(to) + ")");
     else
-      wrap(from, Use::conversion, spelled(to, map_.language()));
+      wrap(from, Use::conversion, spelled(to));
     return;
   case CK_ConstructorConversion:
     if (auto const *construction = dyn_cast<CXXConstructExpr>(from->IgnoreImplicit()))
@@ -75,7 +74,7 @@ void Recorder::implicit_cast(ImplicitCastExpr const *cast, bool decides) {
     return;
   case CK_BitCast: // to another type, or to one that is less const
   case CK_NoOp:
-    if (!cast->isPartOfExplicitCast() && is_pointer_of_c(cast)) wrap(from, Use::cast, spelled(to, map_.language()));
+    if (!cast->isPartOfExplicitCast() && is_pointer_of_c(cast)) wrap(from, Use::cast, spelled(to));
     return;
   case CK_IntegralToFloating: // an enumerator among numbers: a class has no built-in promotion
     if (Reals::is_double(to) && !cast->isPartOfExplicitCast() && is_enumeration(from))
@@ -85,7 +84,7 @@ void Recorder::implicit_cast(ImplicitCastExpr const *cast, bool decides) {
     if (!map_.language().CPlusPlus && to->isEnumeralType() && !cast->isPartOfExplicitCast() &&
         !from->IgnoreParens()->getType()->isEnumeralType() &&
         enumeration_of(from) != to->getAsTagDecl()->getCanonicalDecl())
-      wrap(from, Use::cast, spelled(to, map_.language()));
+      wrap(from, Use::cast, spelled(to));
     return;
   default: return;
   }

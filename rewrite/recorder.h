@@ -88,6 +88,9 @@ private:
   void name(llvm::StringRef name, clang::SourceLocation begin, clang::SourceLocation end);
 
   bool compares_exactly(clang::Expr const *side, clang::Expr const *constant);
+  // The type as a cast or a macro argument spells it, wherever that stands: value_type is a name in its class only.
+  std::string spelled(clang::QualType type) const;
+
   using Arguments = llvm::ArrayRef<clang::Expr const *>;
   void arguments(clang::FunctionDecl const *function, Arguments arguments, bool overloaded);
   void literal_argument(clang::FunctionDecl const *function, unsigned index, clang::Expr const *argument,

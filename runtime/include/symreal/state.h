@@ -176,15 +176,17 @@ public:
   }
   template <class One, class Other> int compare(One *one, Other *other, std::size_t size) const noexcept {
     if (detail::recording) {
-      detail::check_bits(one, size, name_, place_);
-      detail::check_bits(other, size, name_, place_);
-      each(one, size, [this](auto &object) { detail::read_object(std::as_const(object), name_, place_); });
-      each(other, size, [this](auto &object) { detail::read_object(std::as_const(object), name_, place_); });
+      look_at(one, size);
+      look_at(other, size);
     }
     return std::memcmp(one, other, size);
   }
 
 private:
+  template <class T> void look_at(T *objects, std::size_t size) const noexcept {
+    detail::check_bits(objects, size, name_, place_);
+    each(objects, size, [this](auto &object) { detail::read_object(std::as_const(object), name_, place_); });
+  }
   template <class T, class Note> static void each(T *objects, std::size_t size, Note note) {
     if constexpr (!std::is_void_v<T>)
       for (std::size_t k = 0; k < size / sizeof(T); ++k) note(objects[k]);
