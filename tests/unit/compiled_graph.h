@@ -2,9 +2,9 @@
 #pragma once
 
 #include "emit/emit.h"
+#include "program/workspace.h"
 
 #include <dlfcn.h>
-#include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
 
@@ -13,14 +13,12 @@ namespace symreal {
 class Compiled {
 public:
   Compiled(Graph const &graph, std::string const &compiler) : guarded_(!graph.guards.empty()) {
-    directory_ = std::filesystem::path(testing::TempDir()) / ("emit_test_" + std::to_string(getpid()));
-    std::filesystem::create_directories(directory_);
     for (EmittedFile const &file : emit_c(graph, {.base_name = "k", .mainline = true}))
-      std::ofstream(directory_ / file.name) << file.text;
+      std::ofstream(workspace_.file(file.name)) << file.text;
     std::string flags = " -std=c99 -O1 -ffp-contract=off -fno-builtin -Wall -Wextra -Wconversion -pedantic -Werror ";
     // clang computes what it takes to be harmless before it is known to be needed, unless told that flags matter.
     if (compiler.starts_with("clang")) flags += "-ffp-exception-behavior=maytrap ";
-    std::string const path = directory_.string();
+    std::string const path = workspace_.path();
     EXPECT_EQ(std::system((compiler + flags + "-fPIC -shared " + path + "/k.c -o " + path + "/k.so -lm").c_str()), 0);
     EXPECT_EQ(std::system((compiler + flags + "-fsyntax-only " + path + "/k_main.c").c_str()), 0);
     library_ = dlopen((path + "/k.so").c_str(), RTLD_NOW | RTLD_LOCAL);
@@ -28,7 +26,6 @@ public:
   }
   ~Compiled() {
     if (library_) dlclose(library_);
-    std::filesystem::remove_all(directory_);
   }
   std::vector<double> run(std::vector<double> const &input, std::size_t outputs) const {
     std::vector<double> output(outputs);
@@ -47,7 +44,7 @@ public:
   }
 
 private:
-  std::filesystem::path directory_;
+  program::Workspace workspace_{false};
   void *library_ = nullptr;
   bool guarded_;
 };

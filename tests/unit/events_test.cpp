@@ -1,14 +1,15 @@
 #include "program/events.h"
+#include "program/workspace.h"
 
 #include <gtest/gtest.h>
 
-#include <cstdio>
 #include <fstream>
 
 using namespace symreal;
 
 TEST(Events, AreReadLineByLine) {
-  std::string path = testing::TempDir() + "symreal-events-test";
+  program::Workspace const workspace(false);
+  std::string const path = workspace.file("events");
   std::ofstream(path) << "started\ta.cpp:3:1\n"
                          "kernel\tarm\t0.graph\tarm.c\n"
                          "diagnostic\tSYM002\ta.cpp\t4\t5\ttext with blanks\n"
@@ -16,7 +17,6 @@ TEST(Events, AreReadLineByLine) {
                          "located\tSYM001\tmessage\t1a\n"
                          "of another version\tignored\n";
   program::Events events = program::read_events(path);
-  std::remove(path.c_str());
   ASSERT_EQ(events.kernels.size(), 1u);
   EXPECT_EQ(events.kernels[0].graph_file, "0.graph");
   EXPECT_EQ(events.kernels[0].begun_as, "a.cpp:3:1");

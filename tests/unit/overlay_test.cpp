@@ -1,4 +1,5 @@
 #include "program/overlay.h"
+#include "program/workspace.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +12,8 @@ namespace fs = std::filesystem;
 namespace {
 
 struct OverlayTest : testing::Test {
-  fs::path directory = fs::path(testing::TempDir()) / "overlay-test";
+  program::Workspace const workspace{false};
+  fs::path const directory = workspace.path();
   rewrite::Result result;
 
   OverlayTest() {
@@ -23,7 +25,6 @@ struct OverlayTest : testing::Test {
                             {{9, 6, "REAL"}, {20, 3, "REAL_C(2.5)"}}});
     result.include_dirs = {"/elsewhere", "/project"};
   }
-  ~OverlayTest() override { fs::remove_all(directory); }
 };
 
 TEST_F(OverlayTest, ColumnsAreThoseOfTheOriginal) {

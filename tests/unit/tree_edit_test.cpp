@@ -1,6 +1,7 @@
 #include "program/tree_edit.h"
 
 #include "diagnostics/diagnostic.h"
+#include "program/workspace.h"
 #include "support/files.h"
 
 #include <filesystem>
@@ -12,16 +13,14 @@ using namespace symreal;
 namespace fs = std::filesystem;
 
 struct TreeEditTest : testing::Test {
-  std::string const directory = fs::canonical(fs::temp_directory_path()).string() + "/symreal-tree-edit-test";
+  program::Workspace const workspace{false};
+  std::string const directory = fs::canonical(workspace.path()).string();
   std::string const one = directory + "/one", two = directory + "/two";
 
   TreeEditTest() {
-    fs::remove_all(directory);
-    fs::create_directory(directory);
     write_if_changed(one, "1");
     write_if_changed(two, "2");
   }
-  ~TreeEditTest() override { fs::remove_all(directory); }
 
   DiagnosticId refusal(std::vector<program::Replacement> const &replacements) {
     try {
