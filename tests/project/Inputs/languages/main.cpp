@@ -1,6 +1,7 @@
 extern "C" {
 #include "plain.h"
 }
+#include "vector.h"
 #include <cstdio>
 
 extern "C" double third(double x) { return x / 3; }
@@ -8,7 +9,8 @@ extern "C" double third(double x) { return x / 3; }
 int main() {
   double x = 12;
 #pragma symreal input(x) range(1, 20)
-  double const y = sixth(x) + half(x);
+  vector const v = rotated({0, x}) - vector{0, 1};
+  double const y = sixth(x) + half(-v.x);
 #pragma symreal output(y) generate("y.c")
   std::printf("%g\n", y);
 }
