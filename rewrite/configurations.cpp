@@ -68,12 +68,12 @@ void Configurations::add(std::string const &source, Facts const &facts) {
     std::vector<View> &known = views_[path];
     if (std::any_of(known.begin(), known.end(), [&](View const &other) { return other.same(mine); })) continue;
     mine.source = source;
-    for (View const &other : known) compare(file, other, mine);
+    for (View const &other : known) compare(path, file, other, mine);
     known.push_back(std::move(mine));
   }
 }
 
-void Configurations::compare(FileFact const &file, View const &one, View const &other) {
+void Configurations::compare(std::string const &path, FileFact const &file, View const &one, View const &other) {
   auto const words = [](std::string const &replacement) {
     return replacement.empty() ? std::string("stays") : "becomes " + with_type_name(replacement, usual_type_name);
   };
@@ -87,14 +87,17 @@ void Configurations::compare(FileFact const &file, View const &one, View const &
     if (auto const found = other.members.find(offset);
         found != other.members.end() && !same_members(found->second, list))
       contradiction(file, offset, "this class has other members for " + one.source + " than for " + other.source);
-  compare_wraps(file, one, other);
-  compare_wraps(file, other, one);
+  compare_wraps(path, file, one, other);
+  compare_wraps(path, file, other, one);
 }
 
-void Configurations::compare_wraps(FileFact const &file, View const &one, View const &other) {
+void Configurations::compare_wraps(std::string const &path, FileFact const &file, View const &one, View const &other) {
   for (auto const &[key, detail] : one.wraps) {
     auto const found = other.wraps.find(key);
-    if (found == other.wraps.end() ? holds(other.reached, key.begin) : found->second != detail)
+    if (found == other.wraps.end() ? !holds(other.reached, key.begin) : found->second == detail) continue;
+    if (key.use == Use::conversion || key.use == Use::cast)
+      shared_.insert({path, key.begin, key.end});
+    else
       contradiction(file, key.begin,
                     "this expression is converted for " + one.source + " and not, or to another type, for " +
                         other.source);
@@ -109,6 +112,7 @@ void Configurations::contradiction(FileFact const &file, std::size_t offset, std
 }
 
 void Configurations::report(Facts &facts) const {
+  facts.shared.insert(shared_.begin(), shared_.end());
   for (Diagnostic const &one : found_) add_diagnostic(facts, one);
 }
 

@@ -13,7 +13,7 @@ class Configurations {
 public:
   // What a source tells about the files that it includes.
   void add(std::string const &source, Facts const &facts);
-  // Adds what is contradictory to the diagnostics.
+  // Adds what is contradictory: to the diagnostics, or, where a conversion can go by its context, to what is shared.
   void report(Facts &facts) const;
 
 private:
@@ -32,11 +32,12 @@ private:
     bool same(View const &other) const;
   };
   View view(std::string const &path, Facts const &facts) const;
-  void compare(FileFact const &file, View const &one, View const &other);
-  void compare_wraps(FileFact const &file, View const &one, View const &other);
+  void compare(std::string const &path, FileFact const &file, View const &one, View const &other);
+  void compare_wraps(std::string const &path, FileFact const &file, View const &one, View const &other);
   void contradiction(FileFact const &file, std::size_t offset, std::string message);
 
   std::map<std::string, std::vector<View>> views_; // by real path; sources that see the same count once
+  std::set<Span> shared_;
   std::vector<Diagnostic> found_;
 };
 

@@ -15,14 +15,18 @@ using ByFile = std::map<std::string, std::vector<Rewording>>;
 
 // The macro of each use. In numeric mode each leaves exactly what stands between `before` and `after`; a cast to
 // another pointer type costs nothing.
-Rewording rewording(Wrap const &wrap) {
+Rewording rewording(Wrap const &wrap, bool is_shared) {
   auto const make = [&](std::string before, std::string after) {
     return Rewording{wrap.span.begin,  wrap.span.end, std::move(before),
                      std::move(after), false,         static_cast<int>(wrap.use)};
   };
+  if (is_shared && (wrap.use == Use::conversion || wrap.use == Use::cast)) return make("SYMREAL_REAL_FIT(", ")");
   switch (wrap.use) {
+  case Use::declared: return make("SYMREAL_REAL_EITHER((), extern) ", "");
   case Use::literal: return make("SYMREAL_REAL_C(", ")");
   case Use::value: return make("SYMREAL_REAL_VALUE(", ")");
+  case Use::enumeration: return make("SYMREAL_REAL_ENUM(", ")");
+  case Use::promoted: return make("SYMREAL_REAL_PROMOTED(", ")");
   case Use::conversion: return make("SYMREAL_REAL_TO(" + wrap.detail + ", ", ")");
   case Use::range_begin: return make("SYMREAL_REAL_FIRST(" + wrap.detail + ", ", ")");
   case Use::range_end: return make("SYMREAL_REAL_LAST(" + wrap.detail + ", ", ")");
@@ -106,7 +110,8 @@ void add_wraps(Facts const &facts, std::set<Span> const &pragmas, ByFile &reword
       result.diagnostics.push_back({DiagnosticId::c_source, Severity::error,
                                     place_in(facts.files.at(wrap.span.file), wrap.span.begin),
                                     "'" + wrap.detail + "' is a keyword of C++, and a macro turns it into text"});
-    if (!meets(pragmas, wrap.span) && !is_text) rewordings[wrap.span.file].push_back(rewording(wrap));
+    if (!meets(pragmas, wrap.span) && !is_text)
+      rewordings[wrap.span.file].push_back(rewording(wrap, facts.shared.contains(wrap.span)));
   }
 }
 
@@ -182,8 +187,8 @@ void add_boundaries(Facts const &facts, Result &result) {
 }
 
 void add_dependence(Facts const &facts, Result &result) {
-  for (auto const &[span, type] : facts.to_integers)
-    result.to_integers.push_back({place_in(facts.files.at(span.file), span.begin), type});
+  for (auto const &[span, type, to_integer] : facts.conversions)
+    result.conversions.push_back({place_in(facts.files.at(span.file), span.begin), type, to_integer});
   result.comparisons = facts.comparisons.size();
 }
 

@@ -49,12 +49,15 @@ struct TypeToken {
 // Why an expression is wrapped, the outermost first where several wrap the same. The macro of each is in decide.cpp.
 enum class Use {
   returned,
+  declared, // a variable that another line defines
   cast,
   conversion,
   integer, // the type of an integer that stays symbolic
   linkage,
   table, // it is read at a symbolic index
   value,
+  enumeration, // of C, which an operator of assignment changes
+  promoted,    // to double, as a function of C takes it
   literal,
   external,
   function,    // of <cmath>, as a value; the other arguments: how many it takes
@@ -211,22 +214,31 @@ struct ClassFact {
   std::vector<Part<std::string>> fields = {};
 };
 
+// Of a REAL to an integer, to float or to long double.
+struct ConversionFact {
+  Span span;
+  std::string type;
+  bool to_integer;
+  auto operator<=>(ConversionFact const &) const = default;
+};
+
 struct Facts {
   std::map<std::string, FileFact> files; // by real path
   std::set<TypeToken> types;
   std::set<Span> doubles; // every `double` that reached the parser, understood or not
   std::set<Wrap> wraps;
+  std::set<Span> shared; // conversions whose text is compiled in several ways: each goes by what its context expects
   std::map<Span, ClassFact> members;                // by the opening brace of a class
   std::map<std::string, std::vector<bool>> reached; // by real path: the offsets of tokens that reached the parser
   std::set<Span> skipped;                           // parts of an #if that are not taken
   std::map<Span, Consumed> consumed;                // tokens that may not have reached the parser
-  std::map<Span, std::string> to_integers;          // conversions of REALs, with the integer type
-  std::set<Span> comparisons;                       // of REALs, by the operator
-  std::set<Span> printed;                           // declarations whose text the program prints
-  std::set<Span> quoted;                            // arguments that a macro stringifies or pastes: their text is data
-  std::set<Span> pasted;                            // those of them that a macro pastes
-  std::set<Span> text_calls;                        // calls of macros that stringify an argument
-  std::map<Span, PragmaFact> pragmas;               // by the span of the directive, or of the function's brace
+  std::set<ConversionFact> conversions;
+  std::set<Span> comparisons;                  // of REALs, by the operator
+  std::set<Span> printed;                      // declarations whose text the program prints
+  std::set<Span> quoted;                       // arguments that a macro stringifies or pastes: their text is data
+  std::set<Span> pasted;                       // those of them that a macro pastes
+  std::set<Span> text_calls;                   // calls of macros that stringify an argument
+  std::map<Span, PragmaFact> pragmas;          // by the span of the directive, or of the function's brace
   std::set<std::string> number_readers;        // variadic functions that read doubles themselves, by qualified name
   std::vector<Kernel> by_hand;                 // generate_code("...") in a symbolic main that was written by hand
   std::set<std::string> definitions;           // mangled names of the functions that the sources define

@@ -77,22 +77,23 @@ void add_diagnostic(Facts &facts, Diagnostic const &diagnostic) {
 
 void merge(Facts &facts, Facts &&other) {
   // Named one by one, so that a new kind of fact does not compile until it is merged as well.
-  auto &[files, types, doubles, wraps, members, reached, skipped, consumed, to_integers, comparisons, printed, quoted,
-         pasted, text_calls, pragmas, number_readers, by_hand, definitions, exported, uses, names, decisions, externals,
-         configured_externals, taken_names, include_dirs, read, diagnostics, broken] = other;
+  auto &[files, types, doubles, wraps, shared, members, reached, skipped, consumed, conversions, comparisons, printed,
+         quoted, pasted, text_calls, pragmas, number_readers, by_hand, definitions, exported, uses, names, decisions,
+         externals, configured_externals, taken_names, include_dirs, read, diagnostics, broken] = other;
   for (auto &[path, file] : files)
     if (auto const [at, is_new] = facts.files.try_emplace(path, std::move(file)); !is_new)
       merge_file(at->second, std::move(file), facts);
   facts.types.merge(types);
   facts.doubles.merge(doubles);
   facts.wraps.merge(wraps);
+  facts.shared.merge(shared);
   for (auto &[brace, fact] : members)
     if (auto const [at, is_new] = facts.members.try_emplace(brace, std::move(fact)); !is_new)
       merge_class(at->second, fact);
   reached.clear(); // of one source alone (configurations.h)
   facts.skipped.merge(skipped);
   facts.consumed.merge(consumed);
-  facts.to_integers.merge(to_integers);
+  facts.conversions.merge(conversions);
   facts.comparisons.merge(comparisons);
   facts.printed.merge(printed);
   facts.quoted.merge(quoted);

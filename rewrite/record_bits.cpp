@@ -47,16 +47,19 @@ void Recorder::reinterpretation(ExplicitCastExpr const *cast) {
   if (cast->getCastKind() != CK_BitCast && cast->getCastKind() != CK_LValueBitCast) return;
   QualType const source = cast->getSubExprAsWritten()->getType();
   BuiltinType const *before = innermost(source), *after = innermost(cast->getType());
-  if (!before || !after || before->getKind() == after->getKind()) return;
-  bool const was_double = before->getKind() == BuiltinType::Double, is_double = after->getKind() == BuiltinType::Double;
   auto const is_bytes = [](BuiltinType const *type) {
     return type->isVoidType() || type->getKind() == BuiltinType::Char_S || type->getKind() == BuiltinType::Char_U ||
            type->getKind() == BuiltinType::UChar;
   };
-  // (double *)((char *)p + n) only counts in bytes; the outer cast is visited first.
+  // (double *)((char *)p + n) only counts in bytes, and so does a structure behind numbers; the outer cast is visited
+  // first. Integers there are looked at in the run.
   auto const *sum = dyn_cast<BinaryOperator>(cast->getSubExprAsWritten()->IgnoreParens());
-  if (is_double && sum && sum->isAdditiveOp())
+  if (sum && sum->isAdditiveOp() && !(after && is_bytes(after))) {
     for (Expr const *side : {sum->getLHS(), sum->getRHS()}) counting_casts_.insert(side->IgnoreParenImpCasts());
+    if (after && after->isInteger()) note(cast->getSubExprAsWritten(), Use::bits);
+  }
+  if (!before || !after || before->getKind() == after->getKind()) return;
+  bool const was_double = before->getKind() == BuiltinType::Double, is_double = after->getKind() == BuiltinType::Double;
   bool const only_counts = is_bytes(after) && counting_casts_.contains(cast);
   if (was_double && !after->isVoidType() && !only_counts)
     report(DiagnosticId::reinterpretation, cast->getBeginLoc(),
@@ -83,10 +86,13 @@ void Recorder::moved_bytes(CallExpr const *call, FunctionDecl const *function) {
   std::string const how = name == "memset"                        ? "set"
                           : name == "memcmp"                      ? "compare"
                           : name == "memcpy" || name == "memmove" ? "move"
+                          : name == "fread"                       ? "read"
+                          : name == "fwrite"                      ? "write"
                                                                   : "";
-  if (how.empty() || call->getNumArgs() != 3) return;
+  bool const is_file = how == "read" || how == "write";
+  if (how.empty() || call->getNumArgs() != (is_file ? 4 : 3)) return;
   bool any = false;
-  for (Expr const *argument : {call->getArg(0), call->getArg(1)}) {
+  for (Expr const *argument : {call->getArg(0), call->getArg(is_file ? 0 : 1)}) {
     QualType const pointee = Reals::pointee(argument);
     any = any || (!pointee.isNull() && reals_.carries_real(pointee));
   }

@@ -21,11 +21,7 @@ void Recorder::c_declaration(NamedDecl const *declaration) {
   llvm::StringRef const name = declaration->getName();
   if (is_keyword_of_cpp(name) && (!is_renamed(name) || !map_.token(declaration->getLocation(), name)))
     report(DiagnosticId::c_source, declaration->getLocation(), "'" + name.str() + "' is a keyword of C++");
-  if (auto const *variable = dyn_cast<VarDecl>(declaration))
-    if (variable->isFileVarDecl() && variable->getPreviousDecl() && !variable->hasExternalStorage() &&
-        variable->getPreviousDecl()->isThisDeclarationADefinition(context_) != VarDecl::DeclarationOnly)
-      report(DiagnosticId::c_source, variable->getLocation(),
-             "'" + variable->getNameAsString() + "' is defined a second time");
+  if (auto const *variable = dyn_cast<VarDecl>(declaration)) tentative_definitions(variable);
   if (auto const *function = dyn_cast<FunctionDecl>(declaration)) c_prototype(function);
 }
 
@@ -65,6 +61,25 @@ void Recorder::c_call(CallExpr const *call) {
   if (!function.isNull() && function->getAs<FunctionNoProtoType>())
     report(DiagnosticId::c_source, call->getBeginLoc(),
            "a function that is declared without parameters is called with arguments");
+}
+
+// A mathematical function of C takes a double, and abs an int: C++ has others besides, for what stands there. A builtin
+// is of C, and becomes the function of C++.
+void Recorder::c_arguments(CallExpr const *call) {
+  FunctionDecl const *function = call->getDirectCallee();
+  if (!function || !function->getIdentifier()) return;
+  bool const is_builtin = function->getName().starts_with("__builtin_"); // declared where it is used first
+  if (!is_builtin && (map_.language().CPlusPlus || reals_.in_roots(function))) return;
+  bool const is_math = is_builtin ? Reals::is_math_name(function->getName()) : reals_.is_math(function);
+  bool const is_integral = function->getName() == "abs" || function->getName() == "div";
+  for (unsigned i = 0; i < std::min(call->getNumArgs(), function->getNumParams()); ++i) {
+    auto const *cast = dyn_cast<ImplicitCastExpr>(call->getArg(i));
+    if (!cast || reals_.is_real(cast->getSubExpr())) continue;
+    if (is_math && cast->getCastKind() == CK_FloatingCast && Reals::is_double(cast->getType()))
+      wrap(cast->getSubExpr(), Use::promoted);
+    else if (is_integral && (cast->getCastKind() == CK_IntegralCast || cast->getCastKind() == CK_FloatingToIntegral))
+      wrap(cast->getSubExpr(), Use::cast, spelled(cast->getType()));
+  }
 }
 
 // A literal's characters are const in C++, and so are those that `x ? name : "none"` leads to.

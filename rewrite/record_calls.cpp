@@ -44,8 +44,9 @@ bool overload_competes(FunctionDecl const *function, unsigned index, unsigned co
 // Functions to which the address of REAL objects may go: they move bytes, which carry nodes as well as numbers, or are
 // watched (record_bits.cpp).
 bool moves_bytes(FunctionDecl const *function) {
-  static llvm::StringSet<> const names = {"memcpy",  "memmove", "memset",  "memcmp", "bzero", "free",
-                                          "realloc", "qsort",   "bsearch", "calloc", "swab",  "operator delete"};
+  static llvm::StringSet<> const names = {"memcpy", "memmove",         "memset", "memcmp",  "bzero",
+                                          "free",   "realloc",         "qsort",  "bsearch", "calloc",
+                                          "swab",   "operator delete", "fread",  "fwrite"};
   llvm::StringRef name = function->getDeclName().isIdentifier() ? function->getName() : "operator delete";
   if (name.consume_front("__builtin_")) name.consume_back("_chk");
   return names.contains(name);
@@ -54,6 +55,9 @@ bool moves_bytes(FunctionDecl const *function) {
 bool reads_numbers(FunctionDecl const *function) {
   return function->getDeclName().isIdentifier() && function->getName().ends_with("scanf");
 }
+
+// A REAL that goes where only double does: a decision where it is symbolic. In words that a second rewriting leaves.
+constexpr char const *plain_double = "decltype(0.0)";
 
 // The stream operators and to_string have overloads for RealNumber, and the runtime's own functions take it.
 bool runtime_overloads(FunctionDecl const *function, SourceManager const &sources) {
@@ -97,6 +101,9 @@ void Recorder::call(CallExpr const *call) {
     report(DiagnosticId::reinterpretation, call->getBeginLoc(), "the bytes of a REAL are used as another type");
   Expr const *callee = call->getCallee()->IgnoreParenImpCasts();
   callees_.insert(callee);
+  if (function->getIdentifier() && (function->getName() == "free" || function->getName() == "realloc") &&
+      call->getNumArgs() > 0)
+    counting_casts_.insert(call->getArg(0)->IgnoreParenImpCasts());
   if (Reals::External const *external = reals_.external(function))
     return wrap(callee, Use::external, external->arguments);
   bool overloaded = false;
@@ -106,7 +113,7 @@ void Recorder::call(CallExpr const *call) {
     overloaded = member->hadMultipleCandidates();
   std::vector<Expr const *> all(call->arg_begin(), call->arg_end());
   if (isa<CXXOperatorCallExpr>(call) && isa<CXXMethodDecl>(function) && !all.empty()) all.erase(all.begin());
-  arguments(function, written_arguments(all), overloaded);
+  arguments(call->getRParenLoc(), function, written_arguments(all), overloaded);
 }
 
 void Recorder::construction(CXXConstructExpr const *construction) {
@@ -114,7 +121,7 @@ void Recorder::construction(CXXConstructExpr const *construction) {
   CXXConstructorDecl const *constructor = construction->getConstructor();
   if (constructor->isCopyOrMoveConstructor()) return;
   std::vector<Expr const *> const all(construction->arg_begin(), construction->arg_end());
-  arguments(constructor, written_arguments(all), construction->hadMultipleCandidates());
+  arguments(construction->getLocation(), constructor, written_arguments(all), construction->hadMultipleCandidates());
 }
 
 // An implicit conversion through a constructor that takes double: from a literal it would need two steps, double to
@@ -128,7 +135,7 @@ void Recorder::converting_construction(CXXConstructExpr const *construction) {
   if (argument->getType()->isArithmeticType() && reals_.stays_double(argument)) wrap(argument, Use::literal);
 }
 
-void Recorder::arguments(FunctionDecl const *function, Arguments arguments, bool overloaded) {
+void Recorder::arguments(SourceLocation call, FunctionDecl const *function, Arguments arguments, bool overloaded) {
   auto const count = static_cast<unsigned>(arguments.size());
   bool const math = reals_.is_math(function);
   bool const outside = !reals_.in_roots(function) && !runtime_overloads(function, map_.sources());
@@ -141,13 +148,13 @@ void Recorder::arguments(FunctionDecl const *function, Arguments arguments, bool
       if (elements && (deduced || elements->getNumInits() <= 2)) deduced_elements(elements);
     }
     if (outside)
-      outside_argument(function, i, arguments[i]);
+      outside_argument(call, function, i, arguments[i]);
     else if (i < function->getNumParams() || !function->isVariadic())
       continue;
     else if (reals_.is_real(arguments[i]))
-      wrap(arguments[i], Use::value, function->getQualifiedNameAsString());
+      wrap_for(call, arguments[i], Use::value, function->getQualifiedNameAsString());
     else if (may_be_truth(arguments[i])) // the program itself may compute with it
-      wrap(arguments[i], Use::conversion, "int");
+      wrap_for(call, arguments[i], Use::conversion, "int");
   }
 }
 
@@ -193,13 +200,14 @@ bool Recorder::takes_only(FunctionDecl const *function) const {
   return !method || method->isStatic() || method->getParent()->isInStdNamespace();
 }
 
-void Recorder::outside_argument(FunctionDecl const *function, unsigned index, Expr const *argument) {
+void Recorder::outside_argument(SourceLocation call, FunctionDecl const *function, unsigned index,
+                                Expr const *argument) {
   bool const real = reals_.is_real(argument);
   std::string const name = "'" + function->getQualifiedNameAsString() + "', which is outside the roots";
   if (index >= function->getNumParams()) {
     if (!function->isVariadic()) return;
     if (real || may_be_truth(argument))
-      wrap(argument, Use::value);
+      wrap_for(call, argument, Use::value);
     else if (argument->getType()->isPointerType() && !reads_numbers(function) &&
              Reals::is_double(argument->getType()->getPointeeType()))
       report(DiagnosticId::boundary_call, argument->getBeginLoc(), "the address of a REAL goes to " + name);
@@ -221,15 +229,17 @@ void Recorder::outside_argument(FunctionDecl const *function, unsigned index, Ex
     return;
   bool const passive_class = method && Reals::is_passive_template(method->getParent());
   if (passive_class && real) {
-    wrap(argument, Use::value);
+    wrap_for(call, argument, Use::conversion, plain_double);
     return;
   }
   if (declared->isDependentType()) return; // a template: instantiated on REAL it is traced
   if (Reals::is_double(parameter) &&
       (!parameter->isReferenceType() || parameter.getNonReferenceType().isConstQualified())) {
     if (!real) return;
-    if (takes_only(function))
-      wrap(argument, Use::value);
+    if (takes_only(function) && function->getReturnType()->isArithmeticType())
+      wrap_for(call, argument, Use::conversion, plain_double); // what it gives depends on what it takes
+    else if (takes_only(function))
+      wrap_for(call, argument, Use::value);
     else
       report(DiagnosticId::boundary_call, argument->getBeginLoc(), "a REAL goes to " + name);
     return;

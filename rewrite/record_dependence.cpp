@@ -3,11 +3,14 @@
 namespace symreal::rewrite {
 using namespace clang;
 
-void Recorder::to_integer(CastExpr const *cast) {
+void Recorder::conversion(CastExpr const *cast) {
   Expr const *from = cast->getSubExpr();
-  if (cast->getCastKind() != CK_FloatingToIntegral || cast->isTypeDependent() || !reals_.is_real(from)) return;
+  bool const to_integer = cast->getCastKind() == CK_FloatingToIntegral;
+  if ((!to_integer && cast->getCastKind() != CK_FloatingCast) || cast->isTypeDependent() || !reals_.is_real(from) ||
+      compared_exactly_.contains(cast))
+    return;
   if (std::optional<Span> const span = map_.range(from->getSourceRange()))
-    facts_.to_integers.try_emplace(*span, cast->getType().getUnqualifiedType().getAsString(map_.language()));
+    facts_.conversions.insert({*span, cast->getType().getUnqualifiedType().getAsString(map_.language()), to_integer});
 }
 
 // x == 0.L: the same as in double where the constant is a double.
@@ -27,6 +30,9 @@ bool Recorder::compares_exactly(Expr const *side, Expr const *constant) {
 void Recorder::comparison(BinaryOperator const *comparison) {
   if (comparison->isTypeDependent()) return;
   Expr const *left = comparison->getLHS(), *right = comparison->getRHS();
+  for (Expr const *side : {left, right})
+    if (auto const *cast = dyn_cast<ImplicitCastExpr>(side); cast && cast->getSubExpr()->getType()->isVoidPointerType())
+      compared_pointers_.insert(cast);
   if (!reals_.is_real(left) && !reals_.is_real(right) && !compares_exactly(left, right) &&
       !compares_exactly(right, left))
     return;

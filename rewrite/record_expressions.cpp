@@ -5,9 +5,13 @@ namespace symreal::rewrite {
 using namespace clang;
 
 void Recorder::wrap(Expr const *expression, Use use, std::string detail) {
+  wrap_for({}, expression, use, std::move(detail));
+}
+
+std::optional<Span> Recorder::wrap_for(SourceLocation user, Expr const *expression, Use use, std::string detail) {
   SourceLocation const begin = expression->getBeginLoc();
-  if (!map_.in_roots(begin)) return;
-  std::optional<Span> span = map_.range(expression->getSourceRange());
+  if (!map_.in_roots(begin)) return std::nullopt;
+  std::optional<Span> span = map_.range_for(user, expression->getSourceRange());
   // The parentheses may be those of a library's macro around its argument.
   for (Expr const *inner = expression; !span;) {
     auto const *parens = dyn_cast<ParenExpr>(inner->IgnoreImplicit());
@@ -19,6 +23,12 @@ void Recorder::wrap(Expr const *expression, Use use, std::string detail) {
     facts_.wraps.insert({*span, use, std::move(detail)});
   else
     report(DiagnosticId::split_expression, begin, "this expression is partly made by a macro and needs a conversion");
+  return span;
+}
+
+void Recorder::convert(Expr const *expression, Use use, std::string type) {
+  std::optional<Span> const span = wrap_for({}, expression, use, std::move(type));
+  if (span && map_.is_shared(expression->getSourceRange())) facts_.shared.insert(*span);
 }
 
 std::string Recorder::spelled(QualType type) const {
@@ -61,12 +71,9 @@ void Recorder::implicit_cast(ImplicitCastExpr const *cast, bool decides) {
   case CK_FloatingCast:
     if (cast->isPartOfExplicitCast() || decides || !Reals::is_double(from->getType()) || !reals_.is_real(from)) return;
     if (compared_exactly_.contains(cast)) return;
-    if (to->isSpecificBuiltinType(BuiltinType::LongDouble))
-      report(DiagnosticId::long_double, from->getBeginLoc(), "a REAL is converted to long double");
-    else if (reals_.keeps_integer(cast))
-      wrap(from, Use::conversion, "SYMREAL_REAL_INT(" + spelled(to) + ")");
-    else
-      wrap(from, Use::conversion, spelled(to));
+    if (to->isSpecificBuiltinType(BuiltinType::LongDouble)) // an operand, perhaps, with no context of its own
+      return wrap(from, Use::conversion, spelled(to));
+    convert(from, Use::conversion, reals_.keeps_integer(cast) ? "SYMREAL_REAL_INT(" + spelled(to) + ")" : spelled(to));
     return;
   case CK_ConstructorConversion:
     if (auto const *construction = dyn_cast<CXXConstructExpr>(from->IgnoreImplicit()))
@@ -74,7 +81,8 @@ void Recorder::implicit_cast(ImplicitCastExpr const *cast, bool decides) {
     return;
   case CK_BitCast: // to another type, or to one that is less const
   case CK_NoOp:
-    if (!cast->isPartOfExplicitCast() && is_pointer_of_c(cast)) wrap(from, Use::cast, spelled(to));
+    if (!cast->isPartOfExplicitCast() && !compared_pointers_.contains(cast) && is_pointer_of_c(cast))
+      convert(from, Use::cast, spelled(to));
     return;
   case CK_IntegralToFloating: // an enumerator among numbers: a class has no built-in promotion
     if (Reals::is_double(to) && !cast->isPartOfExplicitCast() && is_enumeration(from))
@@ -84,7 +92,7 @@ void Recorder::implicit_cast(ImplicitCastExpr const *cast, bool decides) {
     if (!map_.language().CPlusPlus && to->isEnumeralType() && !cast->isPartOfExplicitCast() &&
         !from->IgnoreParens()->getType()->isEnumeralType() &&
         enumeration_of(from) != to->getAsTagDecl()->getCanonicalDecl())
-      wrap(from, Use::cast, spelled(to));
+      convert(from, Use::cast, spelled(to));
     return;
   default: return;
   }
@@ -99,12 +107,7 @@ bool Recorder::is_pointer_of_c(ImplicitCastExpr const *cast) const {
 }
 
 void Recorder::explicit_cast(ExplicitCastExpr const *cast) {
-  Expr const *from = cast->getSubExpr();
-  if (cast->isTypeDependent() || from->isTypeDependent()) return;
-  if (Reals::is_double(from->getType()) && cast->getType()->isSpecificBuiltinType(BuiltinType::LongDouble) &&
-      reals_.is_real(from))
-    report(DiagnosticId::long_double, cast->getBeginLoc(), "a REAL is converted to long double");
-  reinterpretation(cast);
+  if (!cast->isTypeDependent() && !cast->getSubExpr()->isTypeDependent()) reinterpretation(cast);
 }
 
 // sin as a value: the overload for REAL is one that has no address.
@@ -130,7 +133,12 @@ void Recorder::builtin(DeclRefExpr const *name) {
 
 void Recorder::compound_assignment(CompoundAssignOperator const *assignment) {
   Expr const *left = assignment->getLHS();
-  if (assignment->isTypeDependent() || Reals::is_double(left->getType())) return;
+  if (assignment->isTypeDependent()) return;
+  if (!map_.language().CPlusPlus && left->getType()->isEnumeralType()) wrap(left, Use::enumeration);
+  if (assignment->getComputationResultType()->isSpecificBuiltinType(BuiltinType::LongDouble) && reals_.is_real(left))
+    report(DiagnosticId::long_double, assignment->getOperatorLoc(),
+           "a REAL is changed by what is computed in long double");
+  if (Reals::is_double(left->getType())) return;
   if (!left->getType()->isArithmeticType() || !Reals::is_double(assignment->getComputationResultType())) return;
   if (!reals_.is_real(assignment->getRHS()) && reals_.stays_double(assignment->getRHS())) return;
   // The runtime has an operator that does what the original did. It takes a reference.
@@ -139,7 +147,7 @@ void Recorder::compound_assignment(CompoundAssignOperator const *assignment) {
            "the result is a REAL and is converted to " + left->getType().getAsString());
   else if (std::optional<Span> const span = map_.token(assignment->getOperatorLoc());
            span && left->getType()->isIntegerType())
-    facts_.to_integers.try_emplace(*span, left->getType().getUnqualifiedType().getAsString(map_.language()));
+    facts_.conversions.insert({*span, left->getType().getUnqualifiedType().getAsString(map_.language()), true});
 }
 
 void Recorder::choice(ConditionalOperator const *choice) {

@@ -47,7 +47,7 @@ void Recorder::dependent_variadic_call(CallExpr const *call) {
   if (!function || !function->isVariadic() || reals_.in_roots(function)) return;
   for (unsigned i = function->getNumParams(); i < call->getNumArgs(); ++i)
     if (call->getArg(i)->isTypeDependent() && !isa<PackExpansionExpr>(call->getArg(i)))
-      wrap(call->getArg(i), Use::value);
+      wrap_for(call->getRParenLoc(), call->getArg(i), Use::value);
 }
 
 } // namespace symreal::rewrite

@@ -55,13 +55,19 @@ public:
   void c_choice(clang::ConditionalOperator const *choice);
   void c_prototype(clang::FunctionDecl const *function);
   void c_call(clang::CallExpr const *call);
+  void c_arguments(clang::CallExpr const *call);
+
+  // Variables of files in C (record_tentative.cpp).
+  void tentative_definitions(clang::VarDecl const *variable);
+  bool tentative_definition(clang::VarDecl const *variable, bool is_definition);
+  bool declare_external(clang::VarDecl const *variable);
 
   // What has no counterpart (record_refused.cpp).
   void assembly(clang::GCCAsmStmt const *assembly);
   void designators(clang::InitListExpr const *list);
 
   // What depends on values, for the report of a scan (record_dependence.cpp).
-  void to_integer(clang::CastExpr const *cast);
+  void conversion(clang::CastExpr const *cast);
   void comparison(clang::BinaryOperator const *comparison);
 
   // What numbers are called (record_names.cpp).
@@ -92,10 +98,12 @@ private:
   std::string spelled(clang::QualType type) const;
 
   using Arguments = llvm::ArrayRef<clang::Expr const *>;
-  void arguments(clang::FunctionDecl const *function, Arguments arguments, bool overloaded);
+  // `call`: where the call is written.
+  void arguments(clang::SourceLocation call, clang::FunctionDecl const *function, Arguments arguments, bool overloaded);
   void literal_argument(clang::FunctionDecl const *function, unsigned index, clang::Expr const *argument,
                         bool overloaded, unsigned count);
-  void outside_argument(clang::FunctionDecl const *function, unsigned index, clang::Expr const *argument);
+  void outside_argument(clang::SourceLocation call, clang::FunctionDecl const *function, unsigned index,
+                        clang::Expr const *argument);
   bool takes_only(clang::FunctionDecl const *function) const;
   bool may_be_truth(clang::Expr const *argument) const;
 
@@ -112,6 +120,11 @@ private:
   void operator_call(clang::CXXOperatorCallExpr const *call, clang::FunctionDecl const *function);
 
   void wrap(clang::Expr const *expression, Use use, std::string detail = {});
+  // What becomes of it for `user` alone (SourceMap::range_for).
+  std::optional<Span> wrap_for(clang::SourceLocation user, clang::Expr const *expression, Use use,
+                               std::string detail = {});
+  // An implicit conversion that is written out.
+  void convert(clang::Expr const *expression, Use use, std::string type);
   void report(DiagnosticId id, clang::SourceLocation location, std::string message,
               Severity severity = Severity::error);
   // The literal of an initializer or argument: double, and double in the symbolic program too.
@@ -123,10 +136,11 @@ private:
   IntegerState const &integers_;
   Storage const storage_;
   Facts &facts_;
-  llvm::SmallPtrSet<clang::Expr const *, 32> judged_;          // names whose use is noted already
-  llvm::SmallPtrSet<clang::Expr const *, 4> counting_casts_;   // to bytes, for the address of another number
-  llvm::SmallPtrSet<clang::Expr const *, 4> compared_exactly_; // conversions to long double that change nothing
-  llvm::SmallPtrSet<clang::Expr const *, 32> callees_;         // names of functions that are called there
+  llvm::SmallPtrSet<clang::Expr const *, 32> judged_;           // names whose use is noted already
+  llvm::SmallPtrSet<clang::Expr const *, 4> counting_casts_;    // to bytes, which nobody looks at
+  llvm::SmallPtrSet<clang::Expr const *, 4> compared_exactly_;  // conversions to long double that change nothing
+  llvm::SmallPtrSet<clang::Expr const *, 4> compared_pointers_; // conversions that C++ makes as well
+  llvm::SmallPtrSet<clang::Expr const *, 32> callees_;          // names of functions that are called there
 };
 
 } // namespace symreal::rewrite

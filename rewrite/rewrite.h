@@ -178,10 +178,11 @@ struct Decision {
   Place token = {};
 };
 
-// A conversion of a REAL to an integer.
-struct IntegerConversion {
+// A conversion of a REAL to an integer, to float or to long double.
+struct Conversion {
   Place place;
   std::string type;
+  bool to_integer;
 };
 
 struct Result {
@@ -195,7 +196,7 @@ struct Result {
   std::vector<NamedStatement> names;     // by file, line and column
   std::vector<Refusal> refusals;         // in the order of their places
   std::vector<Decision> decisions;       // by file and offset
-  std::vector<IntegerConversion> to_integers;
+  std::vector<Conversion> conversions;
   std::size_t comparisons = 0;       // of REALs
   std::vector<std::string> left_out; // sources that do not compile, if the request allows it
   std::vector<Diagnostic> diagnostics;

@@ -111,6 +111,34 @@ std::optional<Span> SourceMap::range(clang::SourceRange range) const {
   return characters(sources_.getSpellingLoc(begin), last.getLocWithOffset(static_cast<int>(length)));
 }
 
+std::optional<Span> SourceMap::range_for(clang::SourceLocation user, clang::SourceRange range) const {
+  if (user.isInvalid()) return this->range(range);
+  for (clang::FileID at = frame(user); !sources_.getSLocEntry(at).isFile(); at = frame(user)) {
+    if (is_whole(at, range.getBegin(), Side::begin) && is_whole(at, range.getEnd(), Side::end))
+      if (std::optional<Span> const span = range_in(at, range)) return span;
+    user = sources_.getSLocEntry(at).getExpansion().getExpansionLocStart(); // a library's macro
+  }
+  return this->range(range);
+}
+
+bool SourceMap::is_shared(clang::SourceRange range) const {
+  clang::CharSourceRange const written =
+      clang::Lexer::makeFileCharRange(clang::CharSourceRange::getTokenRange(range), sources_, language_);
+  if (written.isInvalid()) return true;
+  for (clang::SourceLocation at = range.getBegin(); at.isMacroID();
+       at = sources_.getImmediateExpansionRange(at).getBegin())
+    if (sources_.isMacroArgExpansion(at)) return true;
+  if (!inclusions_) {
+    inclusions_.emplace();
+    for (unsigned i = 0; i < sources_.local_sloc_entry_size(); ++i)
+      if (clang::SrcMgr::SLocEntry const &entry = sources_.getLocalSLocEntry(i); entry.isFile())
+        if (clang::OptionalFileEntryRef const file = entry.getFile().getContentCache().OrigEntry)
+          ++(*inclusions_)[&file->getFileEntry()];
+  }
+  clang::OptionalFileEntryRef const file = sources_.getFileEntryRefForID(sources_.getFileID(written.getBegin()));
+  return file && inclusions_->lookup(&file->getFileEntry()) > 1;
+}
+
 clang::FileID SourceMap::frame(clang::SourceLocation location) const {
   while (sources_.isMacroArgExpansion(location)) location = sources_.getImmediateSpellingLoc(location);
   return sources_.getFileID(location);
@@ -126,6 +154,25 @@ clang::SourceLocation SourceMap::climb(clang::FileID frame, clang::SourceLocatio
     location = side == Side::begin ? parameter.getBegin() : parameter.getEnd();
   }
   return sources_.getFileID(location) == frame ? location : clang::SourceLocation();
+}
+
+bool SourceMap::is_whole(clang::FileID frame, clang::SourceLocation location, Side side) const {
+  while (location.isMacroID() && sources_.getFileID(location) != frame) {
+    if (!sources_.isMacroArgExpansion(location)) return false;
+    if (clang::SourceLocation const written = sources_.getImmediateSpellingLoc(location);
+        climb(frame, written, side).isValid()) {
+      location = written;
+      continue;
+    }
+    auto const length =
+        static_cast<int>(clang::Lexer::MeasureTokenLength(sources_.getSpellingLoc(location), sources_, language_));
+    if (side == Side::begin ? !sources_.isAtStartOfImmediateMacroExpansion(location)
+                            : !sources_.isAtEndOfImmediateMacroExpansion(location.getLocWithOffset(length)))
+      return false;
+    clang::CharSourceRange const parameter = sources_.getImmediateExpansionRange(location);
+    location = side == Side::begin ? parameter.getBegin() : parameter.getEnd();
+  }
+  return sources_.getFileID(location) == frame;
 }
 
 std::optional<Span> SourceMap::range_in(clang::FileID frame, clang::SourceRange range) const {

@@ -40,6 +40,14 @@ public:
   // when it straddles a macro's edge or lies outside the roots.
   std::optional<Span> range(clang::SourceRange range) const;
 
+  // The same as `user`, which takes the expression, spells it: in the body of a macro an argument is its parameter's
+  // name, and what becomes of that leaves the argument's other uses alone.
+  std::optional<Span> range_for(clang::SourceLocation user, clang::SourceRange range) const;
+
+  // May these characters be compiled more than once in this source, with other types each time: in a macro's body or
+  // argument, in a file that is included again?
+  bool is_shared(clang::SourceRange range) const;
+
   // Where a token is written: a file, or the expansion of the macro whose body holds it.
   clang::FileID frame(clang::SourceLocation location) const;
 
@@ -77,6 +85,8 @@ private:
   Place presumed(clang::SourceLocation location) const;
   enum class Side { begin, end };
   clang::SourceLocation climb(clang::FileID frame, clang::SourceLocation location, Side side) const;
+  // Where the frame has a parameter for it: is that the whole of the argument, rather than one of `...`?
+  bool is_whole(clang::FileID frame, clang::SourceLocation location, Side side) const;
   // The real path of a file within the roots, else empty.
   std::string const &path(clang::FileID file) const;
 
@@ -86,6 +96,7 @@ private:
   std::string here_, directory_; // of this process and of the compiler
   mutable std::unordered_map<unsigned, std::string> paths_;
   mutable std::unordered_map<std::string, std::string> display_paths_;
+  mutable std::optional<llvm::DenseMap<clang::FileEntry const *, unsigned>> inclusions_;
 };
 
 // The real path of an existing file or directory, else the name itself.

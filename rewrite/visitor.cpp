@@ -61,6 +61,7 @@ public:
     if (passive_ || !map_.in_roots(call->getBeginLoc())) return true;
     record_.call(call);
     record_.c_call(call);
+    record_.c_arguments(call);
     record_.c_search(call);
     record_.dependent_variadic_call(call);
     if (no_state_) return true;
@@ -115,7 +116,7 @@ public:
     return true;
   }
   bool VisitCastExpr(CastExpr *cast) {
-    if (!passive_) record_.to_integer(cast);
+    if (!passive_) record_.conversion(cast);
     return true;
   }
   bool VisitCompoundAssignOperator(CompoundAssignOperator *assignment) {

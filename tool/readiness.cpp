@@ -94,8 +94,10 @@ void print_dependence(std::ostream &out, rewrite::Result const &result) {
   for (auto const &[kind, group] : sorted)
     fmt::print(out, "  {:>6}  {}; first at {}\n", group.count, group.count == 1 ? group.words : kind,
                to_string(group.first));
-  fmt::print(out, "comparisons of REAL: {}; conversions of REAL to an integer: {}\n", result.comparisons,
-             result.to_integers.size());
+  auto const integers = std::count_if(result.conversions.begin(), result.conversions.end(),
+                                      [](rewrite::Conversion const &one) { return one.to_integer; });
+  fmt::print(out, "comparisons of REAL: {}; conversions of REAL: {} to an integer, {} to float or long double\n",
+             result.comparisons, integers, static_cast<std::ptrdiff_t>(result.conversions.size()) - integers);
 }
 
 void print_places(std::ostream &out, rewrite::Result const &result) {
@@ -111,7 +113,7 @@ void print_places(std::ostream &out, rewrite::Result const &result) {
     fmt::print(out, "  {}: {} {}\n", to_string(one.place), one.kind,
                one.selectable ? "can be a select"
                               : "cannot be a select because of " + one.reason + " at " + to_string(one.token));
-  for (rewrite::IntegerConversion const &one : result.to_integers)
+  for (rewrite::Conversion const &one : result.conversions)
     fmt::print(out, "  {}: a REAL is converted to {}\n", to_string(one.place), one.type);
   out << "what is in the way\n";
   for (Diagnostic const &one : result.diagnostics)

@@ -84,7 +84,7 @@ Json rule(DiagnosticId id) {
 } // namespace
 
 Json readiness_json(rewrite::Request const &request, rewrite::Result const &result) {
-  Json files = Json::array(), obstacles = Json::array(), decisions = Json::array(), integers = Json::array();
+  Json files = Json::array(), obstacles = Json::array(), decisions = Json::array(), conversions = Json::array();
   Tally total;
   for (rewrite::File const &file : result.files) {
     Tally const one = tally(file.ledger);
@@ -103,12 +103,12 @@ Json readiness_json(rewrite::Request const &request, rewrite::Result const &resu
     if (!one.selectable) json.update({{"reason", one.reason}, {"because_of", to_json(one.token)}});
     decisions.push_back(std::move(json));
   }
-  for (rewrite::IntegerConversion const &one : result.to_integers)
-    integers.push_back({{"type", one.type}, {"place", to_json(one.place)}});
+  for (rewrite::Conversion const &one : result.conversions)
+    conversions.push_back({{"type", one.type}, {"place", to_json(one.place)}});
   return {{"sources", request.sources},        {"left_out", result.left_out},
           {"total", to_json(total)},           {"files", std::move(files)},
           {"obstacles", std::move(obstacles)}, {"decisions", std::move(decisions)},
-          {"comparisons", result.comparisons}, {"integer_conversions", std::move(integers)}};
+          {"comparisons", result.comparisons}, {"conversions", std::move(conversions)}};
 }
 
 Json sarif(rewrite::Result const &result) {
@@ -123,7 +123,7 @@ Json sarif(rewrite::Result const &result) {
     add(DiagnosticId::symbolic_decision, one.selectable ? "note" : "warning", one.place,
         "'" + one.kind + "' decides on a REAL; it " +
             (one.selectable ? "can be a select" : "cannot be a select because of " + one.reason));
-  for (rewrite::IntegerConversion const &one : result.to_integers)
+  for (rewrite::Conversion const &one : result.conversions)
     add(DiagnosticId::symbolic_decision, "warning", one.place, "a REAL is converted to " + one.type);
   for (DiagnosticId id : used) rules.push_back(rule(id));
   Json driver = {{"name", "Symreal"}, {"version", version}, {"rules", std::move(rules)}};

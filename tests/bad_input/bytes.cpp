@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <cstring>
 #include <ostream>
+#include <unistd.h>
 
 struct State {
   double v[3];
@@ -21,8 +22,8 @@ uint64_t by_bit_cast(double x) { return std::bit_cast<uint64_t>(x); }
 uint64_t by_builtin(double x) { return __builtin_bit_cast(uint64_t, x); }
 // CHECK: bytes.cpp:[[@LINE+1]]:42: error: the bytes of a REAL are looked at as uint64_t [
 uint64_t by_reference(double x) { return reinterpret_cast<uint64_t &>(x); }
-// CHECK: bytes.cpp:[[@LINE+1]]:{{[0-9]+}}: error: the bytes of a REAL go to 'fwrite'
-void written(double x, FILE *file) { fwrite(&x, sizeof x, 1, file); }
+// CHECK: bytes.cpp:[[@LINE+1]]:{{[0-9]+}}: error: the bytes of a REAL go to 'write'
+void written(double x, int file) { (void)!write(file, &x, sizeof x); }
 // CHECK: bytes.cpp:[[@LINE+1]]:{{[0-9]+}}: error: the bytes of a REAL are looked at as const char *
 void streamed(double x, std::ostream &out) { out.write(reinterpret_cast<char const *>(&x), sizeof x); }
 

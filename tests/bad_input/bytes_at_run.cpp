@@ -55,6 +55,13 @@ uint64_t look(double x) {
   sum += value.whole;
   State const other = {{1.0, 2.0}, 2};
   sum += std::memcmp(&other, &state, sizeof state) == 0;
+  std::FILE *file = std::tmpfile();
+  sum += std::fwrite(&x, sizeof x, 1, file);
+  std::rewind(file);
+  double back = 0;
+  sum += std::fread(&back, sizeof back, 1, file);
+  std::fclose(file);
+  sum += back == 3.0;
   return sum + copy + text[0] + hash(&x) + watched(&copy) + checksum(state);
 }
 
@@ -73,6 +80,7 @@ int main() {
 // CHECK-DAG: bytes_at_run.cpp:46:3: error: the bytes behind '&x' are those of a symbolic value [SYM035]
 // CHECK-DAG: bytes_at_run.cpp:48:3: error: the bytes behind '&x' are those of a symbolic value [SYM035]
 // CHECK-DAG: bytes_at_run.cpp:57:10: error: the bytes behind '&other' or '&state' are those of a symbolic value [SYM035]
+// CHECK-DAG: bytes_at_run.cpp:59:10: error: the bytes behind '&x' are those of a symbolic value [SYM035]
 // CHECK-DAG: bytes_at_run.cpp:30:{{[0-9]+}}: error: the bytes behind 'bytes' are those of a symbolic value [SYM035]
 // CHECK-DAG: bytes_at_run.cpp:35:{{[0-9]+}}: error: the bytes behind '&state' are those of a symbolic value [SYM035]
 // CHECK-NOT: value.whole

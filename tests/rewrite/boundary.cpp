@@ -32,13 +32,13 @@ double step(Joint &joint, double q) { return joint.calculate(q); }
 // CHECK-DAG: boundary.cpp:[[@LINE+1]]:56: note: it is used here
 Rotation square(Rotation const &a) { count(""); return multiply(a, a); }
 
-// CHECK-DAG: boundary.cpp:[[@LINE+1]]:49: error: the bytes of a REAL go to 'fwrite', which is outside the roots [SYM035]
-void save(double *x, FILE *file) { (void)fwrite(x, sizeof *x, 1, file); }
+// CHECK-DAG: boundary.cpp:[[@LINE+1]]:53: error: the bytes of a REAL go to 'write', which is outside the roots [SYM035]
+void save(double *x, int file) { (void)!write(file, x, sizeof *x); }
 void copy(double *x, double const *y) { memcpy(x, y, sizeof *x); memset(x, 0, sizeof *x); std::cout << *x; }
 // CHECK-DAG: boundary.cpp:[[@LINE+1]]:{{[0-9]+}}: error: the bytes of a REAL are looked at as unsigned long *
 unsigned long bits(double &x) { return *reinterpret_cast<unsigned long *>(&x); }
 struct Packed { int n : 4; };
 // CHECK-DAG: boundary.cpp:[[@LINE+1]]:{{[0-9]+}}: error: the result is a REAL and is converted to int [SYM034]
 void add(Packed &packed, double x) { packed.n += x; }
-// CHECK-DAG: boundary.cpp:[[@LINE+1]]:{{[0-9]+}}: error: a REAL is converted to long double [SYM036]
-long double widen(double x) { return x; }
+// CHECK-DAG: boundary.cpp:[[@LINE+1]]:{{[0-9]+}}: error: a REAL is changed by what is computed in long double [SYM036]
+void widen(double &x, long double y) { x /= y; }

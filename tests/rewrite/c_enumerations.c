@@ -26,12 +26,22 @@ double chosen(int n, enum side a, enum side b)
     // CHECK: return twice(REAL_TO(int, n ? a : b)) + twice(REAL_TO(int, right)) + (n ? REAL_TO(int, (1, b)) : 2.0) / REAL_TO(int, count);
     return twice(n ? a : b) + twice(right) + (n ? (1, b) : 2.0) / count;
 }
+int sides(void)
+{
+    enum side s;
+    int n = 0;
+    for (s = left; s <= right; s++) n += s + 1;
+    for (s = right; s > left; --s) ++n;
+    // CHECK: REAL_ENUM(s) += 2, REAL_ENUM(s) <<= 1, REAL_ENUM(s) |= right;
+    s += 2, s <<= 1, s |= right;
+    return n + s--;
+}
 
 int main(void)
 {
     double x = 3, y;
 #pragma symreal input(x)
-    y = x * chosen(1, side_of(1), left);
+    y = x * chosen(sides() == 9, side_of(1), left);
 #pragma symreal output(y) generate("y.c")
     printf("%g\n", y);
     return 0;

@@ -8,7 +8,7 @@
 // CHECK: 1  SYM030 a function that carries REAL is only in a compiled library; first at {{.*}}report.cpp
 // CHECK: decisions on REAL: 2, of which 1 can be a select
 // CHECK-NEXT: 1  if, because of 'return' before a call of 'puts'
-// CHECK: comparisons of REAL: 2; conversions of REAL to an integer: 1
+// CHECK: comparisons of REAL: 2; conversions of REAL: 1 to an integer, 0 to float or long double
 // A source that does not compile is left out, and said to be.
 // RUN: python3 %tools/expect_status.py 2 %symreal scan %S/Inputs/other.cpp %S/Inputs/broken.cpp | FileCheck --check-prefix=BROKEN %s
 // BROKEN: left out, does not compile: {{.*}}broken.cpp

@@ -16,6 +16,9 @@
 #define SYMREAL_REAL_C(...) __VA_ARGS__
 #define SYMREAL_REAL_VALUE(...) __VA_ARGS__
 #define SYMREAL_REAL_TO(type, ...) __VA_ARGS__
+#define SYMREAL_REAL_FIT(...) __VA_ARGS__
+#define SYMREAL_REAL_PROMOTED(...) __VA_ARGS__
+#define SYMREAL_REAL_ENUM(...) __VA_ARGS__
 #define SYMREAL_REAL_STATE(object, place) object
 #define SYMREAL_REAL_LOCAL_STATE(object, place) object
 #define SYMREAL_REAL_EXTERNAL(function, ...) function
@@ -55,6 +58,7 @@
 #else
 
 #include <symreal/annotate.h>
+#include <symreal/fit.h>
 
 #ifdef MBD_SYMBOLIC
 #include <symreal/symbolic.h>
@@ -114,6 +118,11 @@ public:                                                                         
 #define SYMREAL_REAL_BYTES(how, name, place, ...) __VA_ARGS__
 #define SYMREAL_REAL_MEMBERS(...)
 #endif
+/* A conversion by what its context expects; one of float to double, as C has it where C++ has functions for both; an
+   enumerator as the integer that it is in C. */
+#define SYMREAL_REAL_FIT(...) (::symreal::fit(__VA_ARGS__))
+#define SYMREAL_REAL_PROMOTED(...) (::symreal::promoted(__VA_ARGS__))
+#define SYMREAL_REAL_ENUM(...) (::symreal::enumeration(__VA_ARGS__))
 /* What a macro makes of the spelling `double`, which does not stand there any more. */
 #define SYMREAL_REAL_PASTED(text, ...) SYMREAL_UNPACKED text
 #define SYMREAL_UNPACKED(...) __VA_ARGS__

@@ -10,6 +10,7 @@
 #include <symreal/annotate.h>
 
 #include <cstdint>
+#include <cstdio>
 #include <cstring>
 #include <utility>
 
@@ -157,7 +158,7 @@ template <class T> constexpr T &&bits(T &&object, char const *name, char const *
   return static_cast<T &&>(object);
 }
 
-// memcpy, memmove, memset and memcmp: what they read and write, where the types tell.
+// memcpy, memmove, memset, memcmp, fread and fwrite: what they read and write, where the types tell.
 class Bytes {
 public:
   constexpr Bytes(char const *name, char const *place) noexcept : name_(name), place_(place) {}
@@ -180,6 +181,16 @@ public:
       look_at(other, size);
     }
     return std::memcmp(one, other, size);
+  }
+  template <class To> std::size_t read(To *to, std::size_t size, std::size_t count, std::FILE *file) const noexcept {
+    if (detail::recording)
+      each(to, size * count, [this](auto &object) { detail::write_object(object, name_, place_); });
+    return std::fread(to, size, count, file);
+  }
+  template <class From>
+  std::size_t write(From *from, std::size_t size, std::size_t count, std::FILE *file) const noexcept {
+    if (detail::recording) look_at(from, size * count);
+    return std::fwrite(from, size, count, file);
   }
 
 private:

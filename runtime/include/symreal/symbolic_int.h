@@ -46,6 +46,8 @@ public:
   SymbolicInt() = default;
   template <class U, detail::IfInteger<U> = 0> constexpr SymbolicInt(U value) noexcept
       : number_(static_cast<double>(static_cast<T>(value))) {}
+  // 1 or 0, as for a real number.
+  SymbolicInt(SymbolicBool condition) noexcept : number_(condition) {}
   // The conversion of a real number: towards 0.
   [[gnu::always_inline]] explicit SymbolicInt(RealNumber x) noexcept
       : number_(x.is_node() ? detail::record(detail::conversion_to<T>(), x, 0.0, 0.0)

@@ -1,5 +1,6 @@
 extern "C" {
 #include "plain.h"
+extern const double scale[2];
 }
 #include "vector.h"
 #include <cstdio>
@@ -10,7 +11,7 @@ int main() {
   double x = 12;
 #pragma symreal input(x) range(1, 20)
   vector const v = rotated({0, x}) - vector{0, 1};
-  double const y = sixth(x) + half(-v.x);
+  double const y = sixth(x) + scale[1] * -v.x;
 #pragma symreal output(y) generate("y.c")
   std::printf("%g\n", y);
 }

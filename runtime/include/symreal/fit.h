@@ -1,0 +1,64 @@
+// Implicit conversions of C and C++ that a class, or a compiler of C++, does not make by itself.
+#pragma once
+
+#include <symreal/real_number.h>
+
+#include <type_traits>
+
+namespace symreal {
+
+// A value on its way into something whose type the text does not tell: the same macro, or the same file included again,
+// assigns to an integer once and to a real number another time. The context says what it becomes.
+template <class From> class Fit {
+public:
+  [[gnu::always_inline]] explicit constexpr Fit(From value) noexcept : value_(value) {}
+  // As the language converts: to an integer or a float by a decision where the number is symbolic; a pointer as in C.
+  template <class To> [[gnu::always_inline]] constexpr operator To() const noexcept { return (To)value_; }
+
+private:
+  From value_;
+};
+
+template <class T> [[gnu::always_inline]] constexpr auto fit(T const &value) noexcept {
+  using From = std::decay_t<T const &>;
+  if constexpr (std::is_class_v<From> && !std::is_same_v<From, RealNumber>)
+    return value;
+  else
+    return Fit<From>(value);
+}
+
+// A function of C takes a double; in C++ there may be one for float and for long double besides.
+template <class T> [[gnu::always_inline]] constexpr auto promoted(T const &value) noexcept {
+  if constexpr (std::is_floating_point_v<T> && !std::is_class_v<T>) // the trait holds for RealNumber
+    return static_cast<double>(value);
+  else
+    return value;
+}
+
+// An enumerator that an operator of assignment changes: in C it is an integer.
+template <class E> constexpr auto &enumeration(E &x) noexcept {
+  if constexpr (std::is_enum_v<E>) {
+    using Integer [[gnu::may_alias]] = std::underlying_type_t<E>;
+    return reinterpret_cast<Integer &>(x);
+  } else
+    return x;
+}
+
+} // namespace symreal
+
+// In C an enumeration counts. C++ has no such operators, so these are in nobody's way.
+#define SYMREAL_ENUMERATION                                                                                            \
+  template <class E, std::enable_if_t<std::is_enum_v<E> && std::is_convertible_v<E, int>, int> = 0>
+SYMREAL_ENUMERATION constexpr E &operator++(E &x) noexcept { return x = static_cast<E>(x + 1); }
+SYMREAL_ENUMERATION constexpr E &operator--(E &x) noexcept { return x = static_cast<E>(x - 1); }
+SYMREAL_ENUMERATION constexpr E operator++(E &x, int) noexcept {
+  E const old = x;
+  ++x;
+  return old;
+}
+SYMREAL_ENUMERATION constexpr E operator--(E &x, int) noexcept {
+  E const old = x;
+  --x;
+  return old;
+}
+#undef SYMREAL_ENUMERATION

@@ -1,0 +1,1 @@
+static BASE third(double x) { return x / 3; }
