@@ -1,6 +1,7 @@
 #include "rewrite/conditions.h"
 #include "rewrite/pragma_text.h"
 #include "rewrite/symbolic_ints.h"
+#include "rewrite/table_elements.h"
 
 #include <algorithm>
 
@@ -11,8 +12,9 @@ using namespace clang;
 
 class Uses : public RecursiveASTVisitor<Uses> {
 public:
-  Uses(IntegerTest depends, IntegerAction keep, SourceMap const &map, Facts &facts, Reals &reals)
-      : depends_(depends),
+  Uses(ASTContext &context, IntegerTest depends, IntegerAction keep, SourceMap const &map, Facts &facts, Reals &reals)
+      : context_(context),
+        depends_(depends),
         keep_(keep),
         map_(map),
         facts_(facts),
@@ -26,7 +28,7 @@ public:
     if (indices.empty() || indices.size() > 2 || !is_table(table->getType(), indices.size())) return true;
     if (std::none_of(indices.begin(), indices.end(), depends_)) return true;
     std::optional<Span> const span = map_.range(table->getSourceRange());
-    if (!span) return true;
+    if (!span || (map_.is_shared(table->getSourceRange()) && is_written(*span))) return true;
     std::string const name = normalised(map_.text(*span, table->getBeginLoc()));
     facts_.wraps.insert({*span, Use::table, quoted(name) + ", " + quoted(to_string(map_.place(table->getBeginLoc())))});
     reals_.add_table_load(element, table);
@@ -93,21 +95,10 @@ private:
       facts_.wraps.insert({*span, use, std::move(detail)});
   }
 
-  // The object that the expression is an element of, if it is one; its index is noted.
-  static Expr const *subscripted(Expr const *expression, std::vector<Expr const *> &indices) {
-    expression = expression->IgnoreParenImpCasts();
-    if (auto const *subscript = dyn_cast<ArraySubscriptExpr>(expression)) {
-      if (subscript->isTypeDependent() || subscript->getBase() != subscript->getLHS()) return nullptr; // 2[tab]
-      indices.push_back(subscript->getIdx());
-      return subscript->getBase()->IgnoreParenImpCasts();
-    }
-    auto const *call = dyn_cast<CXXOperatorCallExpr>(expression);
-    if (!call || call->getOperator() != OO_Subscript || call->getNumArgs() != 2) return nullptr;
-    auto const *record = call->getArg(0)->getType()->getAsCXXRecordDecl();
-    if (!record || !record->isInStdNamespace() || !record->getIdentifier()) return nullptr;
-    if (record->getName() != "array" && record->getName() != "vector") return nullptr;
-    indices.push_back(call->getArg(1));
-    return call->getArg(0)->IgnoreParenImpCasts();
+  // A table is a copy of its elements.
+  bool is_written(Span const &span) {
+    if (!written_) written_ = shared_and_written(context_, map_);
+    return written_->contains(span);
   }
 
   // Does the object have elements side by side, with this many indices?
@@ -128,19 +119,22 @@ private:
     return Reals::is_double(type);
   }
 
+  ASTContext &context_;
   IntegerTest depends_;
   IntegerAction keep_;
   SourceMap const &map_;
   Facts &facts_;
   Reals &reals_;
   llvm::SmallPtrSet<Expr const *, 16> table_indices_;
+  std::optional<std::set<Span>> written_;
 };
 
 } // namespace
 
-void record_integer_uses(Decl *declaration, IntegerTest depends, IntegerAction keep, SourceMap const &map, Facts &facts,
-                         Reals &reals) {
-  Uses(depends, keep, map, facts, reals).TraverseDecl(declaration);
+void record_integer_uses(ASTContext &context, std::vector<Decl *> const &declarations, IntegerTest depends,
+                         IntegerAction keep, SourceMap const &map, Facts &facts, Reals &reals) {
+  Uses uses(context, depends, keep, map, facts, reals);
+  for (Decl *declaration : declarations) uses.TraverseDecl(declaration);
 }
 
 } // namespace symreal::rewrite

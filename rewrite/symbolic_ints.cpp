@@ -169,6 +169,10 @@ private:
     TypeLoc const plain = type.getUnqualifiedLoc();
     std::optional<Span> const span = map_.range(plain.getSourceRange());
     if (!span) return std::nullopt;
+    // Another name there, a macro's, may stand for another type the next time that the text is compiled.
+    std::optional<Span> const spelled = map_.first_character(plain.getBeginLoc());
+    bool const is_named = !spelled || spelled->file != span->file || spelled->begin != span->begin;
+    if (is_named && map_.is_shared(plain.getSourceRange())) return std::nullopt;
     std::string const text = map_.text(*span, plain.getBeginLoc());
     bool const is_simple = text.find("const") == text.npos && text.find("volatile") == text.npos;
     return is_simple ? span : std::nullopt;
@@ -204,7 +208,7 @@ void record_symbolic_ints(ASTContext &context, SourceMap const &map, Facts &fact
   finder.find(uses);
   auto const depends = [&](Expr const *expression) { return finder.depends(expression); };
   auto const keep = [&](Expr const *expression) { finder.keep(expression); };
-  for (Decl *declaration : declarations) record_integer_uses(declaration, depends, keep, map, facts, reals);
+  record_integer_uses(context, declarations, depends, keep, map, facts, reals);
 }
 
 } // namespace symreal::rewrite

@@ -22,11 +22,11 @@ void for_each_comparison(clang::Expr const *condition, llvm::function_ref<void(c
 // Finds them in all functions of the roots and tells `reals`; what is spelled anew goes to the facts.
 void record_symbolic_ints(clang::ASTContext &context, SourceMap const &map, Facts &facts, Reals &reals);
 
-// Of one declaration: the elements that are read at such an index, and where it must be a plain integer again.
+// Of these declarations: the elements that are read at such an index, and where it must be a plain integer again.
 // `depends` and `keep`: is the expression such an integer, and spell it so.
 using IntegerTest = llvm::function_ref<bool(clang::Expr const *)>;
 using IntegerAction = llvm::function_ref<void(clang::Expr const *)>;
-void record_integer_uses(clang::Decl *declaration, IntegerTest depends, IntegerAction keep, SourceMap const &map,
-                         Facts &facts, Reals &reals);
+void record_integer_uses(clang::ASTContext &context, std::vector<clang::Decl *> const &declarations,
+                         IntegerTest depends, IntegerAction keep, SourceMap const &map, Facts &facts, Reals &reals);
 
 } // namespace symreal::rewrite

@@ -57,8 +57,8 @@ Table table_of(char const *name, RealNumber const *numbers, std::size_t rows, st
 
 } // namespace
 
-RealNumber detail::look_up(TableName table, void const *elements, std::size_t rows, std::size_t columns, RealNumber row,
-                           RealNumber column) noexcept {
+RealNumber const detail::look_up(TableName table, void const *elements, std::size_t rows, std::size_t columns,
+                                 RealNumber row, RealNumber column) noexcept {
   void const *caller = __builtin_return_address(0);
   char const *name = table.name;
   auto *numbers = static_cast<RealNumber const *>(elements);

@@ -16,8 +16,8 @@ struct TableName {
 };
 
 // One element of `rows` times `columns` numbers side by side; one index where `columns` is 0.
-[[gnu::noinline]] RealNumber look_up(TableName name, void const *numbers, std::size_t rows, std::size_t columns,
-                                     RealNumber row, RealNumber column) noexcept;
+[[gnu::noinline]] RealNumber const look_up(TableName name, void const *numbers, std::size_t rows, std::size_t columns,
+                                           RealNumber row, RealNumber column) noexcept;
 // How many elements a pragma says the pointer points to; 0 where none does.
 std::size_t declared_extent(void const *pointer) noexcept;
 
@@ -28,7 +28,7 @@ template <class T> RealNumber index_number(SymbolicInt<T> index) noexcept { retu
 inline std::ptrdiff_t plain_index(RealNumber index) noexcept { return static_cast<std::ptrdiff_t>(index); }
 
 // An element that is read by itself. Where the extent is known the array was looked at as a whole.
-template <class T> RealNumber element(T const &element, TableName name, std::size_t extent) noexcept {
+template <class T> RealNumber const element(T const &element, TableName name, std::size_t extent) noexcept {
   return extent == 0 ? read(element, name.name, name.place) : element;
 }
 
@@ -51,7 +51,7 @@ public:
         extent_(extent),
         row_(row) {}
 
-  template <class Index> RealNumber operator[](Index index) const noexcept {
+  template <class Index> RealNumber const operator[](Index index) const noexcept {
     RealNumber const column = index_number(index);
     if (extent_ != 0 && (row_.is_node() || column.is_node()))
       return look_up(name_, rows_, extent_, RowOf<Row>::columns, row_, column);
@@ -75,7 +75,8 @@ public:
         elements_(elements),
         extent_(extent) {}
 
-  template <class Index> auto operator[](Index index) const noexcept {
+  // A row, or a number that nobody can assign to.
+  template <class Index> decltype(auto) operator[](Index index) const noexcept {
     RealNumber const number = detail::index_number(index);
     if constexpr (detail::RowOf<Element>::columns != 0) {
       return detail::TableRow<Element>(name_, elements_, extent_, number);
