@@ -89,6 +89,10 @@ void Recorder::c_choice(ConditionalOperator const *choice) {
   for (Expr const *arm : {choice->getTrueExpr(), choice->getFalseExpr()})
     if (Expr const *written = arm->IgnoreImpCasts(); isa<StringLiteral>(written->IgnoreParens()))
       wrap(written, Use::cast, spelled(choice->getType()));
+    else if (auto const *cast = dyn_cast<ImplicitCastExpr>(arm); cast && is_pointer_of_c(cast)) {
+      compared_pointers_.insert(cast); // an arm has no context to go by
+      wrap(cast->getSubExpr(), Use::cast, spelled(cast->getType()));
+    }
 }
 
 // What takes a pointer to const in C++ gives one.

@@ -31,8 +31,14 @@ void Recorder::comparison(BinaryOperator const *comparison) {
   if (comparison->isTypeDependent()) return;
   Expr const *left = comparison->getLHS(), *right = comparison->getRHS();
   for (Expr const *side : {left, right})
-    if (auto const *cast = dyn_cast<ImplicitCastExpr>(side); cast && cast->getSubExpr()->getType()->isVoidPointerType())
+    if (auto const *cast = dyn_cast<ImplicitCastExpr>(side); cast && cast->getType()->isPointerType()) {
       compared_pointers_.insert(cast);
+      // C++ compares with void *, and what is const with what is not. An operand has no context to go by.
+      QualType const from = cast->getSubExpr()->getType(), to = cast->getType();
+      if (is_pointer_of_c(cast) && !from->isVoidPointerType() &&
+          !context_.hasSameUnqualifiedType(from->getPointeeType(), to->getPointeeType()))
+        wrap(cast->getSubExpr(), Use::cast, spelled(cast->getType()));
+    }
   if (!reals_.is_real(left) && !reals_.is_real(right) && !compares_exactly(left, right) &&
       !compares_exactly(right, left))
     return;

@@ -38,6 +38,16 @@ static double at(double x)
     return AT(a, i) + OF(table, i);
 }
 
+/* Operands of comparisons and arms have no context. */
+#define SAME(one, other) ((one) == (other) || (one) == NULL)
+#define EITHER(which, one, other) ((which) ? (one) : (other))
+static int pointers(double *x, const double *y, void *z, int *k)
+{
+    const void *either = EITHER(*k, x, z);
+    const double *both = EITHER(*k, x, y);
+    return SAME(x, y) + SAME(z, y) + SAME(both, x) + SAME((double *)either, y) + SAME(k, z);
+}
+
 static double put(double x)
 {
     int i, k;
@@ -56,9 +66,10 @@ int main(void)
 {
     double x = 1.3, y = 0;
     float z = 0;
+    int which = 3;
 #ifdef NO_KERNEL
     with_float_third(x, &z);
-    y += put(x) + at(x);
+    y += put(x) + at(x) + pointers(&x, &y, &z, &which);
     printf("%.17g %.17g\n", y, z);
 #endif
 #pragma symreal input(x) range(1.3, 1.4)
