@@ -46,6 +46,7 @@ private:
   struct Open {
     Literal literal;
     std::size_t id;
+    bool is_else = false;
   };
   struct Variable {
     std::size_t block = never; // where it is set; `never`: outside of all
@@ -63,11 +64,11 @@ private:
     while (open_.size() > kept + 1) close();
     if (open_.size() > kept) {
       Literal const opposite{open_.back().literal.condition, !open_.back().literal.holds};
-      if (is_wanted(opposite)) {
+      if (is_wanted(opposite) && !open_.back().is_else) { // an if has one else: after c and !c comes another if
         std::erase(wanted, opposite);
         ends_[open_.back().id] = steps_.size();
         steps_.push_back({Step::Kind::otherwise, 0, opposite});
-        open_.back() = {opposite, ends_.size()};
+        open_.back() = {opposite, ends_.size(), true};
         ends_.push_back(never);
       } else {
         close();

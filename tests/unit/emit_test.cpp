@@ -10,6 +10,7 @@
 #include <bit>
 #include <cmath>
 #include <gtest/gtest.h>
+#include <random>
 
 namespace symreal {
 namespace {
@@ -120,6 +121,48 @@ TEST(Emit, ConstantsReadBackToTheSameBits) {
   EXPECT_EQ(c_constant(INFINITY), "INFINITY");
   EXPECT_EQ(c_constant(-INFINITY), "-INFINITY");
   EXPECT_EQ(c_constant(NAN), "NAN");
+}
+
+// Arms of arms that are computed in turns, so that blocks alternate and nest.
+TEST(Emit, ArmsComputedInTurnsCompileAndComputeTheSame) {
+  std::mt19937 random(1);
+  auto below = [&random](std::size_t end) { return random() % end; };
+  for (int program = 0; program < 25; ++program) {
+    std::string text = "symreal-graph 1\nkernel \"k\"\ninput \"x\" [4]\noutput \"y\" [3]\n", results;
+    std::size_t count = 0;
+    auto add = [&](std::string const &operation) {
+      text += "%" + std::to_string(count) + " = " + operation + "\n";
+      return " %" + std::to_string(count++);
+    };
+    std::vector<std::vector<std::string>> arms;
+    for (int k = 0; k < 4; ++k) arms.push_back({add("input " + std::to_string(k))});
+    std::string const c = add("gt" + arms[0][0] + " 0"), d = add("lt" + arms[1][0] + arms[2][0]),
+                      e = program % 2 ? add("logical_and" + c + d) : d;
+    for (int step = 0; step < 40; ++step) {
+      std::vector<std::string> &arm = arms[below(arms.size())];
+      auto number = [&] { return arm[below(arm.size())]; };
+      char const *const calls[] = {"sqrt", "exp", "log"}, *const operators[] = {"mul", "sub", "div"};
+      arm.push_back(below(2) ? add(calls[below(3)] + number()) : add(operators[below(3)] + number() + number()));
+    }
+    for (int k = 0; k < 3; ++k) {
+      std::string all[4];
+      for (int i = 0; i < 4; ++i)
+        all[i] = arms[i][arms[i].size() - 1 - below(std::min<std::size_t>(arms[i].size(), 3))];
+      std::string const yes = add("select" + e + all[0] + all[1]), no = add("select" + d + all[2] + all[3]);
+      results += "result " + std::to_string(k) + add("select" + c + yes + no) + "\n";
+    }
+    Graph const graph = read_graph(text + results, "test");
+    Compiled const compiled(graph, "gcc");
+    for (int sample = 0; sample < 16; ++sample) {
+      std::vector<double> input;
+      for (int k = 0; k < 4; ++k) input.push_back(static_cast<double>(below(9)) - 4);
+      std::vector<double> const values = evaluate(graph, input, {}), output = compiled.run(input, 3);
+      for (std::size_t k = 0; k < 3; ++k) {
+        double const expected = values[graph.results[k]];
+        EXPECT_TRUE(output[k] == expected || (std::isnan(output[k]) && std::isnan(expected))) << text;
+      }
+    }
+  }
 }
 
 TEST(Emit, ADeepChainNeedsNoDeepStackAndNoLongLines) {
