@@ -1,6 +1,8 @@
 // Which memory is the kernel's own, or constant, whatever the kernel does.
 #pragma once
 
+#include "memory/heap_blocks.h"
+
 #include <symreal/state.h>
 
 #include <cstdint>
@@ -29,6 +31,9 @@ public:
   ~Pause() { detail::recording = true; }
   Pause(Pause const &) = delete;
   Pause &operator=(Pause const &) = delete;
+
+private:
+  memory::OwnWork const own_;
 };
 
 } // namespace symreal::trace

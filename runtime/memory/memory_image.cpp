@@ -1,0 +1,143 @@
+#include "memory/memory_image.h"
+
+#include <algorithm>
+#include <cstring>
+#include <pthread.h>
+#include <set>
+
+namespace symreal::memory {
+namespace {
+
+// The stack from `frame` to its far end.
+Known callers_stack(void const *frame) {
+  pthread_attr_t attributes;
+  if (!frame || pthread_getattr_np(pthread_self(), &attributes) != 0) return {nullptr, 0};
+  void *begin = nullptr;
+  std::size_t size = 0;
+  pthread_attr_getstack(&attributes, &begin, &size);
+  pthread_attr_destroy(&attributes);
+  // The frame begins with what the function has saved: the frame pointer and the return address.
+  char const *first = static_cast<char const *>(frame) + 2 * sizeof(void *);
+  char const *end = static_cast<char const *>(begin) + size;
+  return first < end ? Known{first, static_cast<std::size_t>(end - first)} : Known{nullptr, 0};
+}
+
+bool begins_earlier(Known const &a, Known const &b) { return a.begin < b.begin; }
+
+// Sorted, and none overlaps another.
+std::vector<Known> joined(std::vector<Known> known) {
+  std::sort(known.begin(), known.end(), begins_earlier);
+  std::vector<Known> result;
+  for (Known const &one : known) {
+    if (result.empty() || result.back().begin + result.back().size < one.begin) {
+      result.push_back(one);
+      continue;
+    }
+    Known &last = result.back();
+    last.size = std::max(last.size, static_cast<std::size_t>(one.begin + one.size - last.begin));
+  }
+  return result;
+}
+
+// Behind the known bytes that hold `address`; else `address`.
+char const *skip_known(std::vector<Known> const &known, char const *address) {
+  auto next = std::upper_bound(known.begin(), known.end(), Known{address, 0}, begins_earlier);
+  if (next == known.begin()) return address;
+  --next;
+  return address < next->begin + next->size ? next->begin + next->size : address;
+}
+
+} // namespace
+
+void MemoryImage::save(Part part) {
+  part.saved = bytes_.size();
+  bytes_.insert(bytes_.end(), part.begin, part.begin + part.size);
+  parts_.push_back(std::move(part));
+}
+
+MemoryImage MemoryImage::capture(void const *frame) {
+  OwnWork const own;
+  MemoryImage image;
+  for (StaticObject const &one : find_static_objects())
+    image.save({Region::static_object, one.name, one.begin, one.size, 0, 0});
+  for (HeapBlock const &one : heap_blocks()) image.save({Region::heap_block, {}, one.begin, one.size, 0, one.serial});
+  if (Known const stack = callers_stack(frame); stack.begin)
+    image.save({Region::stack, {}, const_cast<char *>(stack.begin), stack.size, 0, 0});
+  std::sort(image.parts_.begin(), image.parts_.end(), [](Part const &a, Part const &b) { return a.begin < b.begin; });
+  return image;
+}
+
+MemoryImage::Part const *MemoryImage::part_at(void const *address) const {
+  auto const *at = static_cast<char const *>(address);
+  auto next = std::upper_bound(parts_.begin(), parts_.end(), at,
+                               [](char const *wanted, Part const &part) { return wanted < part.begin; });
+  if (next == parts_.begin()) return nullptr;
+  --next;
+  return at < next->begin + next->size ? &*next : nullptr;
+}
+
+char const *MemoryImage::before(void const *address) const {
+  Part const *part = part_at(address);
+  return part ? bytes_.data() + part->saved + (static_cast<char const *>(address) - part->begin) : nullptr;
+}
+
+void MemoryImage::compare(Part const &part, std::vector<Known> const &known, std::vector<Change> &changes) const {
+  char const *saved = bytes_.data() + part.saved;
+  if (std::memcmp(part.begin, saved, part.size) == 0) return;
+  Change change{part.region, part.name, part.begin, part.size, part.size, 0};
+  for (std::size_t k = 0; k < part.size; ++k) {
+    if (part.begin[k] == saved[k]) continue;
+    if (char const *end = skip_known(known, part.begin + k); end != part.begin + k) {
+      k = static_cast<std::size_t>(end - part.begin) - 1;
+      continue;
+    }
+    change.first = std::min(change.first, k);
+    change.end = k + 1;
+  }
+  if (change.end > change.first) changes.push_back(change);
+}
+
+std::vector<Change> MemoryImage::changes(std::vector<Known> known) const {
+  OwnWork const own;
+  known = joined(std::move(known));
+  std::vector<HeapBlock> const blocks = heap_blocks();
+  auto const lives = [&](Part const &part) {
+    auto const at = std::lower_bound(blocks.begin(), blocks.end(), part.begin,
+                                     [](HeapBlock const &block, char *begin) { return block.begin < begin; });
+    return at != blocks.end() && at->begin == part.begin && at->serial == part.serial;
+  };
+  std::vector<Change> found;
+  for (Part const &part : parts_)
+    if (part.region != Region::heap_block || lives(part)) compare(part, known, found);
+  std::set<std::string> initialised;
+  for (Change const &change : found) initialised.insert(guarded_by(change.name));
+  std::erase_if(found, [&](Change const &change) {
+    return !change.name.empty() && (initialised.contains(change.name) || !guarded_by(change.name).empty());
+  });
+  return found;
+}
+
+std::vector<Known> MemoryImage::owned(Known object) const {
+  std::vector<Known> result = {object};
+  std::set<char const *> met;
+  for (std::size_t next = 0; next < result.size(); ++next) {
+    Known const one = result[next];
+    auto const misaligned = reinterpret_cast<std::uintptr_t>(one.begin) % sizeof(void *);
+    for (std::size_t k = (sizeof(void *) - misaligned) % sizeof(void *); k + sizeof(void *) <= one.size;
+         k += sizeof(void *)) {
+      char const *pointer = nullptr;
+      // What it pointed to before counts, too: a container may have let go of it.
+      char const *old = before(one.begin + k);
+      for (char const *from : {one.begin + k, old}) {
+        if (!from) continue;
+        std::memcpy(&pointer, from, sizeof pointer);
+        Part const *part = part_at(pointer);
+        if (part && part->region == Region::heap_block && met.insert(part->begin).second)
+          result.push_back({part->begin, part->size});
+      }
+    }
+  }
+  return result;
+}
+
+} // namespace symreal::memory

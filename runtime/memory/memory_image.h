@@ -1,0 +1,62 @@
+// What lies in the memory that outlives a kernel, at one moment: the objects of static storage duration of the program,
+// the blocks of its heap, and the stack of the functions that called the kernel's. Compared with what lies there later
+// it tells what the kernel has left behind, by whatever means it was written: numbers, integers, pointers, text.
+#pragma once
+
+#include "memory/heap_blocks.h"
+#include "memory/static_objects.h"
+
+#include <vector>
+
+namespace symreal::memory {
+
+enum class Region : unsigned char { static_object, heap_block, stack };
+
+// Bytes of one object that are no longer what they were.
+struct Change {
+  Region region;
+  std::string name;       // of a static object, as the linker knows it
+  char *object;           // where it begins; on the stack: where the change begins
+  std::size_t size;       // of the object
+  std::size_t first, end; // the bytes from the first that differs to behind the last
+};
+
+// Bytes whose change is known or does not matter.
+struct Known {
+  char const *begin;
+  std::size_t size;
+};
+
+class MemoryImage {
+public:
+  // `frame`: of the function in which the kernel begins (__builtin_frame_address(0)); null: no stack.
+  static MemoryImage capture(void const *frame);
+
+  // What has changed since, but for what is known. What the heap has given back, and an object that was initialised
+  // on its first use, is left out.
+  std::vector<Change> changes(std::vector<Known> known) const;
+
+  // The bytes that lay there, of an address within the image; else null.
+  char const *before(void const *address) const;
+
+  // All that can be reached from these bytes: the blocks of the heap that they point into, what those point into, and
+  // so on. For an object that owns others, in whatever way.
+  std::vector<Known> owned(Known object) const;
+
+private:
+  struct Part {
+    Region region;
+    std::string name;
+    char *begin;
+    std::size_t size, saved; // where in bytes_
+    std::uint64_t serial;    // of a block
+  };
+  void save(Part part);
+  Part const *part_at(void const *address) const;
+  void compare(Part const &part, std::vector<Known> const &known, std::vector<Change> &changes) const;
+
+  std::vector<Part> parts_; // by address
+  std::vector<char> bytes_;
+};
+
+} // namespace symreal::memory

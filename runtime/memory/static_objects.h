@@ -1,0 +1,24 @@
+// The objects of static storage duration of the running program: what a function can leave behind without a pointer.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace symreal::memory {
+
+struct StaticObject {
+  std::string name; // as the linker knows it
+  char *begin;
+  std::size_t size;
+};
+
+// Those of this thread's program that can be written, by address: of the executable and of the shared libraries that
+// are not the system's, from their symbol tables. The runtime's own, the standard library's and the compiler's are left
+// out. An executable without a symbol table has none.
+std::vector<StaticObject> find_static_objects();
+
+// The object that the compiler guards with this one, which says whether it is initialised; empty for other names.
+std::string guarded_by(std::string const &name);
+
+} // namespace symreal::memory
