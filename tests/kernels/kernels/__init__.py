@@ -1,0 +1,1 @@
+"""Random kernels in C and C++: see ../run.py."""

@@ -1,0 +1,110 @@
+"""A kernel: the text of one function and of all that is its own, and what is needed to call it."""
+import random
+from dataclasses import dataclass
+
+from . import classes, functions, library, objects, templates, text  # noqa: F401: they register their productions
+from .features import drawn
+from .generator import Block, Generator
+from .interface import Interface, make_interface
+from .arithmetic import DOUBLE
+from .expression import ADD, joined, number
+from .numbers import any_number, some_number
+from .state import declare_state
+from .statements import statements
+
+
+@dataclass
+class Kernel:
+    name: str
+    seed: str
+    nodes: list          # file scope, as a tree of text
+    interface: Interface
+    recorded: list       # inputs, then parameters
+    features: set
+
+    @property
+    def text(self):
+        return "".join(line + "\n" for line in flat(self.nodes))
+
+
+def flat(nodes, depth=0):
+    for node in nodes:
+        if isinstance(node, str):
+            yield "  " * depth + node if not node.startswith("#") else node
+        else:
+            yield "  " * depth + node.header
+            yield from flat(node.children, depth + 1)
+            if node.footer is not None:
+                yield "  " * depth + node.footer
+
+
+def make_kernel(name, seed, language, policy, mode, excluded=()):
+    features = drawn(random.Random(f"features {seed}"), language, excluded)
+    g = Generator(name, seed, language, policy, mode, features)
+    for _ in range(g.whole(0, 4)):
+        g.choose("definition", 2)
+    interface, written = write_body(g)
+    return Kernel(name, seed, g.definitions, interface, recorded_inputs(g, interface), features)
+
+
+def write_body(g):
+    g.scopes.append([])
+    interface, written = make_interface(g)
+    declare_state(g, interface)
+    if interface.result == "double":
+        g.returns = []
+        g.kernel_result = lambda g: some_number(g, 2).text
+    elif not g.has("unwritten_outputs"):
+        # Early returns leave nothing unwritten.
+        if g.has("returns"):
+            for text in written:
+                if not any(text in elements for _, elements in interface.inputs):
+                    g.line(f"{text} = {some_number(g, 1).text};")
+            g.returns = []
+    else:
+        g.returns = []
+    statements(g, g.whole(2, 8), 3)
+    for text in written:
+        made = observed(g)
+        if g.has("unwritten_outputs") and g.chance(0.5):
+            with g.block(f"if ({some_number(g, 1).text} > 0) {{"):
+                g.line(f"{text} = {made.text};")
+        else:
+            g.line(f"{text} {g.among('+=', '-=') if g.has('returns') and g.chance(0.2) and not g.has('unwritten_outputs') else '='} {made.text};")
+    if interface.result == "double":
+        g.line(f"return {observed(g).text};")
+    header = f"{interface.result} {g.name}({', '.join(interface.parameters)}) {{"
+    g.definitions.append(pragma(interface))
+    g.definitions.append(Block(header, g.body))
+    return interface, written
+
+
+def observed(g):
+    """A value that shows what became of the variables."""
+    made = any_number(g, 2)
+    if not made.symbolic or g.chance(0.8):  # an output that depends on no input is an error
+        made = number(joined("+", made, g.random.choice(g.inputs)), ADD, None, True)
+    for variable in g.variables(lambda v: v.writable or v.type != DOUBLE)[-6:]:
+        if variable.low != variable.high and g.chance(0.6):
+            factor = g.among("", "", "0.5 * ", "3 * ") if variable.type == DOUBLE else g.among("0.5 * ", "1e-3 * ", "")
+            made = number(f"{made.at(ADD)} {g.among('+', '-')} {factor}{variable.text}", ADD, None, True)
+    return made
+
+
+def pragma(interface):
+    low, high = interface.low, interface.high
+    words = ["#pragma symreal function"]
+    words.append(f"input({', '.join(text for text, _ in interface.inputs)})")
+    if interface.tame:
+        words.append(f"range({low}, {high})")
+    if interface.values:
+        words.append(f"parameter({', '.join(text for text, _ in interface.values)})")
+        words.append(f"range({low}, {high})")
+    words += interface.clauses
+    words.append(f"output({', '.join(text for text, _ in interface.outputs)})")
+    return " ".join(words)
+
+
+def recorded_inputs(g, interface):
+    count = sum(len(elements) for _, elements in interface.inputs + interface.values)
+    return [round(g.random.uniform(interface.low, interface.high), g.among(1, 2, 3)) for _ in range(count)]

@@ -1,0 +1,200 @@
+"""One batch: one program of many kernels, generated in one run, compared by the harness.
+
+A kernel that the tool refuses takes its batch along, so the kernels at whose lines errors stand are counted as refused and left
+out, and the rest runs again.
+"""
+import json
+import os
+import re
+import subprocess
+from collections import Counter
+from dataclasses import dataclass, field
+
+from .program import glue, probe, source
+
+HERE = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+SUFFIX = {"c": ".c", "cxx": ".cpp"}
+# The reference build of docs/floating-point.md, and the flags that it gives for generated code.
+REFERENCE = ["-O1", "-ffp-contract=off", "-fno-builtin", "-fno-fast-math", "-w"]
+GENERATED = ["-std=c99", "-O2", "-ffp-contract=off", "-fno-builtin-pow", "-w"]
+ERROR = re.compile(r"^(?:\S*/)?batch\.(?:c|cpp):(\d+):\d+: error: (.*?)(?: \[(SYM\d+)\])?$")
+
+
+@dataclass
+class Found:
+    kernel: object
+    kind: str          # different, lost, crashed, verify-..., broken
+    details: str
+    directory: str
+
+
+@dataclass
+class Outcome:
+    count: int = 0
+    compared: int = 0          # kernels
+    samples: int = 0
+    guarded: int = 0
+    outside: int = 0
+    verified: int = 0
+    refused: Counter = field(default_factory=Counter)   # by diagnostic
+    features_refused: Counter = field(default_factory=Counter)
+    found: list = field(default_factory=list)
+
+    def add(self, other):
+        for name in ("count", "compared", "samples", "guarded", "outside", "verified"):
+            setattr(self, name, getattr(self, name) + getattr(other, name))
+        self.refused += other.refused
+        self.features_refused += other.features_refused
+        self.found += other.found
+
+
+class Session:
+    def __init__(self, symreal, language, policy, mode, directory, samples=60, verify=False, timeout=600):
+        self.symreal, self.language, self.policy, self.mode = symreal, language, policy, mode
+        self.directory, self.samples, self.verify, self.timeout = directory, samples, verify, timeout
+        self.path = os.path.join(directory, "batch" + SUFFIX[language])
+
+    def run(self, *words, timeout=None):
+        return subprocess.run(words, capture_output=True, text=True, cwd=self.directory, timeout=timeout or self.timeout,
+                              errors="replace")
+
+    def write(self, kernels):
+        text, places = source(kernels, self.language)
+        with open(self.path, "w") as file:
+            file.write(text)
+        return places
+
+    def generate(self, kernels, outcome):
+        """The kernels that the tool accepts; the generated code of all of them lies in out/."""
+        rounds = 0
+        while kernels:
+            rounds += 1
+            places = self.write(kernels)
+            self.run("rm", "-rf", "out")
+            os.makedirs(os.path.join(self.directory, "out"))
+            try:
+                done = self.run(self.symreal, "generate", self.path, "-o", "out/", f"--decisions={self.policy}", f"--fp={self.mode}")
+            except subprocess.TimeoutExpired:
+                done = subprocess.CompletedProcess([], 1, "", "time is over")
+            if done.returncode == 0:
+                return kernels
+            named = self.refusals(done.stderr, places)
+            if not named and len(kernels) == 1:
+                named = {kernels[0].name: self.reason(done.stderr)}
+            if named:
+                for kernel in kernels:
+                    if named.get(kernel.name) == "SYM020":
+                        outcome.found.append(Found(kernel, "invalid: the generator's fault", done.stderr, self.directory))
+                    elif kernel.name in named:
+                        outcome.refused[named[kernel.name]] += 1
+                        outcome.features_refused.update(kernel.features)
+                        self.keep_refusal(kernel, named[kernel.name], done.stderr)
+                kernels = [k for k in kernels if k.name not in named]
+            else:
+                half = len(kernels) // 2
+                accepted = self.generate(kernels[:half], outcome) + self.generate(kernels[half:], outcome)
+                if len(accepted) == len(kernels):
+                    outcome.found.append(Found(kernels[0], "together", done.stderr[-2000:], self.directory))
+                    return self.generate(kernels[:half], Outcome())
+                kernels = accepted
+        return []
+
+    @staticmethod
+    def reason(text):
+        ids = re.findall(r"error: .*\[(SYM\d+)\]", text)
+        return ids[0] if ids else "compiler" if "error" in text else "no reason"
+
+    @staticmethod
+    def refusals(text, places):
+        named = {}
+        for line in text.splitlines():
+            match = ERROR.match(line)
+            if not match:
+                continue
+            number = int(match.group(1))
+            for name, ranges in places.items():
+                if any(first <= number <= last for first, last in ranges):
+                    named.setdefault(name, match.group(3) or "compiler")
+        return named
+
+    def keep_refusal(self, kernel, why, text):
+        folder = os.environ.get("KERNELS_KEEP_REFUSED")
+        if folder:
+            os.makedirs(os.path.join(folder, why), exist_ok=True)
+            with open(os.path.join(folder, why, f"{self.language}-{self.policy}-{kernel.seed.replace('/', '-')}"), "w") as file:
+                file.write(f"{kernel.text}\n{text}")
+
+    def banner(self, kernel):
+        with open(os.path.join(self.directory, "out", kernel.name + ".c")) as file:
+            return json.loads(file.readline().removeprefix("/* symreal "))
+
+    def build(self, kernels):
+        """The harness with the originals and the generated code; a message where something does not compile."""
+        write = lambda name, text: open(os.path.join(self.directory, name), "w").write(text)
+        probe_name = "probe" + SUFFIX[self.language]
+        write(probe_name, probe(self.path, kernels, self.language))
+        write("generated.c", "".join(glue(k, f"out/{k.name}.c", self.banner(k)) for k in kernels))
+        compiler = ["g++", "-std=c++20"] if self.language == "cxx" else ["gcc"]
+        include = ["-I", os.path.join(HERE, "Inputs")]
+        for words in ([*compiler, *REFERENCE, *include, "-c", probe_name, "-o", "probe.o"],
+                      ["gcc", *GENERATED, "-c", "generated.c", "-o", "generated.o"],
+                      ["gcc", "-O1", *include, "-c", os.path.join(HERE, "Inputs", "harness.c"), "-o", "harness.o"],
+                      [compiler[0], "probe.o", "generated.o", "harness.o", "-lm", "-o", "harness"]):
+            done = self.run(*words)
+            if done.returncode != 0:
+                return " ".join(words) + "\n" + done.stderr[:3000]
+        return None
+
+    def compile_alone(self, kernel):
+        done = self.run("gcc", *GENERATED, "-fsyntax-only", f"out/{kernel.name}.c")
+        return done.stderr if done.returncode != 0 else None
+
+    def execute(self, kernels, seed):
+        outcome = Outcome(count=len(kernels))
+        accepted = self.generate(kernels, outcome)
+        broken = [(k, self.compile_alone(k)) for k in accepted] if False else []
+        if accepted:
+            message = self.build(accepted)
+            if message:
+                broken = [(k, m) for k in accepted if (m := self.compile_alone(k))]
+                outcome.found += [Found(k, "broken", m, self.directory) for k, m in broken]
+                accepted = [k for k in accepted if k not in [b for b, _ in broken]]
+                if not broken:
+                    outcome.found.append(Found(accepted[0], "harness", message, self.directory))
+                    return outcome
+                message = self.build(accepted)
+                if message:
+                    outcome.found.append(Found(accepted[0], "harness", message, self.directory))
+                    return outcome
+        if not accepted:
+            return outcome
+        done = self.run("./harness", self.mode, str(seed), str(self.samples))
+        self.read(done.stdout, accepted, outcome)
+        if self.verify:
+            self.verify_all(accepted, outcome)
+        return outcome
+
+    def read(self, text, kernels, outcome):
+        by_name = {k.name: k for k in kernels}
+        blocks = re.split(r"^(?=\S)", text, flags=re.M)
+        for block in filter(None, blocks):
+            name, verdict, compared, guarded, outside = block.splitlines()[0].split()
+            outcome.samples += int(compared)
+            outcome.guarded += int(guarded)
+            outcome.outside += int(outside)
+            kernel = by_name.pop(name)
+            if verdict == "ok":
+                outcome.compared += 1
+            else:
+                outcome.found.append(Found(kernel, verdict, block, self.directory))
+        outcome.found += [Found(k, "no verdict", "", self.directory) for k in by_name.values()]
+
+    def verify_all(self, kernels, outcome):
+        """`symreal verify` must say of each kernel what the harness said."""
+        different = {f.kernel.name for f in outcome.found}
+        for kernel in kernels:
+            done = self.run(self.symreal, "verify", self.path, f"out/{kernel.name}.c", "--samples=200", "--min-samples=1")
+            outcome.verified += 1
+            if (done.returncode == 0) == (kernel.name in different):
+                word = "verify-misses" if done.returncode == 0 else "verify-refuses"
+                outcome.found.append(Found(kernel, word, done.stderr[-3000:], self.directory))
