@@ -1,6 +1,7 @@
 #include "program/generated_code.h"
 
 #include "emit/c_externals.h"
+#include "graph/complex_function.h"
 #include "program/process.h"
 #include "support/files.h"
 #include "support/version.h"
@@ -54,7 +55,8 @@ GeneratedCode::GeneratedCode(std::string const &path, Banner const &banner, Grap
                              Workspace const &workspace)
     : banner_(banner),
       object_(workspace.file("generated.so")),
-      needs_program_(!graph.externals.empty()) {
+      needs_program_(std::any_of(graph.externals.begin(), graph.externals.end(),
+                                 [](External const &external) { return !find_complex_function(external); })) {
   std::vector<std::string> command = {"cc",      "-std=c99", "-O1", "-ffp-contract=off", "-fno-builtin", "-w",
                                       "-shared", "-fPIC",    path};
   if (needs_program_) { // the functions are looked for when they are called, which here none is

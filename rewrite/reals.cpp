@@ -103,6 +103,7 @@ bool Reals::is_math(FunctionDecl const *function) const {
   if (!function || !function->getDeclName().isIdentifier() || in_roots(function)) return false;
   DeclContext const *context = function->getDeclContext()->getRedeclContext();
   if (!context->isTranslationUnit() && !function->isInStdNamespace()) return false;
+  if (function->getName() == "lerp") return function->isInStdNamespace();
   return is_math_name(function->getName());
 }
 

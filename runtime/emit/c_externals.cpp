@@ -1,6 +1,7 @@
 #include "emit/c_externals.h"
 
 #include "emit/expression.h"
+#include "graph/complex_function.h"
 #include "graph/opaque.h"
 
 #include <fmt/format.h>
@@ -50,12 +51,40 @@ std::string prototype(External const &external) {
                      parameters.empty() ? "void" : parameters);
 }
 
+// Functions of complex numbers are defined where they are used. A number made of its parts by arithmetic would change
+// infinities and zeros; without <complex.h>, whose macros are names as programs have them.
+std::string complex_definitions(Graph const &graph, std::set<std::size_t> const &functions) {
+  std::string declarations, definitions;
+  for (std::size_t number : functions) {
+    std::optional<ComplexFunction> const function = find_complex_function(graph.externals[number]);
+    if (!function) continue;
+    auto const [name, arity, is_infix, c, has_cut] = info(*function);
+    bool const binary = arity == 2;
+    std::string const call = is_infix ? fmt::format("x.number {} y.number", c)
+                                      : fmt::format("{}(x.number{})", c, binary ? ", y.number" : "");
+    if (!is_infix)
+      declarations += fmt::format("double _Complex {}(double _Complex{});\n", c, binary ? ", double _Complex" : "");
+    definitions += fmt::format("static void {0}(double a, double b, {1}double *result) {{\n"
+                               "  union complex_number const x = {{{{a, b}}}}{2};\n"
+                               "  union complex_number z;\n"
+                               "  z.number = {3};\n"
+                               "  result[0] = z.part[0];\n"
+                               "  result[1] = z.part[1];\n}}\n",
+                               name, binary ? "double c, double d, " : "", binary ? ", y = {{c, d}}" : "", call);
+  }
+  if (definitions.empty()) return {};
+  return "/* Functions of complex numbers, of the C library and the compiler. */\n"
+         "union complex_number {\n  double part[2];\n  double _Complex number;\n};\n" +
+         declarations + definitions;
+}
+
 std::string prototypes(Graph const &graph, std::set<std::size_t> const &functions) {
   std::set<std::uint32_t> objects;
   std::set<std::string> declared; // arrays of several sizes may go to one function
   std::string text;
   for (std::size_t number : functions) {
     External const &external = graph.externals[number];
+    if (find_complex_function(external)) continue;
     for (ExternalValue const &parameter : external.parameters)
       if (parameter.kind == Kind::object) objects.insert(parameter.count);
     if (external.returned.kind == Kind::object) objects.insert(external.returned.count);
@@ -65,7 +94,8 @@ std::string prototypes(Graph const &graph, std::set<std::size_t> const &function
   for (std::uint32_t count : objects) structs += fmt::format("struct numbers_{0} {{\n  double m[{0}];\n}};\n", count);
   if (!text.empty())
     text = "/* Functions of the program's libraries, with structs as what they consist of. */\n" + structs + text;
-  return text;
+  std::string const complex = complex_definitions(graph, functions);
+  return text + (text.empty() || complex.empty() ? "" : "\n") + complex;
 }
 
 std::string table_text(Graph const &graph, std::size_t number) {

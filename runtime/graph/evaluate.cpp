@@ -1,7 +1,9 @@
 #include "graph/evaluate.h"
 
+#include "graph/complex_function.h"
 #include "graph/opaque.h"
 
+#include <algorithm>
 #include <cmath>
 #include <unordered_map>
 
@@ -23,11 +25,16 @@ public:
     case Op::returned: return results_.at(node.operand[0])[result_of(graph_, node)];
     case Op::call:
     case Op::call_in_order: {
-      internal_check(static_cast<bool>(call_));
       std::vector<double> arguments;
       for (NodeId argument : arguments_of(graph_, node.operand[0])) arguments.push_back(values[argument]);
       std::vector<double> &results = results_[id];
-      results.resize(graph_.externals[function_of(graph_, node)].result_count());
+      External const &external = graph_.externals[function_of(graph_, node)];
+      results.resize(external.result_count());
+      if (std::optional<ComplexFunction> const function = find_complex_function(external)) {
+        evaluate(*function, arguments, results);
+        return 0;
+      }
+      internal_check(static_cast<bool>(call_));
       call_(function_of(graph_, node), arguments, results);
       return 0;
     }
@@ -115,6 +122,18 @@ static bool is_defined(Graph const &graph, Node const &node, std::span<double co
   }
 }
 
+// Whether a zero reaches something that sees its sign. Of a constant the sign is the program's own and stays.
+static bool sees_zero_sign(Graph const &graph, Node const &node, std::span<double const> values) {
+  auto is_zero = [&](NodeId id) { return id != no_node && !graph.nodes[id].is_constant() && values[id] == 0; };
+  if (node.op == Op::call) {
+    std::optional<ComplexFunction> const function = find_complex_function(graph.externals[function_of(graph, node)]);
+    if (!function || !info(*function).has_cut) return false;
+    std::vector<NodeId> const arguments = arguments_of(graph, node.operand[0]);
+    return std::any_of(arguments.begin(), arguments.end(), is_zero);
+  }
+  return info(node.op).has(flag::ZERO_SIGN) && std::any_of(node.operand.begin(), node.operand.end(), is_zero);
+}
+
 Premises check_premises(Graph const &graph, std::span<double const> values) {
   Premises premises;
   std::vector<char> const active = active_nodes(graph, values);
@@ -124,9 +143,7 @@ Premises check_premises(Graph const &graph, std::span<double const> values) {
     if (!std::isfinite(values[id])) premises.finite = false;
     if (is_leaf(node.op)) continue;
     if (!is_defined(graph, node, values)) premises.defined = false;
-    if (!info(node.op).has(flag::ZERO_SIGN)) continue;
-    for (NodeId operand : node.operand)
-      if (operand != no_node && values[operand] == 0) premises.zero_sign_unseen = false;
+    if (sees_zero_sign(graph, node, values)) premises.zero_sign_unseen = false;
   }
   return premises;
 }

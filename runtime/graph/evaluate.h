@@ -13,7 +13,8 @@ using CallExternal =
     std::function<void(std::size_t function, std::span<double const> arguments, std::span<double> results)>;
 
 // One value per node, by the reference semantics of the operation table; what is no number has the value 0. Calls are
-// made in the order of the nodes; a graph that has some needs `call`. Linear, no recursion.
+// made in the order of the nodes; a graph that has some needs `call`, unless all are of functions of complex numbers.
+// Linear, no recursion.
 std::vector<double> evaluate(Graph const &graph, std::span<double const> inputs, std::span<double const> parameters,
                              CallExternal const &call = {});
 

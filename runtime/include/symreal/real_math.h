@@ -41,6 +41,18 @@ namespace symreal {
       return detail::record(Op::id, real_x, real_y, real_z);                                                           \
     double x = real_x.plain(), y = real_y.plain(), z = real_z.plain();                                                 \
     return evaluate;                                                                                                   \
+  }                                                                                                                    \
+  SYMREAL_MIXED_3(id, RealNumber, T, U)                                                                                \
+  SYMREAL_MIXED_3(id, T, RealNumber, U)                                                                                \
+  SYMREAL_MIXED_3(id, T, U, RealNumber)                                                                                \
+  SYMREAL_MIXED_3(id, RealNumber, RealNumber, T)                                                                       \
+  SYMREAL_MIXED_3(id, RealNumber, T, RealNumber)                                                                       \
+  SYMREAL_MIXED_3(id, T, RealNumber, RealNumber)
+// Better than the library's for arguments of several types, which would call itself.
+#define SYMREAL_MIXED_3(id, X, Y, Z)                                                                                   \
+  template <class T, class U = int, class = std::enable_if_t<std::is_arithmetic_v<T> && std::is_arithmetic_v<U>>>      \
+  RealNumber id(X x, Y y, Z z) noexcept {                                                                              \
+    return id(RealNumber(x), RealNumber(y), RealNumber(z));                                                            \
   }
 #define OPERATION(id, arity, form, c, precedence, evaluate, ...) SYMREAL_FORM_##form(id, arity, evaluate)
 #include <symreal/operations.def>
@@ -54,6 +66,7 @@ namespace symreal {
 #undef SYMREAL_CALL_1
 #undef SYMREAL_CALL_2
 #undef SYMREAL_CALL_3
+#undef SYMREAL_MIXED_3
 
 inline RealNumber fabs(RealNumber x) noexcept { return abs(x); }
 inline RealNumber nearbyint(RealNumber x) noexcept { return rint(x); }
@@ -89,6 +102,14 @@ inline RealNumber remquo(RealNumber x, RealNumber y, int *quotient) noexcept {
   auto const whole = static_cast<long long>(rint((x - rest) / y));
   *quotient = static_cast<int>(whole % 8);
   return rest;
+}
+template <class T, class = std::enable_if_t<std::is_arithmetic_v<T>>>
+RealNumber remquo(RealNumber x, T y, int *quotient) noexcept {
+  return remquo(x, RealNumber(y), quotient);
+}
+template <class T, class = std::enable_if_t<std::is_arithmetic_v<T>>>
+RealNumber remquo(T x, RealNumber y, int *quotient) noexcept {
+  return remquo(RealNumber(x), y, quotient);
 }
 inline int ilogb(RealNumber x) noexcept { return std::ilogb(static_cast<double>(x)); }
 inline bool isnormal(RealNumber x) noexcept { return std::isnormal(static_cast<double>(x)); }

@@ -2,10 +2,10 @@
 // tolerance built on it.
 #pragma once
 
+#include <symreal/complex.h>
 #include <symreal/extremes.h>
 #include <symreal/real_math.h>
 
-#include <complex>
 #include <cstddef>
 #include <functional>
 #include <limits>
