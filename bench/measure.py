@@ -25,8 +25,8 @@ ROUNDS, BLOCK_SECONDS, VECTORS = 101, 0.001, 16
 
 ORIGINALS = {"original -O2": ["-O2"], "original -O3": ["-O3", "-march=native"]}
 GENERATED = {
-    "generated -O2": ["-O2", "-ffp-contract=off"],
-    "generated -O3": ["-O3", "-march=native", "-ffp-contract=off"],
+    "generated -O2": ["-O2", "-ffp-contract=off", "-fno-tree-slp-vectorize"],
+    "generated -O3": ["-O3", "-march=native", "-ffp-contract=off", "-fno-tree-slp-vectorize"],
     "generated -O3 fma": ["-O3", "-march=native"],
 }
 # title: the original, the generated code
@@ -101,10 +101,14 @@ def build(kernel, work, report):
               f'-DBENCH_DATA="{work.resolve()}/data.h"', f'-DBENCH_HEADER="{work.resolve()}/kernel.h"']
     common = ["-w", "-Ibench", "-I" + kernel.directory, *macros, *kernel.flags]
 
+    # The generated code forbids contraction by pragmas.
+    text = (work / "kernel.c").read_text()
+    (work / "kernel_fma.c").write_text(re.sub(r"^#pragma (?:STDC|GCC) .*\n", "", text, flags=re.MULTILINE))
+
     jobs, contenders = [], {}
     for name, flags in {**ORIGINALS, **GENERATED}.items():
         sources = original_sources(kernel, work) if name in ORIGINALS else [
-            ("bench/generated.c", []), (work / "kernel.c", [])]
+            ("bench/generated.c", []), (work / ("kernel_fma.c" if name.endswith("fma") else "kernel.c"), [])]
         objects = []
         for source, own in [("bench/harness.c", []), *sources]:
             target = work / f"{name} {pathlib.Path(source).stem}.o".replace(" ", "_")

@@ -52,7 +52,7 @@ and, after the plus sign, square roots and calls of the mathematical library. Si
 runs once for a set of parameters.
 
 **Speed-up** is the time of the original divided by the time of `compute`, both compiled by gcc with the flags in the
-heading. With `-ffp-contract=off`, which the numerical promise of mode `finite` wants, in the first two columns; in the
+heading. Without contraction, which the numerical promise of mode `finite` wants, in the first two columns; in the
 last one gcc may contract to fused multiply-adds on both sides, as it does by default under -march=native (the original is
 always compiled with gcc's default). The figure is the median of {machine['rounds']} rounds in which all contenders run
 one after the other in blocks of {machine['block']} of processor time; in parentheses the interquartile range.

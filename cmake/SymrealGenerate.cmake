@@ -80,7 +80,7 @@ function(symreal_generate)
     target_include_directories(${arg_TARGET} PRIVATE "${directory}")
     target_link_libraries(${arg_TARGET} PRIVATE $<$<NOT:$<PLATFORM_ID:Windows>>:m>)
     set_source_files_properties("${output}" TARGET_DIRECTORY ${arg_TARGET} PROPERTIES
-      COMPILE_OPTIONS "$<$<C_COMPILER_ID:GNU,Clang,AppleClang>:-ffp-contract=off;-fno-builtin-pow>")
+      COMPILE_OPTIONS "$<$<C_COMPILER_ID:GNU,Clang,AppleClang>:-ffp-contract=off;-fno-tree-slp-vectorize;-fno-builtin-pow>")
   endif()
   if(arg_OUT_VAR)
     set(${arg_OUT_VAR} "${output}" "${header}" PARENT_SCOPE)

@@ -26,8 +26,14 @@ using Words = std::vector<std::string>;
 void append(Words &words, Words const &more) { words.insert(words.end(), more.begin(), more.end()); }
 
 // The reference build of docs/floating-point.md, with debug information for places.
-Words const reference_flags = {
-    "-O1", "-g", "-ffp-contract=off", "-fno-builtin", "-fno-fast-math", "-DEIGEN_DONT_VECTORIZE"};
+Words const reference_flags = {"-O1",
+                               "-g",
+                               "-ffp-contract=off",
+                               "-fno-tree-vectorize",
+                               "-fno-tree-slp-vectorize",
+                               "-fno-builtin",
+                               "-fno-fast-math",
+                               "-DEIGEN_DONT_VECTORIZE"};
 
 // An operation on a node raises FE_INVALID, which is how leaks are found: none may be executed before it is known that
 // its operands are ordinary. gcc does as much by default, clang when told.

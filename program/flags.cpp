@@ -33,6 +33,8 @@ constexpr Dropped dropped[] = {
     {"-ffp-exception-behavior*", Why::numbers},
     {"-ffp-model*", Why::numbers},
     {"-ffp-contract*", Why::numbers},
+    {"-fcx-*", Why::numbers},
+    {"-fcomplex-arithmetic*", Why::numbers},
     {"-fbuiltin", Why::numbers},
     {"-fopenmp*", Why::serial},
     {"-flto*", Why::serial},

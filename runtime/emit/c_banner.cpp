@@ -16,7 +16,8 @@ static bool calls_pow(Graph const &graph) {
 }
 
 static std::string promise(FloatingPoint mode, bool with_pow) {
-  std::string const flags = with_pow ? "-ffp-contract=off -fno-builtin-pow" : "-ffp-contract=off";
+  std::string const flags =
+      std::string("-ffp-contract=off -fno-tree-slp-vectorize") + (with_pow ? " -fno-builtin-pow" : "");
   switch (mode) {
   case FloatingPoint::strict:
     return "   Mode strict: bit-identical to the original for all inputs, any NaN equal to any NaN, when compiled "
@@ -24,7 +25,7 @@ static std::string promise(FloatingPoint mode, bool with_pow) {
            flags + " and without -ffast-math.";
   case FloatingPoint::finite:
     return "   Mode finite: equal (==) to the original wherever all its values are finite and no zero reaches an\n"
-           "   operation that sees its sign, when compiled with " +
+           "   operation that sees its sign, when compiled with\n   " +
            flags + " and without -ffast-math.";
   case FloatingPoint::fast:
     return "   Mode fast: the real-number algebra of the original; rounding differs. Any compiler flags.";

@@ -221,15 +221,24 @@ private:
   std::size_t checks_printed_ = 0;
 };
 
+// Multiplications and additions are not to be fused, whatever the flags: gcc's vectoriser of straight-line code does it
+// even with -ffp-contract=off, where sums and differences alternate.
+constexpr char const *no_fusion = "#if defined(__clang__)\n"
+                                  "#pragma STDC FP_CONTRACT OFF\n"
+                                  "#elif defined(__GNUC__)\n"
+                                  "#pragma GCC optimize(\"fp-contract=off\", \"no-tree-slp-vectorize\")\n"
+                                  "#endif\n";
+
 } // namespace
 
 std::string c_source(Program const &program, EmitOptions const &options) {
   FunctionPrinter preprocess(program, options, false), compute(program, options, true);
   bool const checked = preprocess.has_value_checks() || compute.has_value_checks();
-  std::string text = c_banner(program, options) +
-                     fmt::format("#include \"{}.h\"\n\n#include <math.h>\n{}\n", options.base_name,
-                                 checked ? value_check_helper() : "") +
-                     c_declarations(*program.graph) + preprocess.print() + "\n" + compute.print();
+  std::string text =
+      c_banner(program, options) +
+      fmt::format("#include \"{}.h\"\n\n#include <math.h>\n{}{}\n", options.base_name,
+                  checked ? value_check_helper() : "", options.mode == FloatingPoint::fast ? "" : no_fusion) +
+      c_declarations(*program.graph) + preprocess.print() + "\n" + compute.print();
   if (!program.graph->guards.empty()) text += "\n" + c_guard_text(program, options);
   return text;
 }
