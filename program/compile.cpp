@@ -11,11 +11,12 @@ namespace {
 
 constexpr unsigned compilations_at_a_time = 2;
 
-std::string_view define(Variant variant) { return variant == Variant::symbolic ? "-DMBD_SYMBOLIC" : "-DMBD_REPLAY"; }
+bool is_rewritten(Variant variant) { return variant == Variant::symbolic || variant == Variant::replay; }
 std::string_view name(Variant variant) {
   switch (variant) {
   case Variant::symbolic: return "symbolic";
   case Variant::replay: return "replay";
+  case Variant::original: return "original";
   case Variant::own_flags: return "own-flags";
   }
   return "";
@@ -61,11 +62,11 @@ Command compiler_run(Words words, std::string const &directory) {
 }
 
 Words variant_flags(Words const &flags, Variant variant) {
-  Words words = adapted_flags(flags, variant);
-  if (variant != Variant::own_flags) append(words, reference_flags);
+  Words words = adapted_flags(flags);
+  append(words, reference_flags);
   if (variant == Variant::symbolic) words.emplace_back(no_speculation);
   words.push_back("-w");
-  words.emplace_back(define(variant));
+  words.emplace_back(variant == Variant::symbolic ? "-DMBD_SYMBOLIC" : "-DMBD_REPLAY");
   return words;
 }
 
@@ -81,8 +82,21 @@ Words compile_command(BuildRequest const &request, Variant variant, Overlay cons
   return words;
 }
 
+// A source without annotations is compiled where it is.
+Words original_command(BuildRequest const &request, Variant variant, Overlay const &overlay,
+                       rewrite::Compilation const &source, std::string const &object) {
+  bool const c = is_c(source), annotated = overlay.contains(rewrite::real_source(source));
+  Words words = {c ? request.c_compiler : request.compiler};
+  Words flags = original_flags(source.flags, variant);
+  if (variant != Variant::own_flags) append(flags, reference_flags);
+  append(words, overlay.search_flags(flags, source.directory));
+  append(words, {"-w", "-include", runtime_include() + "/symreal/original.h", "-x", c ? "c" : "c++", "-c"});
+  append(words, {annotated ? overlay.compiled_path(rewrite::real_source(source)) : source.source, "-o", object});
+  return words;
+}
+
 Words unchanged_command(BuildRequest const &request, rewrite::Compilation const &source, std::string const &object) {
-  Words words = {request.compiler};
+  Words words = {is_c(source) ? request.c_compiler : request.compiler};
   append(words, unchanged_flags(source.flags));
   append(words, {"-w", "-x", is_c(source) ? "c" : "c++", "-c", source.source, "-o", object});
   return words;
@@ -108,8 +122,8 @@ Words linker_flags(BuildRequest const &request) {
 Words link_command(BuildRequest const &request, Variant variant, Words const &objects, std::string const &executable) {
   Words words = {request.compiler};
   Words const own = linker_flags(request);
-  if (variant == Variant::symbolic && !brings_allocator(own)) words.emplace_back("-Wl,-u,symreal_heap_hooks");
-  if (variant == Variant::replay) words.push_back("-rdynamic"); // generated code in it calls its external functions
+  if (variant != Variant::replay && !brings_allocator(own)) words.emplace_back("-Wl,-u,symreal_heap_hooks");
+  if (variant == Variant::original) words.push_back("-rdynamic"); // generated code in it calls its external functions
   append(words, objects);
   append(words, own);
   append(words, {runtime_library(), "-o", executable});
@@ -125,7 +139,8 @@ std::vector<Captured> run_all(std::vector<Command> const &commands) {
 } // namespace
 
 std::vector<std::string> build_programs(BuildRequest const &request, std::span<Variant const> variants,
-                                        Overlay const &overlay, Workspace const &workspace) {
+                                        Overlay const &rewritten, Overlay const &annotated,
+                                        Workspace const &workspace) {
   std::vector<Command> compilations, links;
   std::vector<std::string> executables;
   Words unchanged;
@@ -138,8 +153,10 @@ std::vector<std::string> build_programs(BuildRequest const &request, std::span<V
     Words objects;
     for (rewrite::Compilation const &source : request.sources) {
       objects.push_back(directory + "/" + std::to_string(objects.size()) + ".o");
-      compilations.push_back(
-          compiler_run(compile_command(request, variant, overlay, source, objects.back()), source.directory));
+      Words const command = is_rewritten(variant)
+                                ? compile_command(request, variant, rewritten, source, objects.back())
+                                : original_command(request, variant, annotated, source, objects.back());
+      compilations.push_back(compiler_run(command, source.directory));
     }
     append(objects, unchanged);
     executables.push_back(directory + "/program");
@@ -147,12 +164,17 @@ std::vector<std::string> build_programs(BuildRequest const &request, std::span<V
   }
 
   std::vector<Captured> compiled = run_all(compilations);
-  for (std::size_t i = 0; i < compiled.size(); ++i)
-    if (!compiled[i].outcome.success())
-      throw DiagnosticError(compiler_failure(compilations[i].arguments, compiled[i], overlay));
+  for (std::size_t i = 0; i < compiled.size(); ++i) {
+    if (compiled[i].outcome.success()) continue;
+    bool const as_rewritten =
+        i < request.unchanged.size() || is_rewritten(variants[(i - request.unchanged.size()) / request.sources.size()]);
+    throw DiagnosticError(as_rewritten ? compiler_failure(compilations[i].arguments, compiled[i], rewritten)
+                                       : compiler_failure(compilations[i].arguments, compiled[i], annotated,
+                                                          "as the original with its annotations"));
+  }
   std::vector<Captured> linked = run_all(links);
   for (std::size_t i = 0; i < linked.size(); ++i)
-    if (!linked[i].outcome.success()) throw DiagnosticError(linker_failure(links[i].arguments, linked[i], overlay));
+    if (!linked[i].outcome.success()) throw DiagnosticError(linker_failure(links[i].arguments, linked[i], rewritten));
   return executables;
 }
 

@@ -1,4 +1,5 @@
-// Builds the rewritten sources in one of their two annotated variants with the host's compiler.
+// Builds a program of the user's sources with the host's compilers: of the rewritten ones, or of the originals with
+// their annotations alone.
 #pragma once
 
 #include "program/overlay.h"
@@ -14,8 +15,9 @@ namespace symreal::program {
 
 enum class Variant {
   symbolic, // REAL is a RealNumber: running the program records its kernels
-  replay,   // REAL is double and the annotations are live: the original's numbers, on inputs of our choice
-  own_flags // replay with the user's own flags instead of those of the reference build
+  replay,   // the rewritten text, REAL is double and the annotations are live: shows what rewriting has changed
+  original, // the user's text with its annotations, in its own language and standard: the reference of verification
+  own_flags // the original with the user's own flags instead of those of the reference build
 };
 
 struct BuildRequest {
@@ -23,14 +25,18 @@ struct BuildRequest {
   std::vector<rewrite::Compilation> unchanged = {}; // sources that nothing rewrites: compiled as they are
   std::vector<std::string> link;                    // further words for the linker
   std::string type_name = rewrite::usual_type_name; // how the rewritten sources spell the number
-  std::string compiler = "c++";
+  std::string compiler = "c++", c_compiler = "cc";
 };
 
-// What becomes of the user's flags: options that change the numbers, choose outputs or turn warnings into errors go,
-// a C standard becomes a C++ one, and c++20 is the default. What changes the numbers stays in Variant::own_flags.
-std::vector<std::string> adapted_flags(std::vector<std::string> const &flags, Variant variant = Variant::replay);
+// What becomes of the user's flags where rewritten text is compiled: options that change the numbers, choose outputs or
+// turn warnings into errors go, a C standard becomes a C++ one, and c++20 is the default.
+std::vector<std::string> adapted_flags(std::vector<std::string> const &flags);
 
-// How a source is compiled in the variant, with the user's flags in it; needs the runtime's headers besides.
+// The same where the original is compiled: the standard stays, but for C++98, which gives way to C++11. What changes
+// the numbers stays in Variant::own_flags.
+std::vector<std::string> original_flags(std::vector<std::string> const &flags, Variant variant);
+
+// How a rewritten source is compiled in the variant, with the user's flags in it; needs the runtime's headers besides.
 std::vector<std::string> variant_flags(std::vector<std::string> const &flags, Variant variant);
 
 // A run of a compiler whose messages a program reads.
@@ -50,7 +56,8 @@ bool change_numbers(std::vector<std::string> const &flags);
 
 // Builds the program in each of the variants, two compilations at a time, and returns the paths of the executables in
 // the same order. Throws compiler_missing, build_failed or link_failed with places in the user's sources.
+// `rewritten` and `annotated`: the texts of the one and of the other two variants.
 std::vector<std::string> build_programs(BuildRequest const &request, std::span<Variant const> variants,
-                                        Overlay const &overlay, Workspace const &workspace);
+                                        Overlay const &rewritten, Overlay const &annotated, Workspace const &workspace);
 
 } // namespace symreal::program

@@ -82,7 +82,8 @@ std::vector<Note> first_lines(std::vector<std::string> const &lines) {
 
 } // namespace
 
-Diagnostic compiler_failure(std::vector<std::string> const &command, Captured const &result, Overlay const &overlay) {
+Diagnostic compiler_failure(std::vector<std::string> const &command, Captured const &result, Overlay const &overlay,
+                            std::string const &mode) {
   if (auto missing = did_not_start(command, result)) return *missing;
   static std::regex const error("([^:]+):([0-9]+):(?:([0-9]+):)? (?:fatal error|error): (.*)");
   Diagnostic diagnostic{DiagnosticId::build_failed, Severity::error, {}, ""};
@@ -107,7 +108,7 @@ Diagnostic compiler_failure(std::vector<std::string> const &command, Captured co
     }
   }
   if (!diagnostic.message.empty()) {
-    diagnostic.message = "the program does not compile in symbolic mode: " + diagnostic.message;
+    diagnostic.message = "the program does not compile " + mode + ": " + diagnostic.message;
     return diagnostic;
   }
   diagnostic.message = "the compiler '" + command[0] + "' failed";

@@ -74,6 +74,12 @@ std::string standard(std::string_view flag) {
   return gnu ? "-std=gnu++20" : "-std=c++20";
 }
 
+// The annotations need C++11.
+std::string with_annotations(std::string const &flag) {
+  bool const old = flag.ends_with("++98") || flag.ends_with("++03");
+  return old ? flag.substr(0, flag.size() - 2) + "11" : flag;
+}
+
 } // namespace
 
 bool change_numbers(std::vector<std::string> const &flags) {
@@ -95,23 +101,31 @@ std::vector<std::string> unchanged_flags(std::vector<std::string> const &flags) 
   return kept;
 }
 
-std::vector<std::string> adapted_flags(std::vector<std::string> const &flags, Variant variant) {
-  std::vector<std::string> adapted;
+static bool is_standard(std::string const &flag) { return flag.starts_with("-std=") || flag.starts_with("--std="); }
+
+std::vector<std::string> adapted_flags(std::vector<std::string> const &flags) {
+  std::vector<std::string> adapted = original_flags(flags, Variant::replay);
   bool has_standard = false;
-  for (std::size_t i = 0; i < flags.size(); ++i) {
-    std::string const &flag = flags[i];
-    Dropped const *row = find_dropped(flag);
-    bool kept = row && row->why == Why::numbers && variant == Variant::own_flags;
-    if (row && !kept) {
-      i += static_cast<std::size_t>(row->operands);
-      continue;
-    }
-    bool is_standard = flag.starts_with("-std=") || flag.starts_with("--std=");
-    has_standard |= is_standard;
-    adapted.push_back(is_standard ? standard(flag) : flag);
+  for (std::string &flag : adapted) {
+    if (!is_standard(flag)) continue;
+    has_standard = true;
+    flag = standard(flag);
   }
   if (!has_standard) adapted.push_back("-std=c++20");
   return adapted;
+}
+
+std::vector<std::string> original_flags(std::vector<std::string> const &flags, Variant variant) {
+  std::vector<std::string> kept;
+  for (std::size_t i = 0; i < flags.size(); ++i) {
+    std::string const &flag = flags[i];
+    Dropped const *row = find_dropped(flag);
+    if (row && !(row->why == Why::numbers && variant == Variant::own_flags))
+      i += static_cast<std::size_t>(row->operands);
+    else
+      kept.push_back(is_standard(flag) ? with_annotations(flag) : flag);
+  }
+  return kept;
 }
 
 } // namespace symreal::program

@@ -63,6 +63,30 @@ BuildRequest build_request(FrontRequest const &request, rewrite::Result const &r
   return build;
 }
 
+bool is_by_hand(rewrite::Result const &rewritten) {
+  return std::any_of(rewritten.kernels.begin(), rewritten.kernels.end(),
+                     [](rewrite::Kernel const &kernel) { return kernel.by_hand; });
+}
+
+void build(FrontRequest const &request, rewrite::Result const &rewritten, BuildRequest const &parts, Front &front) {
+  std::vector<std::pair<Variant, std::string Front::*>> wanted = {{Variant::symbolic, &Front::symbolic_program}};
+  if (request.replay) wanted.emplace_back(Variant::replay, &Front::replay_program);
+  if (request.replay && !is_by_hand(rewritten)) {
+    wanted.emplace_back(Variant::original, &Front::original_program);
+    if (std::any_of(parts.sources.begin(), parts.sources.end(),
+                    [](auto const &one) { return change_numbers(one.flags); }))
+      wanted.emplace_back(Variant::own_flags, &Front::own_flags_program);
+  }
+  Overlay annotated;
+  if (request.replay)
+    annotated = Overlay(rewrite::annotated_original(rewritten), front.workspace->directory("annotated"));
+  std::vector<Variant> variants;
+  for (auto const &[variant, program] : wanted) variants.push_back(variant);
+  std::vector<std::string> const executables =
+      build_programs(parts, variants, *front.overlay, annotated, *front.workspace);
+  for (std::size_t k = 0; k < wanted.size(); ++k) front.*wanted[k].second = executables[k];
+}
+
 } // namespace
 
 std::optional<Front> run_front(FrontRequest const &request, Talk const &talk) {
@@ -79,20 +103,12 @@ std::optional<Front> run_front(FrontRequest const &request, Talk const &talk) {
 
   talk.stage("building");
   front.workspace = std::make_unique<Workspace>(request.keep);
-  BuildRequest const build = build_request(request, rewritten);
+  BuildRequest const parts = build_request(request, rewritten);
   std::set<std::string> c_sources;
-  for (rewrite::Compilation const &source : build.sources)
+  for (rewrite::Compilation const &source : parts.sources)
     if (is_c(source)) c_sources.insert(rewrite::real_source(source));
   front.overlay = std::make_unique<Overlay>(rewritten, front.workspace->directory("overlay"), std::move(c_sources));
-  std::vector<Variant> variants = {Variant::symbolic};
-  if (request.replay) variants.push_back(Variant::replay);
-  bool own_flags = request.replay && std::any_of(build.sources.begin(), build.sources.end(),
-                                                 [](auto const &one) { return change_numbers(one.flags); });
-  if (own_flags) variants.push_back(Variant::own_flags);
-  std::vector<std::string> executables = build_programs(build, variants, *front.overlay, *front.workspace);
-  front.symbolic_program = executables.front();
-  if (request.replay) front.replay_program = executables[1];
-  if (own_flags) front.own_flags_program = executables[2];
+  build(request, rewritten, parts, front);
   front.build_seconds = watch.lap();
 
   talk.stage("recording");

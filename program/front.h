@@ -1,7 +1,8 @@
 // The front half of every run on sources:
 //
 //   sources ──rewrite──▶ overlay ──build──▶ symbolic program ──run──▶ recorded graphs
-//                           └─────build──▶ replay program (for verification)
+//                           └─────build──▶ replay program
+//           └──annotations alone────build──▶ original program (both for verification)
 #pragma once
 
 #include "program/compile.h"
@@ -33,6 +34,7 @@ struct Front {
   std::unique_ptr<Workspace> workspace; // holds the executables
   std::unique_ptr<Overlay> overlay;
   std::string symbolic_program, replay_program;
+  std::string original_program;  // empty for a main that was written by hand with REAL: the replay is its original
   std::string own_flags_program; // empty when the user's flags do not change the numbers
   std::vector<Recorded> kernels; // at least one, names distinct
   std::vector<std::string> read; // the files that it was made from

@@ -73,9 +73,10 @@ struct Replay::Server {
   }
 };
 
-Replay::Replay(std::string const &executable, RunOptions const &options, std::string const &begun_as,
+Replay::Replay(std::string what, std::string const &executable, RunOptions const &options, std::string const &begun_as,
                Graph const &graph, Workspace const &workspace, GeneratedCode const *code)
-    : server_(std::make_unique<Server>()) {
+    : what_(std::move(what)),
+      server_(std::make_unique<Server>()) {
   std::signal(SIGPIPE, SIG_IGN); // the program may end at any moment
   if (!graph.inputs.empty()) place_ = graph.inputs.front().place;
   std::string file = workspace.file(std::filesystem::path(executable).parent_path().filename().string() + "-samples");
@@ -112,16 +113,16 @@ void Replay::ask(replay::Command command, Sample const &sample) {
   bool asked = write(server.commands, &command, sizeof command) == sizeof command;
   int patience = static_cast<int>(head->seconds + 5) * 1000;
   if (!asked || poll(&answer, 1, patience) != 1 || read(server.answers, &status, sizeof status) != sizeof status)
-    fail(DiagnosticId::replay_failed, place_, "the original program did not reach its kernel again");
+    fail(DiagnosticId::replay_failed, place_, what_ + " did not reach its kernel again");
   if (WIFSIGNALED(status) && WTERMSIG(status) == SIGALRM)
-    fail(DiagnosticId::replay_failed, place_, "the original's kernel does not end on a sample within the time limit");
+    fail(DiagnosticId::replay_failed, place_, what_ + " does not end its kernel on a sample within the time limit");
   if (WIFSIGNALED(status))
     fail(DiagnosticId::replay_failed, place_,
-         fmt::format("the original's kernel was ended by signal {} ({}) on a sample", WTERMSIG(status),
+         fmt::format("{} was ended by signal {} ({}) on a sample", what_, WTERMSIG(status),
                      strsignal(WTERMSIG(status))));
   if (head->state != replay::State::complete)
     fail(DiagnosticId::replay_failed, place_,
-         "on a sample the original met other annotations than it was recorded with");
+         "on a sample " + what_ + " met other annotations than it was recorded with");
 }
 
 std::vector<double> Replay::outputs() const {
@@ -132,6 +133,10 @@ std::vector<double> Replay::outputs() const {
 std::vector<double> Replay::run(Sample const &sample) {
   ask(replay::Command::original, sample);
   return outputs();
+}
+
+std::vector<replay::LeftBehind> Replay::left_behind() const {
+  return {server_->head->left, server_->head->left + server_->head->left_count};
 }
 
 GeneratedCode::Result Replay::run_generated(Sample const &sample) {

@@ -1,4 +1,5 @@
-// The client of the replay program: runs a kernel of the original, in numbers, on inputs of our choice.
+// The client of a replay program, that of the original or of the rewritten text: runs a kernel, in numbers, on inputs
+// of our choice.
 #pragma once
 
 #include "graph/evaluate.h"
@@ -14,16 +15,19 @@ namespace symreal::program {
 
 class Replay {
 public:
-  // Starts the program. `begun_as`: the name under which the kernel begins.
+  // Starts the program. `what` it is, in words; `begun_as`: the name under which the kernel begins.
   // With `code` it also runs that, and the graph, in the program.
-  Replay(std::string const &executable, RunOptions const &options, std::string const &begun_as, Graph const &graph,
-         Workspace const &workspace, GeneratedCode const *code = nullptr);
+  Replay(std::string what, std::string const &executable, RunOptions const &options, std::string const &begun_as,
+         Graph const &graph, Workspace const &workspace, GeneratedCode const *code = nullptr);
   ~Replay();
   Replay(Replay const &) = delete;
   Replay &operator=(Replay const &) = delete;
 
-  // The outputs of the original. Throws replay_failed when the kernel does not end on this sample.
+  // The outputs of the kernel. Throws replay_failed when the kernel does not end on this sample.
   std::vector<double> run(Sample const &sample);
+  // What the kernel left, on the last sample that it ran on, in memory that outlives it and is no output; of the
+  // original only.
+  std::vector<replay::LeftBehind> left_behind() const;
   GeneratedCode::Result run_generated(Sample const &sample);
   Evaluation run_graph(Sample const &sample);
 
@@ -32,6 +36,7 @@ private:
   void ask(replay::Command command, Sample const &sample);
   std::vector<double> outputs() const;
 
+  std::string what_;
   std::unique_ptr<Server> server_;
   Place place_; // of the kernel, for diagnostics
 };

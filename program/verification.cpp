@@ -6,10 +6,11 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <llvm/Demangle/Demangle.h>
 
 namespace symreal::program {
 
-std::size_t Verification::different() const {
+std::size_t count_different(std::vector<OutputComparison> const &outputs) {
   return static_cast<std::size_t>(std::count_if(outputs.begin(), outputs.end(),
                                                 [](OutputComparison const &output) { return output.different != 0; }));
 }
@@ -29,61 +30,123 @@ Recorded const &require_match(std::vector<Recorded> const &kernels, Banner const
   return *found;
 }
 
+namespace {
+
+// An object that is left changed, in words. On the stack and the heap only its place tells one from another.
+std::string describe(replay::LeftBehind const &left) {
+  switch (left.region) {
+  case memory::Region::static_object: return "'" + llvm::demangle(left.name) + "'";
+  case memory::Region::heap_block: return fmt::format("a block of {} bytes on the heap", left.size);
+  case memory::Region::stack: return "a variable of a calling function";
+  }
+  return {};
+}
+
+class Verifier {
+public:
+  Verifier(Front const &front, RunOptions const &run, Recorded const &recorded, std::string const &path,
+           Banner const &banner, VerificationOptions const &options)
+      : options_(options),
+        graph_(recorded.graph),
+        banner_(banner),
+        code_(path, banner, graph_, *front.workspace),
+        source_(graph_, options.seed) {
+    bool const by_hand = front.original_program.empty();
+    auto const start = [&](std::optional<Replay> &program, char const *what, std::string const &executable,
+                           GeneratedCode const *code) {
+      program.emplace(what, executable, run, recorded.begun_as, graph_, *front.workspace, code);
+    };
+    start(original_, "the original", by_hand ? front.replay_program : front.original_program,
+          code_.needs_program() ? &code_ : nullptr);
+    if (!by_hand) start(rewritten_, "the rewritten program", front.replay_program, nullptr);
+    if (!front.own_flags_program.empty())
+      start(own_flags_, "the original with its own flags", front.own_flags_program, nullptr);
+    result_.mode = banner.mode;
+    result_.outputs.resize(graph_.output_count());
+    result_.rewritten.resize(graph_.output_count());
+    for (std::size_t number = 1; number <= banner.guards; ++number)
+      result_.guards.push_back({code_.guard_text(number), 0, {}});
+    if (own_flags_) result_.own_flags_ulp.resize(graph_.output_count());
+  }
+
+  Verification run() {
+    for (std::size_t k = 0; k < options_.samples; ++k) try_sample(k, source_.next());
+    return std::move(result_);
+  }
+
+private:
+  void try_sample(std::size_t k, Sample const &sample) {
+    bool const in_program = code_.needs_program();
+    Evaluation const evaluated =
+        in_program ? original_->run_graph(sample) : evaluate_sample(graph_, sample.inputs, sample.parameters);
+    GeneratedCode::Result const computed =
+        in_program ? original_->run_generated(sample) : code_.run(sample.inputs, sample.parameters);
+    // What the functions that it calls have left, as those of the original do.
+    left_by_generated_ = in_program ? original_->left_behind() : std::vector<replay::LeftBehind>();
+    Premises const &premises = evaluated.premises;
+    bool const inside = premises.defined && (banner_.mode == FloatingPoint::strict || premises.hold());
+    if (!premises.defined)
+      ++result_.undefined;
+    else if (!inside)
+      ++(premises.finite ? result_.zero_sign : result_.not_finite);
+    result_.samples.push_back(sample);
+    if (inside) check_guards(graph_, evaluated.failing_guard, computed, k, result_);
+    // Beyond a guard the original goes where the recording has not been, and nothing is promised.
+    if (evaluated.failing_guard < graph_.guards.size() || computed.failed != 0 || !premises.defined) return;
+    std::vector<double> const original = original_->run(sample);
+    if (inside)
+      compare(k, sample, original, computed.outputs, evaluated.outputs);
+    else
+      result_.outside_different += !all_same(original, computed.outputs);
+    result_.inside += inside;
+  }
+
+  void compare(std::size_t k, Sample const &sample, std::vector<double> const &original,
+               std::vector<double> const &generated, std::vector<double> const &recorded) {
+    for (replay::LeftBehind const &left : original_->left_behind())
+      if (std::find(left_by_generated_.begin(), left_by_generated_.end(), left) == left_by_generated_.end())
+        add_left(describe(left));
+    for (std::size_t slot = 0; slot < original.size(); ++slot)
+      result_.outputs[slot].add(k, original[slot], generated[slot], banner_.mode, options_.tolerance);
+    result_.graph_different += !all_same(original, recorded);
+    if (rewritten_) {
+      std::vector<double> const rewritten = rewritten_->run(sample);
+      for (std::size_t slot = 0; slot < original.size(); ++slot)
+        result_.rewritten[slot].add(k, original[slot], rewritten[slot], FloatingPoint::strict, 0);
+    }
+    if (own_flags_) {
+      std::vector<double> const own = own_flags_->run(sample);
+      for (std::size_t slot = 0; slot < own.size(); ++slot)
+        result_.own_flags_ulp[slot] = std::max(result_.own_flags_ulp[slot], ulp_distance(own[slot], generated[slot]));
+    }
+  }
+
+  static bool all_same(std::vector<double> const &one, std::vector<double> const &other) {
+    return std::equal(one.begin(), one.end(), other.begin(), other.end(),
+                      [](double a, double b) { return same(a, b, FloatingPoint::strict, 0); });
+  }
+
+  void add_left(std::string const &name) {
+    for (LeftState &one : result_.left)
+      if (one.name == name) return void(++one.samples);
+    result_.left.push_back({name, 1});
+  }
+
+  VerificationOptions const &options_;
+  Graph const &graph_;
+  Banner const &banner_;
+  GeneratedCode code_;
+  SampleSource source_;
+  std::optional<Replay> original_, rewritten_, own_flags_;
+  std::vector<replay::LeftBehind> left_by_generated_;
+  Verification result_;
+};
+
+} // namespace
+
 Verification verify(Front const &front, RunOptions const &run, Recorded const &recorded, std::string const &path,
                     Banner const &banner, VerificationOptions const &options) {
-  Graph const &graph = recorded.graph;
-  GeneratedCode code(path, banner, graph, *front.workspace);
-  Replay replay(front.replay_program, run, recorded.begun_as, graph, *front.workspace,
-                code.needs_program() ? &code : nullptr);
-  std::optional<Replay> own_flags;
-  if (!front.own_flags_program.empty())
-    own_flags.emplace(front.own_flags_program, run, recorded.begun_as, graph, *front.workspace);
-  SampleSource source(graph, options.seed);
-  Verification result;
-  result.mode = banner.mode;
-  result.outputs.resize(graph.output_count());
-  for (std::size_t number = 1; number <= banner.guards; ++number)
-    result.guards.push_back({code.guard_text(number), 0, {}});
-  if (own_flags) result.own_flags_ulp.resize(graph.output_count());
-
-  for (std::size_t k = 0; k < options.samples; ++k) {
-    Sample sample = source.next();
-    Evaluation const evaluated =
-        code.needs_program() ? replay.run_graph(sample) : evaluate_sample(graph, sample.inputs, sample.parameters);
-    GeneratedCode::Result const computed =
-        code.needs_program() ? replay.run_generated(sample) : code.run(sample.inputs, sample.parameters);
-    std::vector<double> const &generated = computed.outputs;
-    Premises const &premises = evaluated.premises;
-    bool inside = premises.defined && (banner.mode == FloatingPoint::strict || premises.hold());
-    if (!premises.defined)
-      ++result.undefined;
-    else if (!inside)
-      ++(premises.finite ? result.zero_sign : result.not_finite);
-    std::size_t const failing = evaluated.failing_guard;
-    result.samples.push_back(sample);
-    if (inside) check_guards(graph, failing, computed, k, result);
-    // Beyond a guard the original goes where the recording has not been, and nothing is promised.
-    if (failing < graph.guards.size() || computed.failed != 0 || !premises.defined) continue;
-    std::vector<double> original = replay.run(sample);
-    bool graph_same = true, outside_same = true;
-    for (std::size_t slot = 0; slot < original.size(); ++slot) {
-      if (inside) {
-        result.outputs[slot].add(k, original[slot], generated[slot], banner.mode, options.tolerance);
-        graph_same &= same(original[slot], evaluated.outputs[slot], FloatingPoint::strict, 0);
-      } else {
-        outside_same &= same(original[slot], generated[slot], FloatingPoint::strict, 0);
-      }
-    }
-    if (own_flags && inside) {
-      std::vector<double> own = own_flags->run(sample);
-      for (std::size_t slot = 0; slot < own.size(); ++slot)
-        result.own_flags_ulp[slot] = std::max(result.own_flags_ulp[slot], ulp_distance(own[slot], generated[slot]));
-    }
-    result.inside += inside;
-    result.outside_different += !outside_same;
-    result.graph_different += !graph_same;
-  }
-  return result;
+  return Verifier(front, run, recorded, path, banner, options).run();
 }
 
 } // namespace symreal::program

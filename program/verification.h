@@ -1,4 +1,4 @@
-// The proof by samples: the replayed original against the generated code.
+// The proof by samples: the original against the generated code, and against the rewritten text that was recorded.
 #pragma once
 
 #include "program/front.h"
@@ -27,6 +27,12 @@ struct GuardMismatch {
   std::string expected, found;
 };
 
+// An object that outlives the kernel, that the original leaves changed, and that is no output.
+struct LeftState {
+  std::string name;    // in words
+  std::size_t samples; // on which it is
+};
+
 struct Verification {
   FloatingPoint mode = FloatingPoint::finite;
   std::size_t inside = 0;                    // samples that satisfy the premises of the mode and all guards
@@ -37,14 +43,17 @@ struct Verification {
   std::size_t outside_different = 0;         // samples outside that differ in some output, not an error
   std::size_t graph_different = 0; // samples inside on which the recorded graph itself differs from the original
   std::vector<Sample> samples;     // all that were drawn
+  std::vector<OutputComparison> rewritten; // per slot, the rewritten text against the original: equal to the last bit
+  std::vector<LeftState> left;
 
   std::vector<GuardCheck> guards;              // of the generated code, in order
   std::size_t refused = 0;                     // samples within the premises on which one does not hold
   std::size_t guards_different = 0;            // samples on which the code decided otherwise than it should
   std::optional<GuardMismatch> guard_mismatch; // the first of them
-
-  std::size_t different() const; // outputs that differ
 };
+
+// Outputs that differ on some sample.
+std::size_t count_different(std::vector<OutputComparison> const &outputs);
 
 // `code` must belong to `recorded`; see require_match.
 Verification verify(Front const &front, RunOptions const &run, Recorded const &recorded, std::string const &path,

@@ -1,6 +1,7 @@
 #include "rewrite/decide.h"
 
 #include "rewrite/compose.h"
+#include "rewrite/original_text.h"
 #include "rewrite/pragma_text.h"
 #include "rewrite/scan_text.h"
 #include "rewrite/text_calls.h"
@@ -235,6 +236,18 @@ Place place_in(FileFact const &file, std::size_t offset) {
           static_cast<unsigned>(offset - (line_start == std::string::npos ? 0 : line_start + 1)) + 1};
 }
 
+Result annotated_original(Result const &result) {
+  Result original;
+  original.include_dirs = result.include_dirs;
+  for (File const &file : result.files) {
+    if (file.annotations.empty()) continue;
+    File &annotated = original.files.emplace_back(file);
+    annotated.edits = file.annotations;
+    annotated.text = apply_edits(file.original, file.annotations);
+  }
+  return original;
+}
+
 Result decide(Facts facts, Request const &request) {
   Result result;
   result.include_dirs = std::move(facts.include_dirs);
@@ -272,7 +285,7 @@ Result decide(Facts facts, Request const &request) {
     std::string text = apply_edits(file.text, edits);
     std::vector<Spelling> entries = ledger.entries(path, edits);
     result.files.push_back({path, file.display_path, file.text, std::move(text), std::move(edits), std::move(entries),
-                            file.compiled_name});
+                            file.compiled_name, original_edits(facts, path)});
   }
   return result;
 }

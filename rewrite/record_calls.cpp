@@ -84,6 +84,7 @@ void Recorder::symbolic_main(CallExpr const *call, FunctionDecl const *function)
   Place const place = map_.place(call->getBeginLoc());
   facts_.by_hand.push_back({.name = {},
                             .is_function = false,
+                            .by_hand = true,
                             .place = place,
                             .output_file = name->getString().str(),
                             .signature = {},

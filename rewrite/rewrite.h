@@ -118,6 +118,7 @@ struct File {
   std::vector<Edit> edits;
   std::vector<Spelling> ledger = {};
   std::string compiled_name = {}; // as __FILE__ has it
+  std::vector<Edit> annotations = {}; // those that leave the original with its annotations alone; may be none
 };
 
 // One dimension of an array section [low:length], in the source's own words.
@@ -138,6 +139,7 @@ struct Annotation {
 struct Kernel {
   std::string name;
   bool is_function = false;
+  bool by_hand = false; // by calls of <symreal/symbolic_main.h>
   Place place;
   std::string output_file; // the name in generate("..."), else empty
   std::string signature;   // of the function, in the source's own words without its body, else empty
@@ -201,6 +203,10 @@ struct Result {
   std::vector<std::string> left_out; // sources that do not compile, if the request allows it
   std::vector<Diagnostic> diagnostics;
 };
+
+// The files with annotations, each with these alone: what verification compiles as the original. `kernels` and the like
+// are left out.
+Result annotated_original(Result const &result);
 
 // Throws DiagnosticError only for a source that cannot be read; all else is found in Result::diagnostics.
 Result run(Request const &request);

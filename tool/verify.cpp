@@ -43,6 +43,7 @@ int run(CLI::App &command, Options &options, Session &session) {
          "--tol is for code of mode fast; this is of mode " + std::string(to_string(banner.mode)));
   Console console;
   program::FrontRequest request = source.request(session.flags);
+  if (!options.numeric.c_compiler.empty()) request.build.c_compiler = options.numeric.c_compiler;
   request.replay = true;
   request.run.decisions = banner.decisions;
   request.run.floating_point = to_string(banner.mode);

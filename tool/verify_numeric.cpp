@@ -12,7 +12,7 @@ void NumericOptions::add_to(CLI::App &app) {
   app.add_flag("--numeric", enabled,
                "Instead compare the object code of all sources before and after the rewriting, without the switch");
   app.add_option("--cc", c_compiler,
-                 "With --numeric: compiler of sources that end in .c; by default that of their build, or cc");
+                 "Compiler of sources that end in .c; by default cc, with --numeric that of their build");
 }
 
 int verify_numeric(CLI::App const &command, NumericOptions const &options, ProjectOptions const &project,

@@ -19,9 +19,9 @@ std::string ulp_text(std::uint64_t distance) {
 }
 
 // The element of an object that is worst: one that differs before one that does not, then by distance.
-std::uint32_t worst_element(Object const &object, program::Verification const &verification) {
+std::uint32_t worst_element(Object const &object, std::vector<OutputComparison> const &outputs) {
   auto key = [&](std::uint32_t element) {
-    OutputComparison const &output = verification.outputs[object.first + element];
+    OutputComparison const &output = outputs[object.first + element];
     return std::pair(output.different != 0, output.worst_ulp);
   };
   std::uint32_t worst = 0;
@@ -30,8 +30,8 @@ std::uint32_t worst_element(Object const &object, program::Verification const &v
   return worst;
 }
 
-std::size_t different_elements(Object const &object, program::Verification const &verification) {
-  auto first = verification.outputs.begin() + object.first;
+std::size_t different_elements(Object const &object, std::vector<OutputComparison> const &outputs) {
+  auto first = outputs.begin() + object.first;
   return static_cast<std::size_t>(
       std::count_if(first, first + object.count, [](OutputComparison const &output) { return output.different != 0; }));
 }
@@ -49,18 +49,46 @@ std::string list(std::vector<double> const &values) {
   return values.size() > most ? text + ", ..." : text;
 }
 
-std::string first_difference(Graph const &graph, program::Verification const &verification) {
+// Of the first object that differs, the element that is worst. `what` stands against the original.
+std::string first_difference(Graph const &graph, program::Verification const &verification,
+                             std::vector<OutputComparison> const &outputs, std::string_view what) {
   std::vector<std::string> names = identifiers(graph.outputs);
   for (std::size_t i = 0; i < graph.outputs.size(); ++i) {
     Object const &object = graph.outputs[i];
-    if (different_elements(object, verification) == 0) continue;
-    std::uint32_t element = worst_element(object, verification);
-    OutputComparison const &worst = verification.outputs[object.first + element];
-    return fmt::format("{}: original {}, generated {}, {} ULP apart, inputs {}",
-                       element_name(names[i], object, element), shortest(worst.original), shortest(worst.generated),
-                       ulp_text(worst.worst_ulp), list(verification.samples[worst.worst_sample].inputs));
+    if (different_elements(object, outputs) == 0) continue;
+    std::uint32_t element = worst_element(object, outputs);
+    OutputComparison const &worst = outputs[object.first + element];
+    return fmt::format("{}: original {}, {} {}, {} ULP apart, inputs {}", element_name(names[i], object, element),
+                       shortest(worst.original), what, shortest(worst.generated), ulp_text(worst.worst_ulp),
+                       list(verification.samples[worst.worst_sample].inputs));
   }
   return {};
+}
+
+// A fault of the rewriter: nothing else can be told apart from it.
+std::optional<Diagnostic> rewriting_failure(Graph const &graph, program::Verification const &verification) {
+  std::size_t const count = program::count_different(verification.rewritten);
+  if (count == 0) return {};
+  return Diagnostic{DiagnosticId::rewriting_mismatch,
+                    Severity::error,
+                    graph.outputs.front().place,
+                    fmt::format("kernel '{}': {} of {} outputs of the rewritten program differ from the original's",
+                                graph.kernel, count, verification.rewritten.size()),
+                    {{{}, first_difference(graph, verification, verification.rewritten, "rewritten")}}};
+}
+
+std::optional<Diagnostic> state_failure(Graph const &graph, program::Verification const &verification) {
+  if (verification.left.empty()) return {};
+  Diagnostic diagnostic{DiagnosticId::state_left_behind, Severity::error, graph.outputs.front().place, ""};
+  for (program::LeftState const &left : verification.left) {
+    std::string const text = fmt::format("the original leaves {} changed, on {} sample{}", left.name, left.samples,
+                                         left.samples == 1 ? "" : "s");
+    if (diagnostic.message.empty())
+      diagnostic.message = fmt::format("kernel '{}': {}", graph.kernel, text);
+    else
+      diagnostic.notes.push_back({{}, text});
+  }
+  return diagnostic;
 }
 
 void print_guards(std::ostream &out, program::Verification const &verification) {
@@ -111,10 +139,10 @@ void print_verification(std::ostream &out, Graph const &graph, program::Verifica
   for (std::size_t i = 0; i < graph.outputs.size(); ++i) {
     Object const &object = graph.outputs[i];
     if (object.count == 0) continue;
-    std::uint32_t element = worst_element(object, verification);
+    std::uint32_t element = worst_element(object, verification.outputs);
     fmt::print(out, "  {:<28}{:>10}{:>22}{:>12}{}\n", element_name(names[i], object, element), object.count,
                ulp_text(verification.outputs[object.first + element].worst_ulp),
-               different_elements(object, verification),
+               different_elements(object, verification.outputs),
                own_flags ? fmt::format("{:>22}", own_flags_ulp(object, verification)) : "");
   }
 }
@@ -139,6 +167,10 @@ Json to_json(Graph const &graph, program::Verification const &verification) {
         json["outputs"].back()["own_flags_ulp"] = verification.own_flags_ulp[object.first + element];
     }
   if (!verification.guards.empty()) json["refused"] = verification.refused;
+  json["rewritten_different"] = program::count_different(verification.rewritten);
+  json["left_behind"] = Json::array();
+  for (program::LeftState const &left : verification.left)
+    json["left_behind"].push_back({{"name", left.name}, {"samples", left.samples}});
   for (program::GuardCheck const &guard : verification.guards)
     json["guards"].push_back({{"text", guard.text}, {"failed", guard.failed}});
   return json;
@@ -146,10 +178,11 @@ Json to_json(Graph const &graph, program::Verification const &verification) {
 
 std::optional<Diagnostic> verification_failure(Graph const &graph, program::Verification const &verification,
                                                program::VerificationOptions const &options, std::string const &file) {
-  if (std::size_t count = verification.different()) {
+  if (auto failure = rewriting_failure(graph, verification)) return failure;
+  if (std::size_t count = program::count_different(verification.outputs)) {
     Diagnostic diagnostic{DiagnosticId::verification_mismatch, Severity::error, {file}, ""};
     diagnostic.message = fmt::format("{} of {} outputs differ from the original", count, verification.outputs.size());
-    diagnostic.notes.push_back({{}, first_difference(graph, verification)});
+    diagnostic.notes.push_back({{}, first_difference(graph, verification, verification.outputs, "generated")});
     if (verification.graph_different != 0)
       diagnostic.notes.push_back({{},
                                   fmt::format("on {} samples the graph as recorded, before any pass, differs from "
@@ -164,6 +197,7 @@ std::optional<Diagnostic> verification_failure(Graph const &graph, program::Veri
                       fmt::format("on {} samples the code does not return the guard that does not hold",
                                   verification.guards_different),
                       {{{}, guard_difference(verification)}}};
+  if (auto failure = state_failure(graph, verification)) return failure;
   if (verification.inside < std::min(options.min_samples, options.samples))
     return Diagnostic{DiagnosticId::too_few_samples,
                       Severity::error,

@@ -81,6 +81,13 @@ char const *MemoryImage::before(void const *address) const {
   return part ? bytes_.data() + part->saved + (static_cast<char const *>(address) - part->begin) : nullptr;
 }
 
+void MemoryImage::update(void const *begin, std::size_t size) {
+  if (Part const *part = part_at(begin)) {
+    auto const offset = static_cast<std::size_t>(static_cast<char const *>(begin) - part->begin);
+    std::memcpy(bytes_.data() + part->saved + offset, begin, std::min(size, part->size - offset));
+  }
+}
+
 void MemoryImage::compare(Part const &part, std::vector<Known> const &known, std::vector<Change> &changes) const {
   char const *saved = bytes_.data() + part.saved;
   if (std::memcmp(part.begin, saved, part.size) == 0) return;

@@ -32,6 +32,9 @@ public:
   // `frame`: of the function in which the kernel begins (__builtin_frame_address(0)); null: no stack.
   static MemoryImage capture(void const *frame);
 
+  // What lies there now counts as if it had lain there then.
+  void update(void const *begin, std::size_t size);
+
   // What has changed since, but for what is known. What the heap has given back, and an object that was initialised
   // on its first use, is left out.
   std::vector<Change> changes(std::vector<Known> known) const;

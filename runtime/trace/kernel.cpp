@@ -14,8 +14,17 @@ Kernel &Kernel::current() {
   return *kernel;
 }
 
+static std::unique_ptr<Sink> make_sink(detail::Program program) {
+  switch (program) {
+  case detail::Program::symbolic: return make_recorder();
+  case detail::Program::replay: return make_replay();
+  case detail::Program::original: return make_original();
+  }
+  internal_failure("a program has a sink", __FILE__, __LINE__);
+}
+
 void Kernel::begin(detail::Program program, std::string const &name, SourcePlace place) {
-  if (!sink_) sink_ = program == detail::Program::symbolic ? make_recorder() : make_replay();
+  if (!sink_) sink_ = make_sink(program);
   name_ = name;
   begun_at_ = where(place);
   sink_->begin(name, place.frame);

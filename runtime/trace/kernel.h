@@ -1,4 +1,4 @@
-// The life of a kernel, shared by symbolic and replay programs.
+// The life of a kernel, shared by symbolic, replay and original programs.
 //
 //   region:    none ──first input──▶ region ──generate──▶ none
 //   function:  none ──call──▶ entering ──inputs met──▶ inside ──return──▶ leaving ──outputs met──▶ none
@@ -18,7 +18,7 @@
 
 namespace symreal::trace {
 
-// What a kernel's annotations are for: recording, or replay.
+// What a kernel's annotations are for: recording, or running it again on other inputs.
 class Sink {
 public:
   virtual ~Sink() = default;
@@ -26,6 +26,10 @@ public:
   virtual void begin(std::string const &name, void const *frame) = 0;
   virtual void begin_object(Kind kind, std::string const &label, Place const &place) = 0;
   virtual void element(void *number, bool is_temporary) = 0;
+  // The bytes of a constant or scratch object, where nothing tells its numbers.
+  virtual void bytes(void const *, std::size_t) {}
+  // An object that holds annotated numbers, maybe elsewhere.
+  virtual void holder(void const *, std::size_t) {}
   virtual void end_object(std::vector<std::size_t> extents) = 0;
   virtual void set_range(double low, double high) = 0;
   // `place`: where the kernel ends, or a function kernel's pragma.
@@ -36,6 +40,7 @@ public:
 
 std::unique_ptr<Sink> make_recorder();
 std::unique_ptr<Sink> make_replay();
+std::unique_ptr<Sink> make_original();
 
 class Kernel {
 public:

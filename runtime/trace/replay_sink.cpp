@@ -8,7 +8,7 @@ namespace {
 
 class Replay final : public Sink {
 public:
-  void begin(std::string const &name, void const *) override { replay::replay_begin(name); }
+  void begin(std::string const &name, void const *) override { (void)replay::replay_begin(name); }
   void begin_object(Kind kind, std::string const &, Place const &) override { kind_ = kind; }
   void element(void *number, bool) override {
     auto *real = static_cast<double *>(number);

@@ -14,15 +14,29 @@
 #pragma once
 
 #include "graph/evaluate.h"
+#include "memory/memory_image.h"
 
 #include <cstddef>
 #include <cstdint>
+#include <string_view>
 
 namespace symreal::replay {
 
 enum class State : std::uint32_t { begun, complete, wrong_shape };
 
 enum class Command : char { original = 'o', generated = 'c', graph = 'g' };
+
+// What the original's kernel has left in memory that outlives it, and that is no output.
+struct LeftBehind {
+  std::uint64_t size, first, end; // of the object, and of the bytes in it that changed
+  std::uint64_t now;              // a hash of what they are now
+  memory::Region region;
+  char name[183]; // as the linker knows it, cut where it is longer
+  bool operator==(LeftBehind const &other) const {
+    return size == other.size && first == other.first && end == other.end && now == other.now &&
+           std::string_view(name) == other.name;
+  }
+};
 
 // The head of the shared file; inputs, parameters and outputs follow as doubles.
 struct Head {
@@ -34,6 +48,8 @@ struct Head {
   std::uint32_t failing_guard;               // of the graph: the first that does not hold
   Premises premises;
   std::uint8_t unused;
+  std::uint32_t left_count, unused_too;
+  LeftBehind left[16];
 };
 static_assert(sizeof(Head) % sizeof(double) == 0);
 

@@ -3,9 +3,11 @@
 #include "verify/replay_code.h"
 #include "verify/replay_protocol.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <fcntl.h>
+#include <iterator>
 #include <string>
 #include <sys/mman.h>
 #include <sys/stat.h>
@@ -44,12 +46,27 @@ Head *map(std::string const &file) {
   return memory == MAP_FAILED ? nullptr : static_cast<Head *>(memory);
 }
 
+void tell_left(Head &head, std::vector<memory::Change> const &changes) {
+  head.left_count = static_cast<std::uint32_t>(std::min(changes.size(), std::size(head.left)));
+  for (std::size_t k = 0; k < head.left_count; ++k) {
+    memory::Change const &change = changes[k];
+    LeftBehind &left = head.left[k];
+    left.region = change.region;
+    left.size = change.size;
+    left.first = change.first;
+    left.end = change.end;
+    left.now = std::hash<std::string_view>()({change.object + change.first, change.end - change.first});
+    left.name[change.name.copy(left.name, sizeof left.name - 1)] = 0;
+  }
+}
+
 // Returns in the forks only.
-void serve(Connection const &connection, Head *head) {
+void serve(Connection const &connection, Head *head, Memory const &memory) {
   std::fflush(nullptr); // once, not in every fork
   ReplayCode const code;
   for (Command command; read(connection.commands, &command, 1) == 1;) {
     head->state = State::begun;
+    head->left_count = 0;
     pid_t child = fork();
     if (child == 0) {
       close(connection.commands);
@@ -57,6 +74,7 @@ void serve(Connection const &connection, Head *head) {
       alarm(head->seconds);
       if (command == Command::original) return;
       command == Command::generated ? code.run_generated(*head) : code.run_graph(*head);
+      tell_left(*head, memory.changes());
       head->state = State::complete;
       _exit(0);
     }
@@ -79,14 +97,16 @@ void give(double *number, double const *values, std::uint32_t &met, std::uint32_
 
 } // namespace
 
-void replay_begin(std::string_view kernel) {
+bool replay_begin(std::string_view kernel, Memory const &memory) {
   char const *address = std::getenv("SYMREAL_REPLAY"), *wanted = std::getenv("SYMREAL_REPLAY_KERNEL");
   Connection connection;
-  if (shared || !address || !wanted || kernel != wanted || !parse(address, connection)) return;
+  if (shared || !address || !wanted || kernel != wanted || !parse(address, connection)) return false;
   Head *head = map(connection.file);
   if (!head) std::abort();
-  serve(connection, head);
+  memory.prepare();
+  serve(connection, head, memory);
   shared = head;
+  return true;
 }
 
 void replay_input(double *number) {
@@ -101,6 +121,10 @@ void replay_output(double value) {
   if (!shared) return;
   if (outputs_met == shared->output_count) finish(State::wrong_shape);
   shared_outputs(shared)[outputs_met++] = value;
+}
+
+void replay_left(std::vector<memory::Change> const &changes) {
+  if (shared) tell_left(*shared, changes);
 }
 
 void replay_end() {

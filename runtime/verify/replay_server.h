@@ -3,18 +3,31 @@
 // for every other kernel, all of this does nothing, and the program runs on as the original would.
 #pragma once
 
+#include "memory/memory_image.h"
+
+#include <functional>
 #include <string_view>
 
 namespace symreal::replay {
 
-// At the first annotation. Returns in the forks only.
-void replay_begin(std::string_view kernel);
+// What else a program tells of its memory.
+struct Memory {
+  std::function<void()> prepare = [] {}; // before the first fork
+  // What has changed in it since; after generated code that calls functions of the program.
+  std::function<std::vector<memory::Change>()> changes = [] { return std::vector<memory::Change>(); };
+};
+
+// At the first annotation. Returns in the forks, where it is true, and for what is not wanted.
+bool replay_begin(std::string_view kernel, Memory const &memory = {});
 
 // Per annotated number, in order: inputs and parameters receive their value, an output is kept for the client. A null
 // pointer stands for a temporary, which cannot be given a value.
 void replay_input(double *number);
 void replay_parameter(double *number);
 void replay_output(double value);
+
+// What the kernel has left in memory.
+void replay_left(std::vector<memory::Change> const &changes);
 
 // At the kernel's end, which is the end of the fork.
 void replay_end();

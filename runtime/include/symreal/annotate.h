@@ -22,8 +22,9 @@ struct SourcePlace {
 
 namespace detail {
 
-// Which numbers a program is made of: RealNumber and double have the same size, so one interface serves both.
-enum class Program { symbolic, replay };
+// Which numbers a program is made of: RealNumber and double have the same size, so one interface serves all. The
+// original has its annotations from <symreal/original.h>.
+enum class Program { symbolic, replay, original };
 
 // Whether an annotation that is met now counts: a kernel is open or may begin.
 bool begin_object(Program, Kind, char const *label, SourcePlace) noexcept;

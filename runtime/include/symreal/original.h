@@ -1,0 +1,197 @@
+/* The annotations of the original: what the rewriter makes of the pragmas, and of nothing else, in the program that
+   `verify` runs as its reference. It is compiled in its own language and standard, so this is C89 and C++11; no header
+   is included, since that would change what the program sees.
+
+   A kernel's inputs are written, its outputs read, at the places of the pragmas (verify/original.cpp). */
+#ifndef SYMREAL_ORIGINAL_H
+#define SYMREAL_ORIGINAL_H
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* An annotated object begins; whether it counts now. */
+int symreal_original_object(char const *kind, char const *label, char const *file, unsigned line, unsigned column,
+                            void const *frame);
+/* Its numbers, row by row, each sizeof(double) bytes; of a constant or scratch object its bytes. */
+void symreal_original_bytes(void const volatile *begin, __SIZE_TYPE__ size, int is_temporary);
+/* An object that holds such numbers, maybe elsewhere: of an output its own bytes may change as well. */
+void symreal_original_holder(void const volatile *begin, __SIZE_TYPE__ size);
+void symreal_original_object_end(void);
+/* A function with a pragma is entered; whether this call is the kernel. */
+int symreal_original_function(char const *name, char const *file, unsigned line, unsigned column, unsigned call,
+                              void const *frame);
+/* Its inputs are met. */
+int symreal_original_entered(int active);
+/* Its outputs follow; whether they do. */
+int symreal_original_leaving(int active);
+void symreal_original_function_end(int active);
+/* The returned value, as an output. */
+void symreal_original_returned(int active, char const *label, char const *file, unsigned line, unsigned column,
+                               void const *value, __SIZE_TYPE__ size);
+void symreal_original_generate(char const *name, char const *file, unsigned line, unsigned column);
+/* Objects are looked up when the function is entered, and read when it returns. */
+void symreal_original_later(int active);
+void symreal_original_outputs(int *active);
+
+#ifdef __cplusplus
+}
+#endif
+
+#define SYMREAL_ORIGINAL_FRAME __builtin_frame_address(0)
+
+#ifndef __cplusplus
+
+#define SYMREAL_ORIGINAL_NUMBERS(...) symreal_original_bytes(&(__VA_ARGS__), sizeof(__VA_ARGS__), 0)
+#define SYMREAL_ORIGINAL_BYTES SYMREAL_ORIGINAL_NUMBERS
+#define SYMREAL_ORIGINAL_FUNCTION(name, file, line, column, call)                                                      \
+  int const symreal_kernel = symreal_original_function(name, file, line, column, call, SYMREAL_ORIGINAL_FRAME);
+#define SYMREAL_RETURN(label, file, line, column, ...)                                                                 \
+  (__extension__({                                                                                                     \
+    double const symreal_value = (__VA_ARGS__);                                                                        \
+    symreal_original_returned(symreal_kernel, label, file, line, column, &symreal_value, sizeof symreal_value);        \
+    symreal_value;                                                                                                     \
+  }))
+#ifndef __clang__
+/* Whatever way leaves the function, its end runs this, which sees the parameters as they are then. */
+#define SYMREAL_ORIGINAL_OUTPUTS(...)                                                                                  \
+  __extension__ void symreal_on_return(int *symreal_active) {                                                          \
+    if (symreal_original_leaving(*symreal_active)) {                                                                   \
+      __VA_ARGS__                                                                                                      \
+    }                                                                                                                  \
+    symreal_original_function_end(*symreal_active);                                                                    \
+  }                                                                                                                    \
+  int symreal_outputs __attribute__((cleanup(symreal_on_return), unused)) = symreal_original_entered(symreal_kernel);
+#else
+/* Without functions in functions: what the items name is looked up at the function's entry. */
+#define SYMREAL_ORIGINAL_OUTPUTS(...)                                                                                  \
+  int symreal_outputs __attribute__((cleanup(symreal_original_outputs), unused)) =                                     \
+      symreal_original_entered(symreal_kernel);                                                                        \
+  if (symreal_kernel) {                                                                                                \
+    symreal_original_later(1);                                                                                         \
+    __VA_ARGS__                                                                                                        \
+    symreal_original_later(0);                                                                                         \
+  }
+#endif
+
+#else
+
+namespace symreal_original {
+
+template <int n> struct Choice : Choice<n - 1> {};
+template <> struct Choice<0> {};
+
+template <class T> void walk(T &object, bool is_temporary);
+
+inline void look(double const volatile &number, bool is_temporary, Choice<9>) {
+  symreal_original_bytes(&number, sizeof number, is_temporary);
+}
+template <class T, __SIZE_TYPE__ size> void look(T (&array)[size], bool is_temporary, Choice<8>) {
+  for (__SIZE_TYPE__ i = 0; i < size; ++i) walk(array[i], is_temporary);
+}
+
+template <class Reference> struct IsLvalue {
+  enum { value = false };
+};
+template <class T> struct IsLvalue<T &> {
+  enum { value = true };
+};
+template <class Reference, class T> void pass(T &&element, bool is_temporary) {
+  walk(element, is_temporary || !IsLvalue<Reference>::value);
+}
+
+template <class T>
+auto look(T &object, bool is_temporary, Choice<7>)
+    -> decltype(object.rows(), object.cols(), static_cast<void>(object(0, 0))) {
+  for (decltype(object.rows() + 0) i = 0; i < object.rows(); ++i)
+    for (decltype(object.cols() + 0) j = 0; j < object.cols(); ++j)
+      pass<decltype(object(i, j))>(object(i, j), is_temporary);
+}
+template <class T>
+auto look(T &object, bool is_temporary, Choice<6>) -> decltype(object.size(), static_cast<void>(object[0])) {
+  for (decltype(object.size() + 0) i = 0; i < object.size(); ++i) pass<decltype(object[i])>(object[i], is_temporary);
+}
+/* A complex number is an array of two. */
+template <class T>
+auto look(T &object, bool is_temporary, Choice<5>) -> decltype(object.real(), static_cast<void>(object.imag())) {
+  static_assert(sizeof(object) == 2 * sizeof(double), "symreal: this object cannot be annotated");
+  symreal_original_bytes(&reinterpret_cast<char const volatile &>(object), sizeof object, is_temporary);
+}
+
+template <class T> void walk(T &object, bool is_temporary) {
+  symreal_original_holder(&reinterpret_cast<char const volatile &>(object), sizeof object);
+  look(object, is_temporary, Choice<9>());
+}
+template <class T> void numbers(T &&object) { walk(object, !IsLvalue<T &&>::value); }
+template <class T> void bytes(T const &object) {
+  symreal_original_bytes(&reinterpret_cast<char const volatile &>(object), sizeof object, 0);
+}
+
+/* What a function that returns a number, or an object of numbers, makes of a returned expression. */
+template <class T> struct IsClass {
+  enum { value = __is_class(T) || __is_union(T) };
+};
+template <class T, bool is_class = IsClass<T>::value> struct Returned {
+  typedef T Type;
+};
+template <class T> struct Returned<T, false> {
+  typedef double Type;
+};
+template <class T> struct Returned<T &, false> : Returned<T> {};
+template <class T> struct Returned<T const, true> : Returned<T> {};
+
+/* The kernel of a function: its outputs are read when it returns. */
+class Kernel {
+public:
+  Kernel(char const *name, char const *file, unsigned line, unsigned column, unsigned call, void const *frame)
+      : active_(symreal_original_function(name, file, line, column, call, frame)) {}
+  Kernel(Kernel const &) = delete;
+  ~Kernel() { symreal_original_function_end(active_); }
+  int active() const { return active_; }
+  template <class Value>
+  typename Returned<Value>::Type returned(char const *label, char const *file, unsigned line, unsigned column,
+                                          Value &&value) {
+    typename Returned<Value>::Type result(static_cast<Value &&>(value));
+    if (symreal_original_leaving(active_) && symreal_original_object("output", label, file, line, column, 0)) {
+      walk(result, false);
+      symreal_original_object_end();
+    }
+    return result;
+  }
+
+private:
+  int active_;
+};
+
+template <class Outputs> class OnReturn {
+public:
+  OnReturn(int active, Outputs outputs) : active_(active), outputs_(static_cast<Outputs &&>(outputs)) {}
+  OnReturn(OnReturn &&other) : active_(other.active_), outputs_(static_cast<Outputs &&>(other.outputs_)) {
+    other.active_ = 0;
+  }
+  ~OnReturn() {
+    if (symreal_original_leaving(active_)) outputs_();
+  }
+
+private:
+  int active_;
+  Outputs outputs_;
+};
+template <class Outputs> OnReturn<Outputs> on_return(int active, Outputs outputs) {
+  return OnReturn<Outputs>(symreal_original_entered(active), static_cast<Outputs &&>(outputs));
+}
+
+} // namespace symreal_original
+
+#define SYMREAL_ORIGINAL_NUMBERS(...) ::symreal_original::numbers(__VA_ARGS__)
+#define SYMREAL_ORIGINAL_BYTES(...) ::symreal_original::bytes(__VA_ARGS__)
+#define SYMREAL_ORIGINAL_FUNCTION(name, file, line, column, call)                                                      \
+  ::symreal_original::Kernel symreal_kernel(name, file, line, column, call, SYMREAL_ORIGINAL_FRAME);
+#define SYMREAL_RETURN(label, file, line, column, ...)                                                                 \
+  (symreal_kernel.returned(label, file, line, column, __VA_ARGS__))
+#define SYMREAL_ORIGINAL_OUTPUTS(...)                                                                                  \
+  auto symreal_outputs = ::symreal_original::on_return(symreal_kernel.active(), [&] { __VA_ARGS__ });                  \
+  (void)symreal_outputs;
+
+#endif
+#endif

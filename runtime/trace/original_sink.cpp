@@ -1,0 +1,190 @@
+// The original: its own text, annotated by <symreal/original.h>. It is fed and read like the replay, and what a kernel
+// leaves in the memory that outlives it is told as well.
+#include "trace/kernel.h"
+#include "trace/own_memory.h"
+#include "verify/replay_server.h"
+
+#include <symreal/original.h>
+
+#include <algorithm>
+#include <cstring>
+#include <sys/mman.h>
+#include <unistd.h>
+
+namespace symreal::trace {
+
+namespace {
+
+using memory::Known;
+using memory::MemoryImage;
+
+// The caller's data may be constant.
+void make_writable(double *number) {
+  static std::vector<MemoryRange> const constant = find_constant_memory();
+  if (std::none_of(constant.begin(), constant.end(), [number](MemoryRange one) { return one.contains(number); }))
+    return;
+  auto const page = static_cast<std::uintptr_t>(sysconf(_SC_PAGESIZE));
+  std::uintptr_t const at = reinterpret_cast<std::uintptr_t>(number), first = at / page * page;
+  mprotect(reinterpret_cast<void *>(first), at + sizeof *number - first, PROT_READ | PROT_WRITE);
+}
+
+class Original final : public Sink {
+public:
+  void begin(std::string const &name, void const *frame) override {
+    is_wanted_ = replay::replay_begin(
+        name, {[&] { image_ = MemoryImage::capture(frame); }, [this] { return image_.changes(known_); }});
+  }
+  void begin_object(Kind kind, std::string const &, Place const &) override { kind_ = kind; }
+  void element(void *number, bool) override {
+    if (!is_wanted_) return;
+    auto *real = static_cast<double *>(number);
+    switch (kind_) {
+    case Kind::input:
+    case Kind::parameter:
+      make_writable(real);
+      kind_ == Kind::input ? replay::replay_input(real) : replay::replay_parameter(real);
+      image_.update(real, sizeof *real); // the caller's own doing
+      return;
+    case Kind::output: known_.push_back({static_cast<char const *>(number), sizeof *real}); return read(*real);
+    case Kind::constant:
+    case Kind::scratch: return;
+    }
+  }
+  void bytes(void const *begin, std::size_t size) override {
+    if (is_wanted_ && kind_ == Kind::scratch) scratch_.push_back({static_cast<char const *>(begin), size});
+  }
+  void holder(void const *begin, std::size_t size) override {
+    if (kind_ == Kind::output) known_.push_back({static_cast<char const *>(begin), size});
+  }
+  void end_object(std::vector<std::size_t>) override {}
+  void set_range(double, double) override {}
+  void end(std::string const &, std::string const &, Place const &) override {
+    if (!is_wanted_) return;
+    for (Known const &one : scratch_)
+      for (Known const &owned : image_.owned(one)) known_.push_back(owned);
+    replay::replay_left(image_.changes(known_));
+    replay::replay_end();
+  }
+  Graph const &interface() const override { return interface_; }
+
+private:
+  static void read(double value) { replay::replay_output(value); }
+
+  bool is_wanted_ = false;
+  Kind kind_ = Kind::input;
+  MemoryImage image_;
+  std::vector<Known> known_, scratch_;
+  Graph interface_;
+};
+
+Kind kind_named(std::string_view name) {
+  if (name == "input") return Kind::input;
+  if (name == "parameter") return Kind::parameter;
+  if (name == "constant") return Kind::constant;
+  return name == "scratch" ? Kind::scratch : Kind::output;
+}
+
+// Objects that are looked up when a function is entered and read when it returns.
+struct Later {
+  std::string label;
+  SourcePlace place;
+  std::vector<Known> bytes;
+};
+thread_local std::vector<Later> later;
+thread_local bool is_later = false;
+
+thread_local Kind kind_now = Kind::input;
+
+} // namespace
+
+std::unique_ptr<Sink> make_original() { return std::make_unique<Original>(); }
+
+} // namespace symreal::trace
+
+using symreal::Kind;
+using symreal::SourcePlace;
+using symreal::memory::OwnWork;
+using symreal::trace::Kernel;
+constexpr auto original = symreal::detail::Program::original;
+
+int symreal_original_object(char const *kind, char const *label, char const *file, unsigned line, unsigned column,
+                            void const *frame) {
+  OwnWork const own;
+  SourcePlace const place{file, line, column, frame};
+  if (symreal::trace::is_later) {
+    symreal::trace::later.push_back({label, place, {}});
+    return 1;
+  }
+  symreal::trace::kind_now = symreal::trace::kind_named(kind);
+  return Kernel::current().begin_object(original, symreal::trace::kind_now, label, place);
+}
+
+void symreal_original_bytes(void const volatile *begin, std::size_t size, int is_temporary) {
+  OwnWork const own;
+  auto *bytes = static_cast<char *>(const_cast<void *>(begin));
+  if (symreal::trace::is_later) return symreal::trace::later.back().bytes.push_back({bytes, size});
+  auto &sink = Kernel::current().sink();
+  if (symreal::trace::kind_now == Kind::constant || symreal::trace::kind_now == Kind::scratch)
+    return sink.bytes(bytes, size);
+  for (std::size_t k = 0; k + sizeof(double) <= size; k += sizeof(double)) sink.element(bytes + k, is_temporary != 0);
+}
+
+void symreal_original_holder(void const volatile *begin, std::size_t size) {
+  if (!symreal::trace::is_later) Kernel::current().sink().holder(const_cast<void const *>(begin), size);
+}
+
+void symreal_original_object_end() {
+  OwnWork const own;
+  if (!symreal::trace::is_later) Kernel::current().sink().end_object({});
+}
+
+int symreal_original_function(char const *name, char const *file, unsigned line, unsigned column, unsigned call,
+                              void const *frame) {
+  OwnWork const own;
+  return Kernel::current().begin_function(original, name, {file, line, column, frame}, call);
+}
+
+int symreal_original_entered(int active) {
+  Kernel::current().accept_annotations();
+  return active;
+}
+
+int symreal_original_leaving(int active) {
+  if (active) Kernel::current().begin_outputs();
+  return active;
+}
+
+void symreal_original_function_end(int active) {
+  OwnWork const own;
+  if (active) Kernel::current().end_function();
+}
+
+void symreal_original_returned(int active, char const *label, char const *file, unsigned line, unsigned column,
+                               void const *value, std::size_t size) {
+  if (!symreal_original_leaving(active)) return;
+  if (!symreal_original_object("output", label, file, line, column, nullptr)) return;
+  symreal_original_bytes(value, size, 1);
+  symreal_original_object_end();
+}
+
+void symreal_original_generate(char const *name, char const *file, unsigned line, unsigned column) {
+  OwnWork const own;
+  Kernel::current().end_region(original, name, {file, line, column});
+}
+
+void symreal_original_later(int active) {
+  symreal::trace::is_later = active != 0;
+  if (active) symreal::trace::later.clear();
+}
+
+void symreal_original_outputs(int *active) {
+  if (symreal_original_leaving(*active))
+    for (auto const &one : symreal::trace::later) {
+      SourcePlace const &place = one.place;
+      if (!symreal_original_object("output", one.label.c_str(), place.file, place.line, place.column, place.frame))
+        continue;
+      for (auto const &part : one.bytes) symreal_original_bytes(part.begin, part.size, 0);
+      symreal_original_object_end();
+    }
+  symreal_original_function_end(*active);
+}
