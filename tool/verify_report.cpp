@@ -123,8 +123,8 @@ void print_verification(std::ostream &out, Graph const &graph, program::Verifica
              to_string(verification.mode), verification.samples.size(), verification.inside);
   if (verification.undefined != 0)
     fmt::print(out,
-               "  left out: {} on which the original's behaviour is undefined: an index outside of its table, or an "
-               "integer beyond its type\n",
+               "  left out: {} on which the original's behaviour is undefined: an index outside of its table, an "
+               "integer beyond its type, or the sign of a NaN\n",
                verification.undefined);
   if (verification.not_finite + verification.zero_sign != 0)
     fmt::print(out,

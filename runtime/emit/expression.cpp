@@ -8,7 +8,7 @@
 namespace symreal {
 
 std::string c_constant(double value) {
-  if (std::isnan(value)) return "NAN";
+  if (std::isnan(value)) return std::signbit(value) ? "-NAN" : "NAN";
   if (std::isinf(value)) return value < 0 ? "-INFINITY" : "INFINITY";
   std::string text = shortest(value);
   return text.find_first_of(".e") == std::string::npos ? text + ".0" : text;

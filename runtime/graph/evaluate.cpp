@@ -1,6 +1,7 @@
 #include "graph/evaluate.h"
 
 #include "graph/complex_function.h"
+#include "graph/infinity.h"
 #include "graph/opaque.h"
 
 #include <algorithm>
@@ -107,6 +108,8 @@ static bool is_defined(Graph const &graph, Node const &node, std::span<double co
   auto operand = [&](std::size_t i) { return values[node.operand[i]]; };
   constexpr double two_to_31 = 0x1p31, two_to_63 = 0x1p63;
   switch (node.op) {
+  // C leaves open which sign a NaN has that an operation makes; the sign of a constant is the program's.
+  case Op::copysign: return graph.nodes[node.operand[1]].is_constant() || !std::isnan(operand(1));
   case Op::int32: return is_within(operand(0), -two_to_31, two_to_31);
   case Op::int64: return is_within(operand(0), -two_to_63, two_to_63);
   case Op::uint32: return is_within(operand(0), 0, 2 * two_to_31);
@@ -134,13 +137,38 @@ static bool sees_zero_sign(Graph const &graph, Node const &node, std::span<doubl
   return info(node.op).has(flag::ZERO_SIGN) && std::any_of(node.operand.begin(), node.operand.end(), is_zero);
 }
 
+// Infinities that are constants of the program, and what hands them on.
+static std::vector<char> own_infinities(Graph const &graph, std::span<double const> values) {
+  std::vector<char> is_own(graph.nodes.size(), 0);
+  for (std::size_t id = 0; id < graph.nodes.size(); ++id) {
+    Node const &node = graph.nodes[id];
+    if (!std::isinf(values[id])) continue;
+    is_own[id] = node.is_constant();
+    if (is_leaf(node.op) || !hands_on(node.op)) continue;
+    for (NodeId operand : active_operands(node, values)) // the magnitude is that of one of them
+      if (operand != no_node && std::isinf(values[operand]) && is_own[operand]) is_own[id] = 1;
+  }
+  return is_own;
+}
+
+// P1 at one node: what it computes is finite, and what it computes with.
+static bool is_finite(Graph const &graph, std::size_t id, std::span<double const> values,
+                      std::vector<char> const &own_infinities) {
+  Node const &node = graph.nodes[id];
+  if (!std::isfinite(values[id]) && !own_infinities[id]) return false;
+  if (is_leaf(node.op) || takes_infinity(node.op)) return true;
+  return std::all_of(node.operand.begin(), node.operand.end(),
+                     [&](NodeId operand) { return operand == no_node || std::isfinite(values[operand]); });
+}
+
 Premises check_premises(Graph const &graph, std::span<double const> values) {
   Premises premises;
+  std::vector<char> const own = own_infinities(graph, values);
   std::vector<char> const active = active_nodes(graph, values);
   for (std::size_t id = 0; id < graph.nodes.size(); ++id) {
     if (!active[id]) continue;
     Node const &node = graph.nodes[id];
-    if (!std::isfinite(values[id])) premises.finite = false;
+    if (!is_finite(graph, id, values, own)) premises.finite = false;
     if (is_leaf(node.op)) continue;
     if (!is_defined(graph, node, values)) premises.defined = false;
     if (sees_zero_sign(graph, node, values)) premises.zero_sign_unseen = false;

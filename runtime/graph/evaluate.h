@@ -26,8 +26,9 @@ std::size_t first_failing_guard(Graph const &graph, std::span<double const> valu
 // the first does not settle it. Iterative, linear.
 std::vector<char> active_nodes(Graph const &graph, std::span<double const> values);
 
-// Whether a sample lies where `finite` mode promises equality: (P1) every active value is finite, (P2) no zero reaches
-// an operation that sees its sign.
+// Whether a sample lies where `finite` mode promises equality: (P1) every active value is finite, but for infinities
+// that are constants of the program and only compared with and handed on, (P2) no zero reaches an operation that sees
+// its sign.
 struct Premises {
   bool finite = true;           // P1
   bool zero_sign_unseen = true; // P2

@@ -63,6 +63,10 @@ Interval ValueRanges::of(Node const &node, int depth) const {
     return {-x.high, -x.low, x.nan};
   }
   case Op::abs: return magnitude(operand(node, 0, depth));
+  case Op::copysign: {
+    Interval const x = magnitude(operand(node, 0, depth));
+    return {-x.high, x.high, x.nan};
+  }
   case Op::fmod: return rest(operand(node, 0, depth), operand(node, 1, depth));
   default: return any_;
   }

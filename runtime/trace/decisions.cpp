@@ -1,6 +1,7 @@
 // Where a program leaves the real numbers: branches and conversions. The program goes on with its carried value. By
 // policy the outcome becomes a guard of the kernel, or the place is reported and the driver makes an error of it, so
 // that nothing is baked in silently.
+#include "graph/infinity.h"
 #include "trace/describe.h"
 #include "trace/events.h"
 #include "trace/guards.h"
@@ -9,8 +10,10 @@
 
 #include <symreal/real_math.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 namespace symreal::detail {
 
@@ -28,7 +31,24 @@ double needed_value(RealNumber x) noexcept {
   return value;
 }
 
-// Premise P1 of mode finite: every value is finite. A program whose own values are not is outside of it and decides.
+// Whether a constant that is no finite number may be what is here. Not followed for ever: then it may.
+static bool may_be_own_infinity(NodeId node) {
+  NodeTable const &nodes = Pool::current().nodes();
+  constexpr std::size_t most = 1000;
+  std::vector<NodeId> seen = {node};
+  for (std::size_t k = 0; k < seen.size(); ++k) {
+    Node const &one = nodes[seen[k]];
+    if (one.is_constant() && !std::isfinite(one.value())) return true;
+    if (is_leaf(one.op) || !hands_on(one.op)) continue;
+    for (NodeId operand : one.operand)
+      if (operand != no_node && std::find(seen.begin(), seen.end(), operand) == seen.end()) seen.push_back(operand);
+    if (seen.size() > most) return true;
+  }
+  return false;
+}
+
+// Premise P1 of mode finite: every value that is computed is finite. A program whose own values are not is outside of
+// it and decides.
 static bool is_settled(RealNumber x) {
   if (trace::floating_point() == FloatingPoint::strict) return false;
   double value = Pool::current().carried_value(x);
@@ -44,7 +64,7 @@ RealNumber compare(Op op, RealNumber x, RealNumber y) noexcept {
 }
 
 RealNumber compare_finite(RealNumber x) noexcept {
-  if (is_settled(x)) {
+  if (is_settled(x) && !may_be_own_infinity(Pool::current().node(x))) {
     trace::report_settled("isfinite(" + trace::describe(x) + ")");
     return 1.0;
   }

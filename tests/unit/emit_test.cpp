@@ -121,6 +121,7 @@ TEST(Emit, ConstantsReadBackToTheSameBits) {
   EXPECT_EQ(c_constant(INFINITY), "INFINITY");
   EXPECT_EQ(c_constant(-INFINITY), "-INFINITY");
   EXPECT_EQ(c_constant(NAN), "NAN");
+  EXPECT_EQ(c_constant(-NAN), "-NAN");
 }
 
 // Arms of arms that are computed in turns, so that blocks alternate and nest.
