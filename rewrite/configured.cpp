@@ -173,8 +173,10 @@ void report_configured(Request const &request, Facts &facts) {
     ConfiguredText const &function = request.kernels[i].function;
     std::vector<Note> found;
     for (auto const &[span, pragma] : facts.pragmas)
-      if (pragma.configured == i && !pragma.function.empty())
-        found.push_back({place_in(facts.files.at(span.file), span.begin), pragma.function[0].signature});
+      if (pragma.configured == i && !pragma.function.empty()) {
+        std::string const &signature = pragma.function[0].signature;
+        found.push_back({place_in(facts.files.at(span.file), span.begin), signature.substr(0, signature.find('\n'))});
+      }
     if (found.size() > 1)
       report(facts, DiagnosticId::configured_function, function.place,
              "'" + function.text + "' is the name of " + std::to_string(found.size()) + " functions", found);

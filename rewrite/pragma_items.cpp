@@ -1,4 +1,5 @@
 #include "rewrite/pragma_items.h"
+#include "rewrite/plain_declaration.h"
 
 #include "rewrite/pragma_text.h"
 
@@ -168,7 +169,7 @@ private:
       report(DiagnosticId::pragma_unattached, function->getLocation(), "the function's body is made by a macro");
       return;
     }
-    FunctionFact fact{.name = function->getNameAsString(), .signature = {}, .brace = *brace, .values = {}};
+    FunctionFact fact{.name = function->getNameAsString(), .signature = {}, .plain = {}, .brace = *brace, .values = {}};
     unsigned end = map_.sources().getFileOffset(map_.sources().getExpansionLoc(function->getBody()->getBeginLoc()));
     if (auto const *constructor = dyn_cast<CXXConstructorDecl>(function))
       for (CXXCtorInitializer const *initializer : constructor->inits())
@@ -176,6 +177,7 @@ private:
           end = std::min(
               end, map_.sources().getFileOffset(map_.sources().getExpansionLoc(initializer->getSourceLocation())));
     fact.signature = normalised(text.substr(begin, end - begin).str());
+    if (std::string const plain = plain_declaration(function, map_.language()); !plain.empty()) fact.signature = plain;
     fact.returns_value = !function->getReturnType()->isVoidType();
     for (ParmVarDecl const *parameter : function->parameters())
       if (parameter->getIdentifier() && (reals_.carries_real(parameter->getType()) ||

@@ -142,7 +142,9 @@ struct Kernel {
   bool by_hand = false; // by calls of <symreal/symbolic_main.h>
   Place place;
   std::string output_file; // the name in generate("..."), else empty
-  std::string signature;   // of the function, in the source's own words without its body, else empty
+  // Of the function: its declaration, and on a second line what passes its parameters on (plain_declaration.h). Of a
+  // member and the like one line, in the source's own words.
+  std::string signature;
   std::vector<Annotation> annotations;
   std::string source; // display path of the file that holds the pragma
 };

@@ -12,8 +12,8 @@ struct Fallback {
   std::string statement;   // calls it with the wrapper's arguments and returns
 };
 
-// Fails for a function whose signature cannot be repeated under another name: a member, or one with a parameter that
-// has no name.
+// Fails for a function whose declaration cannot be repeated under another name: a member, a template, one in a
+// namespace, one with variable arguments.
 Fallback fallback(rewrite::Kernel const &kernel, std::string const &name);
 
 } // namespace symreal::tool
