@@ -1,6 +1,6 @@
 #include "rewrite/pragma_items.h"
-#include "rewrite/plain_declaration.h"
 
+#include "rewrite/plain_declaration.h"
 #include "rewrite/pragma_text.h"
 
 #include <algorithm>
@@ -169,7 +169,7 @@ private:
       report(DiagnosticId::pragma_unattached, function->getLocation(), "the function's body is made by a macro");
       return;
     }
-    FunctionFact fact{.name = function->getNameAsString(), .signature = {}, .plain = {}, .brace = *brace, .values = {}};
+    FunctionFact fact{.name = function->getNameAsString(), .signature = {}, .brace = *brace, .values = {}};
     unsigned end = map_.sources().getFileOffset(map_.sources().getExpansionLoc(function->getBody()->getBeginLoc()));
     if (auto const *constructor = dyn_cast<CXXConstructorDecl>(function))
       for (CXXCtorInitializer const *initializer : constructor->inits())
