@@ -51,7 +51,7 @@ public:
     else if constexpr (detail::is_matrix<T>::value) {
       for (decltype(object.rows()) i = 0; i < object.rows(); ++i)
         for (decltype(object.cols()) j = 0; j < object.cols(); ++j) (*this)(object(i, j));
-    } else if constexpr (std::is_class_v<T>) { // it holds nothing but numbers: the rewriter has looked
+    } else if constexpr (detail::is_class<T>) { // it holds nothing but numbers: the rewriter has looked
       static_assert(std::is_trivially_copyable_v<T> && sizeof(T) % sizeof(RealNumber) == 0);
       for (std::size_t k = 0; k < sizeof(T) / sizeof(RealNumber); ++k)
         numbers_.push_back(reinterpret_cast<RealNumber *>(&object) + k);

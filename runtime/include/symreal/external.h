@@ -87,7 +87,7 @@ template <class T> T pass(ExternalCall &call, Traced<T> argument) {
     return call.number(argument);
   } else if constexpr (std::is_pointer_v<T>) {
     return static_cast<T>(call.pointer(const_cast<void *>(static_cast<void const *>(argument))));
-  } else if constexpr (std::is_class_v<T>) {
+  } else if constexpr (detail::is_class<T>) {
     call.object(&argument, sizeof argument / sizeof(double));
     return argument;
   } else {
@@ -111,7 +111,7 @@ public:
     if constexpr (std::is_void_v<Result>) {
       std::apply(function_, passed);
       call.returned();
-    } else if constexpr (std::is_class_v<Result>) {
+    } else if constexpr (detail::is_class<Result>) {
       Result result = std::apply(function_, passed);
       call.returned(&result, sizeof result / sizeof(double));
       return result;

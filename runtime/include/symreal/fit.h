@@ -1,7 +1,7 @@
 // Implicit conversions of C and C++ that a class, or a compiler of C++, does not make by itself.
 #pragma once
 
-#include <symreal/real_number.h>
+#include <symreal/type_traits.h>
 
 #include <type_traits>
 
@@ -21,15 +21,25 @@ private:
 
 template <class T> [[gnu::always_inline]] constexpr auto fit(T const &value) noexcept {
   using From = std::decay_t<T const &>;
-  if constexpr (std::is_class_v<From> && !std::is_same_v<From, RealNumber>)
+  if constexpr (detail::is_class<From> && !std::is_same_v<From, RealNumber>)
     return value;
   else
     return Fit<From>(value);
 }
 
+// The argument of a call in a template, as a double converts to the parameter of the function that was chosen for it. A
+// class would choose another function, or convert by another way.
+template <class To, class From> [[gnu::always_inline]] constexpr decltype(auto) argument_as(From &&value) noexcept {
+  using Plain = std::remove_cvref_t<From>;
+  if constexpr (std::is_same_v<Plain, RealNumber> || std::is_same_v<Plain, SymbolicBool>)
+    return static_cast<To>(value);
+  else
+    return static_cast<From &&>(value);
+}
+
 // A function of C takes a double; in C++ there may be one for float and for long double besides.
 template <class T> [[gnu::always_inline]] constexpr auto promoted(T const &value) noexcept {
-  if constexpr (std::is_floating_point_v<T> && !std::is_class_v<T>) // the trait holds for RealNumber
+  if constexpr (std::is_floating_point_v<T> && !detail::is_class<T>) // the trait holds for RealNumber
     return static_cast<double>(value);
   else
     return value;

@@ -17,6 +17,10 @@
 #define SYMREAL_REAL_VALUE(...) __VA_ARGS__
 #define SYMREAL_REAL_TO(type, ...) __VA_ARGS__
 #define SYMREAL_REAL_FIT(...) __VA_ARGS__
+#define SYMREAL_REAL_ARGUMENT(type, ...) __VA_ARGS__
+#define SYMREAL_REAL_TRUTH(...) __VA_ARGS__
+#define SYMREAL_REAL_LATER(...) __VA_ARGS__
+#define SYMREAL_REAL_NOW(...) __VA_ARGS__
 #define SYMREAL_REAL_PROMOTED(...) __VA_ARGS__
 #define SYMREAL_REAL_ENUM(...) __VA_ARGS__
 #define SYMREAL_REAL_STATE(object, place) object
@@ -41,6 +45,8 @@
 #define SYMREAL_REAL_TYPE(name, ...) name
 #define SYMREAL_REAL_PROTOTYPE(parameters, ...) __VA_ARGS__
 #define SYMREAL_REAL_MEMBERS(...)
+#define SYMREAL_REAL_LAYOUT(...)
+#define SYMREAL_REAL_PADDING(...)
 #define SYMREAL_OBJECT(...)
 #define SYMREAL_DECLARE(...)
 #define SYMREAL_DECLARE_SECTION(...)
@@ -66,6 +72,15 @@
 #define SYMREAL_REAL_C(...) (::symreal::RealNumber(__VA_ARGS__))
 #define SYMREAL_REAL_VALUE(...) (::symreal::value(__VA_ARGS__))
 #define SYMREAL_REAL_TO(type, ...) (static_cast<type>(__VA_ARGS__))
+/* In a template: as a double converts to the parameter's type, of a call that was chosen for a double. */
+#define SYMREAL_REAL_ARGUMENT(type, ...) (::symreal::argument_as<type>(__VA_ARGS__))
+/* Where the type is looked at: of a comparison it is bool. */
+#define SYMREAL_REAL_TRUTH(...) (::symreal::of_type<::symreal::plain_type<decltype(__VA_ARGS__)>>())
+/* The order in which a compiler evaluates operands that change what the other reads: it is another one for the operators
+   of a class than for those of the language, and an argument that is a class is read late (<symreal/order.h>). */
+#define SYMREAL_REAL_LATER(...)                                                                                        \
+  (::symreal::later([&]() -> decltype(auto) { return ::symreal::later_value((__VA_ARGS__)); }))
+#define SYMREAL_REAL_NOW(...) (::symreal::now(__VA_ARGS__))
 #define SYMREAL_REAL_STATE(object, place) (::symreal::state(object, #object, place))
 #define SYMREAL_REAL_LOCAL_STATE(object, place) (::symreal::local_state(object, #object, place))
 #define SYMREAL_REAL_EXTERNAL(function, ...) (::symreal::external(function, {__VA_ARGS__}))
@@ -98,11 +113,27 @@
 public:                                                                                                                \
   void symreal_members(::symreal::Numbers &symreal_numbers) const { symreal_numbers.visit(__VA_ARGS__); }              \
   access:
+/* What the size and the offsets are in the original. */
+#define SYMREAL_REAL_LAYOUT(access, ...)                                                                               \
+public:                                                                                                                \
+  void symreal_layout() const {                                                                                        \
+    using symreal_class = ::std::remove_cvref_t<decltype(*this)>;                                                      \
+    static_assert((__VA_ARGS__), "this class has another layout with REAL than with double [SYM132]");                 \
+  }                                                                                                                    \
+  access:
+/* Members of a derived class go into what is left behind the last member of a class like REAL, not of a number. */
+#define SYMREAL_REAL_PADDING(bytes)                                                                                    \
+  long long:                                                                                                           \
+  8 * (bytes);
 #else
 #define SYMREAL_REAL double
 #define SYMREAL_REAL_C(...) (__VA_ARGS__)
 #define SYMREAL_REAL_VALUE(...) (__VA_ARGS__)
 #define SYMREAL_REAL_TO(type, ...) (static_cast<type>(__VA_ARGS__))
+#define SYMREAL_REAL_ARGUMENT(type, ...) __VA_ARGS__
+#define SYMREAL_REAL_TRUTH(...) __VA_ARGS__
+#define SYMREAL_REAL_LATER(...) (__VA_ARGS__)
+#define SYMREAL_REAL_NOW(...) (__VA_ARGS__)
 #define SYMREAL_REAL_STATE(object, place) (object)
 #define SYMREAL_REAL_LOCAL_STATE(object, place) (object)
 #define SYMREAL_REAL_EXTERNAL(function, ...) (function)
@@ -117,6 +148,8 @@ public:                                                                         
 #define SYMREAL_REAL_BITS(name, place, ...) (__VA_ARGS__)
 #define SYMREAL_REAL_BYTES(how, name, place, ...) __VA_ARGS__
 #define SYMREAL_REAL_MEMBERS(...)
+#define SYMREAL_REAL_LAYOUT(...)
+#define SYMREAL_REAL_PADDING(...)
 #endif
 /* A conversion by what its context expects; one of float to double, as C has it where C++ has functions for both; an
    enumerator as the integer that it is in C. */

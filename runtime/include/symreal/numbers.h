@@ -77,13 +77,13 @@ public:
       found_integer_ = [](void *context, IntegerObject integer) { (*static_cast<Found *>(context))(integer); };
   }
 
-  template <class T> static constexpr bool may_hold = std::is_class_v<T> || std::is_union_v<T> || std::is_array_v<T>;
+  template <class T> static constexpr bool may_hold = detail::is_class<T> || std::is_union_v<T> || std::is_array_v<T>;
 
   template <class... T> void visit(T const &...objects) { (one(objects), ...); }
 
 private:
   template <class T> static constexpr bool holds_elements() {
-    return (std::is_class_v<T> || !std::is_floating_point_v<T>) && !detail::is_text<T>;
+    return (detail::is_class<T> || !std::is_floating_point_v<T>) && !detail::is_text<T>;
   }
 
   template <class T> void one(T const &object) {

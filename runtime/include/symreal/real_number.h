@@ -15,6 +15,7 @@
 #include <symreal/op.h>
 
 #include <cmath>
+#include <compare>
 #include <cstdint>
 #include <type_traits>
 
@@ -43,6 +44,9 @@ namespace symreal {
 
 namespace detail {
 
+// Is it one for the compiler? std::is_class says of RealNumber what it says of double.
+template <class T> inline constexpr bool is_class = __is_class(T);
+
 inline constexpr std::uint64_t node_tag = 0xFFF2'C3u; // bits 63..40
 constexpr std::uint64_t bits(double value) noexcept { return __builtin_bit_cast(std::uint64_t, value); }
 
@@ -70,7 +74,9 @@ bool selects() noexcept;
 
 namespace types {
 
-class RealNumber {
+// packed: compilers drop that attribute of a structure when one of its members is a class that has none itself. The
+// alignment stays that of a double.
+class [[gnu::packed, gnu::aligned(alignof(double))]] RealNumber {
   double value_;
 
   template <class T> using IfReal = std::enable_if_t<std::is_same_v<T, RealNumber>, int>;
@@ -221,6 +227,12 @@ SYMREAL_COMPARISON(>=, ge)
 SYMREAL_COMPARISON(==, eq)
 SYMREAL_COMPARISON(!=, ne)
 #undef SYMREAL_COMPARISON
+// As plain values, each of the comparisons a decision.
+[[gnu::always_inline]] inline constexpr std::partial_ordering operator<=>(RealNumber x, RealNumber y) noexcept {
+  if (x < y) return std::partial_ordering::less;
+  if (x > y) return std::partial_ordering::greater;
+  return x == y ? std::partial_ordering::equivalent : std::partial_ordering::unordered;
+}
 
 // Conditions combined without deciding: both sides are evaluated. (&& and || decide each side, as the language has it.)
 [[gnu::always_inline]] inline SymbolicBool operator&(SymbolicBool x, SymbolicBool y) noexcept {

@@ -150,7 +150,7 @@ template <class T> constexpr T &&bits(T &&object, char const *name, char const *
     using Pointee = std::remove_pointer_t<std::remove_reference_t<T>>;
     if constexpr (!std::is_pointer_v<std::remove_reference_t<T>>)
       detail::check_bits(detail::bytes_of(&object), sizeof object, name, place);
-    else if constexpr (std::is_class_v<Pointee>)
+    else if constexpr (detail::is_class<Pointee>)
       detail::check_bits(detail::bytes_of(object), detail::size_here<Pointee>(), name, place);
     else if (object)
       detail::check_bits(detail::bytes_of(object), 1, name, place);
@@ -165,11 +165,17 @@ public:
 
   template <class To, class From> void *move(To *to, From *from, std::size_t size) const noexcept {
     if (detail::recording) {
-      if constexpr (std::is_arithmetic_v<To> && !std::is_class_v<To>) detail::check_bits(from, size, name_, place_);
+      if constexpr ((std::is_arithmetic_v<To> && !detail::is_class<To>) || std::is_enum_v<To>)
+        detail::check_bits(from, size, name_, place_);
       each(from, size, [this](auto &object) { detail::read_object(std::as_const(object), name_, place_); });
       each(to, size, [this](auto &object) { detail::write_object(object, name_, place_); });
     }
     return std::memmove(to, from, size);
+  }
+  // To an object that has no numbers in it.
+  template <class To, class From> void *into(To *to, From *from, std::size_t size) const noexcept {
+    if (detail::recording) detail::check_bits(from, size, name_, place_);
+    return move(to, from, size);
   }
   template <class To> void *set(To *to, int byte, std::size_t size) const noexcept {
     if (detail::recording) each(to, size, [this](auto &object) { detail::write_object(object, name_, place_); });
