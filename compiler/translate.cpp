@@ -146,6 +146,7 @@ Words compile_words(Translation const &translation, Words const &flags, std::str
   append(words, {"-isystem", runtime_include()});
   append(words, rewrite::type_name_flags(type_name));
   append(words, program::variant_flags(flags, program::Variant::symbolic));
+  append(words, program::evaluation_order(flags, translation.source.language == Language::c, translation.compiler[0]));
   append(words, {"-frandom-seed=" + translation.source.name, option(translation.action)});
   return words;
 }

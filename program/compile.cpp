@@ -61,6 +61,19 @@ Command compiler_run(Words words, std::string const &directory) {
   return {.arguments = std::move(words), .directory = directory, .environment = {"LC_ALL=C", "GCC_COLORS="}};
 }
 
+Words evaluation_order(Words const &flags, bool is_c, std::string const &compiler) {
+  if (compiler.find("clang") != compiler.npos) return {};
+  if (is_c) return {"-fno-strong-eval-order"};
+  bool is_older = false;
+  for (std::string_view const flag : flags)
+    if (flag.starts_with("-std=") || flag.starts_with("--std=")) {
+      is_older = false;
+      for (std::string_view older : {"++98", "++03", "++0x", "++11", "++1y", "++14"}) is_older |= flag.ends_with(older);
+    }
+  if (is_older) return {"-fstrong-eval-order=some"};
+  return {};
+}
+
 Words variant_flags(Words const &flags, Variant variant) {
   Words words = adapted_flags(flags);
   append(words, reference_flags);
@@ -76,6 +89,7 @@ Words compile_command(BuildRequest const &request, Variant variant, Overlay cons
                       rewrite::Compilation const &source, std::string const &object) {
   Words words = {request.compiler};
   append(words, overlay.search_flags(variant_flags(source.flags, variant), source.directory));
+  append(words, evaluation_order(source.flags, is_c(source), request.compiler));
   append(words, {"-I", runtime_include()});
   append(words, rewrite::type_name_flags(request.type_name));
   append(words, {"-x", "c++", "-c", overlay.compiled_path(rewrite::real_source(source)), "-o", object});

@@ -39,6 +39,11 @@ std::vector<std::string> original_flags(std::vector<std::string> const &flags, V
 // How a rewritten source is compiled in the variant, with the user's flags in it; needs the runtime's headers besides.
 std::vector<std::string> variant_flags(std::vector<std::string> const &flags, Variant variant);
 
+// C++17 says that the right side of an assignment is evaluated before the left one, and an index after what it is of. C
+// and older C++ leave it open, and gcc goes the other way there: what it must be told. clang has one order for all.
+std::vector<std::string> evaluation_order(std::vector<std::string> const &flags, bool is_c,
+                                          std::string const &compiler);
+
 // A run of a compiler whose messages a program reads.
 Command compiler_run(std::vector<std::string> words, std::string const &directory = {});
 

@@ -19,11 +19,17 @@ using ByFile = std::map<std::string, std::vector<Rewording>>;
 Rewording rewording(Wrap const &wrap, bool is_shared) {
   auto const make = [&](std::string before, std::string after) {
     return Rewording{wrap.span.begin,  wrap.span.end, std::move(before),
-                     std::move(after), false,         static_cast<int>(wrap.use)};
+                     std::move(after), false,         wrap.use >= Use::later ? -2 : static_cast<int>(wrap.use)};
   };
   if (is_shared && (wrap.use == Use::conversion || wrap.use == Use::cast)) return make("SYMREAL_REAL_FIT(", ")");
   switch (wrap.use) {
   case Use::declared: return make("SYMREAL_REAL_EITHER((), extern) ", "");
+  case Use::later: return make("SYMREAL_REAL_LATER(", ")");
+  case Use::now: return make("SYMREAL_REAL_NOW(", ")");
+  case Use::argument: return make("SYMREAL_REAL_ARGUMENT(" + wrap.detail + ", ", ")");
+  case Use::truth: return make("SYMREAL_REAL_TRUTH(", ")");
+  case Use::layout: return make("", " SYMREAL_REAL_LAYOUT(" + wrap.detail + ")");
+  case Use::padding: return make("SYMREAL_REAL_PADDING(" + wrap.detail + ") ", "");
   case Use::literal: return make("SYMREAL_REAL_C(", ")");
   case Use::value: return make("SYMREAL_REAL_VALUE(", ")");
   case Use::enumeration: return make("SYMREAL_REAL_ENUM(", ")");
@@ -97,12 +103,28 @@ bool is_rewritten(std::string const &text, Span const &span) {
   return at < span.end && text[at] == '(' && closing_parenthesis(text, at) + 1 == span.end;
 }
 
+// The same for what stands behind an opening brace or before a closing one.
+bool is_laid_out(std::string const &text, Wrap const &wrap) {
+  if (wrap.use == Use::padding) {
+    std::size_t const line = text.rfind('\n', wrap.span.begin);
+    return text.substr(line + 1, wrap.span.begin - line).find("REAL_PADDING(") != text.npos;
+  }
+  std::size_t const end = text.find('\n', wrap.span.end);
+  return text.substr(wrap.span.end, end - wrap.span.end).find("REAL_LAYOUT(") != text.npos;
+}
+
 void add_wraps(Facts const &facts, std::set<Span> const &pragmas, ByFile &rewordings, Result &result) {
   Wrap const *before = nullptr;
   for (Wrap const &wrap : facts.wraps) {
     // The same words in a macro or header that two sources name differently.
     bool const again = before && before->span == wrap.span && before->use == wrap.use;
+    if (again && wrap.use == Use::argument)
+      result.diagnostics.push_back({DiagnosticId::instantiations_differ, Severity::error,
+                                    place_in(facts.files.at(wrap.span.file), wrap.span.begin),
+                                    "'" + text_of(wrap.span, facts) + "' is converted to " + before->detail +
+                                        " in one instantiation and to " + wrap.detail + " in another"});
     before = &wrap;
+    if (wrap.use >= Use::layout && is_laid_out(facts.files.at(wrap.span.file).text, wrap)) continue;
     if (again || is_rewritten(facts.files.at(wrap.span.file).text, wrap.span)) continue;
     // The function reads the REALs itself, as REALs.
     if (wrap.use == Use::value && facts.number_readers.count(wrap.detail) != 0) continue;

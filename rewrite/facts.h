@@ -73,14 +73,22 @@ enum class Use {
   pasted,      // a macro whose expansion pastes or quotes what a converted type is spelled as
   prototype,   // of a function that is declared as before C89
   name,        // a keyword of C++ that is a name in C
+  // Around all of these:
+  later,    // a right operand, where the order of evaluation matters
+  now,      // an argument, where it does
+  argument, // in a template: of a call that was chosen for a double
+  truth,    // its type is looked at
+  layout,   // an opening brace: of a class whose layout needs a look
+  padding,  // a closing brace: of a class that another derives from
 };
 
 struct Wrap {
   Span span;
   Use use;
-  // conversion, cast: the type; state: the declaration's place; returned, and the uses between literal and state: the
-  // other arguments; value: the function of the program, if it is one, whose variadic argument the expression is;
-  // external, table: the other arguments; pasted: the text that the macro expands to; name: it;
+  // conversion, cast, argument: the type; state: the declaration's place; returned, and the uses between literal and
+  // state: the other arguments; value: the function of the program, if it is one, whose variadic argument the
+  // expression is; external, table: the other arguments; pasted: the text that the macro expands to; name: it; layout,
+  // padding: sizes and offsets;
   // prototype: the parameters
   std::string detail;
   auto operator<=>(Wrap const &) const = default;

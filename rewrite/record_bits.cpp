@@ -6,6 +6,66 @@
 namespace symreal::rewrite {
 using namespace clang;
 
+namespace {
+
+// Functions to which the address of REAL objects may go: they move bytes, which carry nodes as well as numbers, or are
+// watched (record_bits.cpp).
+bool moves_bytes(FunctionDecl const *function) {
+  static llvm::StringSet<> const names = {"memcpy", "memmove",         "memset", "memcmp",  "bzero",
+                                          "free",   "realloc",         "qsort",  "bsearch", "calloc",
+                                          "swab",   "operator delete", "fread",  "fwrite"};
+  llvm::StringRef name = function->getDeclName().isIdentifier() ? function->getName() : "operator delete";
+  if (name.consume_front("__builtin_")) name.consume_back("_chk");
+  return names.contains(name);
+}
+
+} // namespace
+
+// The address of an object goes to a function outside the roots that takes any.
+void Recorder::given_bytes(FunctionDecl const *function, unsigned index, Expr const *argument) {
+  if (index >= function->getNumParams() || !function->getParamDecl(index)->getType()->isVoidPointerType()) return;
+  QualType const pointee = Reals::pointee(argument);
+  if (!pointee.isNull() && !moves_bytes(function) && reals_.carries_real(pointee))
+    report(DiagnosticId::reinterpretation, argument->getBeginLoc(),
+           "the bytes of a REAL go to '" + function->getQualifiedNameAsString() + "', which is outside the roots");
+}
+
+// Functions of the library that look at bytes by themselves.
+void Recorder::bytes_of_arguments(CallExpr const *call, FunctionDecl const *function) {
+  auto const *method = dyn_cast<CXXMethodDecl>(function);
+  NamedDecl const *outermost = method ? static_cast<NamedDecl const *>(method->getParent()) : function;
+  if (!function->getDeclName().isIdentifier() || !outermost->isInStdNamespace()) return;
+  llvm::StringRef const name = function->getName();
+  auto const argument_of_class = [](QualType type) {
+    auto const *record = type.isNull() ? nullptr : type.getNonReferenceType()->getAsCXXRecordDecl();
+    auto const *special = dyn_cast_or_null<ClassTemplateSpecializationDecl>(record);
+    return special && special->getTemplateArgs().size() > 0 &&
+                   special->getTemplateArgs()[0].getKind() == TemplateArgument::Type
+               ? special->getTemplateArgs()[0].getAsType()
+               : QualType();
+  };
+  bool used = false;
+  if (name == "bit_cast" && call->getNumArgs() == 1)
+    used = reals_.carries_real(call->getArg(0)->getType()) != reals_.carries_real(call->getType());
+  if ((name == "as_bytes" || name == "as_writable_bytes") && call->getNumArgs() == 1)
+    used = reals_.carries_real(argument_of_class(call->getArg(0)->getType()));
+  if (used) report(DiagnosticId::reinterpretation, call->getBeginLoc(), "the bytes of a REAL are used as another type");
+  if (!name.contains("compare_exchange")) return;
+  // That of a number compares values in the symbolic program.
+  QualType object;
+  if (auto const *member = dyn_cast<CXXMemberCallExpr>(call))
+    object = argument_of_class(member->getImplicitObjectArgument()->getType());
+  else if (call->getNumArgs() > 0)
+    object = argument_of_class(Reals::pointee(call->getArg(0)));
+  if (reals_.carries_real(object) && !Reals::is_double(object))
+    report(DiagnosticId::reinterpretation, call->getBeginLoc(), "the bytes of an object that holds REALs are compared");
+}
+
+void Recorder::atomic_builtin(AtomicExpr const *call) {
+  if (call->getOp() == AtomicExpr::AO__atomic_compare_exchange && reals_.carries_real(Reals::pointee(call->getPtr())))
+    report(DiagnosticId::reinterpretation, call->getBeginLoc(), "the bytes of a REAL are compared");
+}
+
 // Reading u.bits of `union { double number; uint64_t bits; }` is harmless as long as the number is an ordinary one.
 void Recorder::union_member(MemberExpr const *member) {
   auto const *field = dyn_cast<FieldDecl>(member->getMemberDecl());
@@ -26,16 +86,24 @@ void Recorder::union_member(MemberExpr const *member) {
            "'" + field->getNameAsString() + "' shares its bytes with a REAL");
 }
 
-// What a pointer, a reference or an array leads to at last; null if that is no built-in type.
-static BuiltinType const *innermost(QualType type) {
+// What a pointer, a reference or an array leads to at last.
+static QualType innermost_type(QualType type) {
   while (true) {
     if (auto const *array = type->getAsArrayTypeUnsafe())
       type = array->getElementType();
     else if (QualType const pointee = type->getPointeeType(); !pointee.isNull())
       type = pointee;
     else
-      return type->getAs<BuiltinType>();
+      return type;
   }
+}
+
+// The same, as a built-in type: of an enumeration the integer, null of a class.
+static BuiltinType const *innermost(QualType type) {
+  type = innermost_type(type);
+  if (auto const *enumeration = type->getAs<EnumType>())
+    if (QualType const integer = enumeration->getDecl()->getIntegerType(); !integer.isNull()) type = integer;
+  return type->getAs<BuiltinType>();
 }
 
 // A cast between pointers says what the bytes are taken for.
@@ -58,6 +126,11 @@ void Recorder::reinterpretation(ExplicitCastExpr const *cast) {
     for (Expr const *side : {sum->getLHS(), sum->getRHS()}) counting_casts_.insert(side->IgnoreParenImpCasts());
     if (after && after->isInteger()) note(cast->getSubExprAsWritten(), Use::bits);
   }
+  if (RecordDecl const *record = innermost_type(cast->getType())->getAsRecordDecl();
+      record && record->getDefinition() && before && before->getKind() == BuiltinType::Double &&
+      !record->getDefinition()->field_empty() && !reals_.carries_real(innermost_type(cast->getType())))
+    report(DiagnosticId::reinterpretation, cast->getBeginLoc(),
+           "the bytes of a REAL are looked at as " + cast->getType().getAsString());
   if (!before || !after || before->getKind() == after->getKind()) return;
   bool const was_double = before->getKind() == BuiltinType::Double, is_double = after->getKind() == BuiltinType::Double;
   bool const only_counts = is_bytes(after) && counting_casts_.contains(cast);
@@ -74,7 +147,7 @@ void Recorder::pointer_cast(CastExpr const *cast) {
   if (cast->getCastKind() != CK_BitCast || cast->isTypeDependent()) return;
   Expr const *from = cast->getSubExpr()->IgnoreParenImpCasts();
   QualType const to = cast->getType()->getPointeeType(), given = from->getType()->getPointeeType();
-  if (to.isNull() || !to->isIntegerType() || isa<CallExpr>(from)) return;
+  if (to.isNull() || !to->isIntegralOrEnumerationType() || isa<CallExpr>(from)) return;
   bool const holds_numbers = !given.isNull() && given->isRecordType() && reals_.carries_real(given);
   if (from->getType()->isVoidPointerType() || holds_numbers) note(from, Use::bits);
 }
@@ -83,12 +156,12 @@ void Recorder::moved_bytes(CallExpr const *call, FunctionDecl const *function) {
   if (!function->getDeclName().isIdentifier()) return;
   llvm::StringRef name = function->getName();
   name.consume_front("__builtin_");
-  std::string const how = name == "memset"                        ? "set"
-                          : name == "memcmp"                      ? "compare"
-                          : name == "memcpy" || name == "memmove" ? "move"
-                          : name == "fread"                       ? "read"
-                          : name == "fwrite"                      ? "write"
-                                                                  : "";
+  std::string how = name == "memset"                        ? "set"
+                    : name == "memcmp"                      ? "compare"
+                    : name == "memcpy" || name == "memmove" ? "move"
+                    : name == "fread"                       ? "read"
+                    : name == "fwrite"                      ? "write"
+                                                            : "";
   bool const is_file = how == "read" || how == "write";
   if (how.empty() || call->getNumArgs() != (is_file ? 4 : 3)) return;
   bool any = false;
@@ -99,12 +172,16 @@ void Recorder::moved_bytes(CallExpr const *call, FunctionDecl const *function) {
   Expr const *callee = call->getCallee()->IgnoreParenImpCasts();
   std::optional<Span> const span = map_.range(callee->getSourceRange());
   if (!any || !span || !map_.in_roots(callee->getBeginLoc())) return;
+  // To a structure without numbers.
+  QualType const target = Reals::pointee(call->getArg(0));
+  if (how == "move" && !target.isNull() && target->isRecordType() && !reals_.carries_real(target)) how = "into";
   auto const words = [&](unsigned index) {
     Expr const *argument = call->getArg(index)->IgnoreParenImpCasts();
     std::optional<Span> const written = map_.range(argument->getSourceRange());
     return written ? normalised(map_.text(*written, argument->getBeginLoc())) : name.str();
   };
-  std::string const what = how == "compare" ? words(0) + "' or '" + words(1) : words(how == "move" ? 1 : 0);
+  std::string const what =
+      how == "compare" ? words(0) + "' or '" + words(1) : words(how == "move" || how == "into" ? 1 : 0);
   std::string detail = how + ", " + quoted(what);
   detail.append(", ").append(quoted(to_string(map_.place(call->getBeginLoc()))));
   facts_.wraps.insert({*span, Use::bytes, detail});

@@ -41,17 +41,6 @@ bool overload_competes(FunctionDecl const *function, unsigned index, unsigned co
   return false;
 }
 
-// Functions to which the address of REAL objects may go: they move bytes, which carry nodes as well as numbers, or are
-// watched (record_bits.cpp).
-bool moves_bytes(FunctionDecl const *function) {
-  static llvm::StringSet<> const names = {"memcpy", "memmove",         "memset", "memcmp",  "bzero",
-                                          "free",   "realloc",         "qsort",  "bsearch", "calloc",
-                                          "swab",   "operator delete", "fread",  "fwrite"};
-  llvm::StringRef name = function->getDeclName().isIdentifier() ? function->getName() : "operator delete";
-  if (name.consume_front("__builtin_")) name.consume_back("_chk");
-  return names.contains(name);
-}
-
 bool reads_numbers(FunctionDecl const *function) {
   return function->getDeclName().isIdentifier() && function->getName().ends_with("scanf");
 }
@@ -96,10 +85,7 @@ void Recorder::call(CallExpr const *call) {
   FunctionDecl const *function = call->getDirectCallee();
   if (!function) return;
   symbolic_main(call, function);
-  if (function->isInStdNamespace() && function->getDeclName().isIdentifier() && function->getName() == "bit_cast" &&
-      call->getNumArgs() == 1 &&
-      reals_.carries_real(call->getArg(0)->getType()) != reals_.carries_real(call->getType()))
-    report(DiagnosticId::reinterpretation, call->getBeginLoc(), "the bytes of a REAL are used as another type");
+  bytes_of_arguments(call, function);
   Expr const *callee = call->getCallee()->IgnoreParenImpCasts();
   callees_.insert(callee);
   if (function->getIdentifier() && (function->getName() == "free" || function->getName() == "realloc") &&
@@ -148,6 +134,7 @@ void Recorder::arguments(SourceLocation call, FunctionDecl const *function, Argu
       bool const deduced = function->getPrimaryTemplate() != nullptr;
       if (elements && (deduced || elements->getNumInits() <= 2)) deduced_elements(elements);
     }
+    truth_argument(function, i, arguments[i], overloaded);
     if (outside)
       outside_argument(call, function, i, arguments[i]);
     else if (i < function->getNumParams() || !function->isVariadic())
@@ -245,12 +232,7 @@ void Recorder::outside_argument(SourceLocation call, FunctionDecl const *functio
       report(DiagnosticId::boundary_call, argument->getBeginLoc(), "a REAL goes to " + name);
     return;
   }
-  if (parameter->isVoidPointerType()) {
-    QualType const pointee = Reals::pointee(argument);
-    if (!pointee.isNull() && !moves_bytes(function) && reals_.carries_real(pointee))
-      report(DiagnosticId::reinterpretation, argument->getBeginLoc(), "the bytes of a REAL go to " + name);
-    return;
-  }
+  if (parameter->isVoidPointerType()) return given_bytes(function, index, argument);
   bool const by_address = parameter->isPointerType() || parameter->isReferenceType();
   if (by_address && !declared->isDependentType() && reals_.mentions_real(parameter) && !reads_numbers(function))
     report(DiagnosticId::boundary_call, argument->getBeginLoc(), "a REAL goes to " + name);

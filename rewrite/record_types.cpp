@@ -6,7 +6,9 @@ namespace symreal::rewrite {
 using namespace clang;
 
 void Recorder::report(DiagnosticId id, SourceLocation location, std::string message, Severity severity) {
-  add_diagnostic(facts_, {id, severity, map_.place(location), std::move(message), map_.expansions(location)});
+  Diagnostic diagnostic{id, severity, map_.place(location), std::move(message), map_.expansions(location)};
+  if (instance_) diagnostic.notes.push_back(*instance_);
+  add_diagnostic(facts_, diagnostic);
 }
 
 void Recorder::builtin_type(BuiltinTypeLoc type, Passive passive) {

@@ -30,6 +30,8 @@ bool Recorder::may_be_truth(Expr const *argument) const {
   if (!IntegerState::is_integer(argument->getType())) return false;
   if (reals_.is_symbolic_integer(argument) || Conditions(map_, reals_).mentions_real(argument)) return true;
   Expr const *bare = argument->IgnoreParenImpCasts();
+  if (auto const *negation = dyn_cast<UnaryOperator>(bare); negation && negation->getOpcode() == UO_LNot)
+    return may_be_truth(negation->getSubExpr());
   if (auto const *reference = dyn_cast<DeclRefExpr>(bare)) {
     auto const *variable = dyn_cast<VarDecl>(reference->getDecl());
     return variable && variable->getType()->getContainedAutoType();

@@ -38,6 +38,12 @@ public:
   void variadic_definition(clang::FunctionDecl const *function);
   void converting_construction(clang::CXXConstructExpr const *construction);
 
+  // What an instantiation shows that its template does not (record_instances.cpp).
+  void set_instance(std::optional<Note> instance) { instance_ = std::move(instance); }
+  void instantiated_call(clang::CallExpr const *call);
+  void instantiated_construction(clang::CXXConstructExpr const *construction);
+  void instantiated_value(clang::Expr const *value);
+
   // Everything else (record_expressions.cpp).
   void implicit_cast(clang::ImplicitCastExpr const *cast, bool decides);
   void explicit_cast(clang::ExplicitCastExpr const *cast);
@@ -87,6 +93,9 @@ public:
   // Bytes of a REAL that are used as something else (record_bits.cpp).
   void union_member(clang::MemberExpr const *member);
   void pointer_cast(clang::CastExpr const *cast);
+  void atomic_builtin(clang::AtomicExpr const *call);
+  // The operand of sizeof or decltype, or what a concept asks of.
+  void looked_at(clang::Expr const *operand);
   void state_of_call(clang::CallExpr const *call);
   void state_of_construction(clang::CXXConstructExpr const *construction);
 
@@ -106,9 +115,14 @@ private:
                         clang::Expr const *argument);
   bool takes_only(clang::FunctionDecl const *function) const;
   bool may_be_truth(clang::Expr const *argument) const;
+  void instantiated_arguments(clang::FunctionDecl const *function, Arguments arguments);
+  void truth_argument(clang::FunctionDecl const *function, unsigned index, clang::Expr const *argument,
+                      bool overloaded);
+  void bytes_of_arguments(clang::CallExpr const *call, clang::FunctionDecl const *function);
 
   void reinterpretation(clang::ExplicitCastExpr const *cast);
   void moved_bytes(clang::CallExpr const *call, clang::FunctionDecl const *function);
+  void given_bytes(clang::FunctionDecl const *function, unsigned index, clang::Expr const *argument);
   // `named`: the expression that gives the name and the place, if it is another one.
   void note(clang::Expr const *expression, Use use, clang::Expr const *named = nullptr);
   bool may_outlive(clang::Expr const *expression) const;
@@ -141,6 +155,7 @@ private:
   llvm::SmallPtrSet<clang::Expr const *, 4> compared_exactly_;  // conversions to long double that change nothing
   llvm::SmallPtrSet<clang::Expr const *, 4> compared_pointers_; // conversions that C++ makes as well
   llvm::SmallPtrSet<clang::Expr const *, 32> callees_;          // names of functions that are called there
+  std::optional<Note> instance_;                                // what is looked at belongs to it
 };
 
 } // namespace symreal::rewrite

@@ -4,6 +4,9 @@
 #include "rewrite/configured.h"
 #include "rewrite/context_walk.h"
 #include "rewrite/externals.h"
+#include "rewrite/instances.h"
+#include "rewrite/layouts.h"
+#include "rewrite/operand_order.h"
 #include "rewrite/pragma_items.h"
 #include "rewrite/recorder.h"
 #include "rewrite/selects.h"
@@ -31,7 +34,25 @@ public:
   bool TraverseDecltypeTypeLoc(DecltypeTypeLoc type) {
     Within const unevaluated(no_state_, true);
     if (!passive_) record_.deduced_elements(type.getUnderlyingExpr());
+    record_.looked_at(type.getUnderlyingExpr());
     return Walk::TraverseDecltypeTypeLoc(type);
+  }
+  bool VisitUnaryExprOrTypeTraitExpr(UnaryExprOrTypeTraitExpr *expression) {
+    if (!expression->isArgumentType()) record_.looked_at(expression->getArgumentExpr()->IgnoreParens());
+    return true;
+  }
+  bool VisitCXXTypeidExpr(CXXTypeidExpr *expression) {
+    if (!expression->isTypeOperand()) record_.looked_at(expression->getExprOperand());
+    return true;
+  }
+  bool TraverseConceptExprRequirement(concepts::ExprRequirement *requirement) {
+    if (requirement->isCompound() && !requirement->isExprSubstitutionFailure())
+      record_.looked_at(requirement->getExpr());
+    return Walk::TraverseConceptExprRequirement(requirement);
+  }
+  bool VisitAtomicExpr(AtomicExpr *call) {
+    if (!passive_ && map_.in_roots(call->getBeginLoc())) record_.atomic_builtin(call);
+    return true;
   }
 
   bool VisitBuiltinTypeLoc(BuiltinTypeLoc type) {
@@ -238,6 +259,9 @@ void record_tree(ASTContext &context, SourceMap const &map, PragmaIndex const &i
   IntegerState const integers(context, map);
   Visitor visitor(context, map, reals, integers, index, facts);
   visitor.TraverseDecl(context.getTranslationUnitDecl());
+  record_instances(context, map, reals, integers, facts);
+  record_operand_order(context, map, reals, facts);
+  record_layouts(context, map, reals, facts);
   attach_function_pragmas(visitor.definitions, map, reals, integers, index, facts);
   attach_configured_kernels(request, visitor.definitions, map, reals, integers, facts);
   record_decisions(context, map, reals, index, facts);

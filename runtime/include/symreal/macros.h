@@ -76,8 +76,9 @@
 #define SYMREAL_REAL_ARGUMENT(type, ...) (::symreal::argument_as<type>(__VA_ARGS__))
 /* Where the type is looked at: of a comparison it is bool. */
 #define SYMREAL_REAL_TRUTH(...) (::symreal::of_type<::symreal::plain_type<decltype(__VA_ARGS__)>>())
-/* The order in which a compiler evaluates operands that change what the other reads: it is another one for the operators
-   of a class than for those of the language, and an argument that is a class is read late (<symreal/order.h>). */
+/* The order in which a compiler evaluates operands that change what the other reads: it is another one for the
+   operators of a class than for those of the language, and an argument that is a class is read late
+   (<symreal/order.h>). */
 #define SYMREAL_REAL_LATER(...)                                                                                        \
   (::symreal::later([&]() -> decltype(auto) { return ::symreal::later_value((__VA_ARGS__)); }))
 #define SYMREAL_REAL_NOW(...) (::symreal::now(__VA_ARGS__))
@@ -122,9 +123,7 @@ public:                                                                         
   }                                                                                                                    \
   access:
 /* Members of a derived class go into what is left behind the last member of a class like REAL, not of a number. */
-#define SYMREAL_REAL_PADDING(bytes)                                                                                    \
-  long long:                                                                                                           \
-  8 * (bytes);
+#define SYMREAL_REAL_PADDING(bytes) long long : 8 * (bytes);
 #else
 #define SYMREAL_REAL double
 #define SYMREAL_REAL_C(...) (__VA_ARGS__)

@@ -1,0 +1,140 @@
+#include "rewrite/instances.h"
+
+#include "rewrite/recorder.h"
+
+namespace symreal::rewrite {
+namespace {
+
+using namespace clang;
+
+class Instances : public RecursiveASTVisitor<Instances> {
+  using Walk = RecursiveASTVisitor<Instances>;
+
+public:
+  Instances(ASTContext &context, SourceMap const &map, Reals const &reals, IntegerState const &integers, Facts &facts)
+      : map_(map),
+        record_(context, map, reals, integers, facts) {}
+
+  bool shouldVisitTemplateInstantiations() const { return true; }
+
+  bool TraverseDecl(Decl *declaration) {
+    if (!declaration) return true;
+    if (!isa<TranslationUnitDecl>(declaration) && declaration->getLexicalDeclContext()->isFileContext() &&
+        !map_.in_roots(declaration->getLocation()) && !map_.in_roots(declaration->getBeginLoc()))
+      return true;
+    auto const *context = dyn_cast<DeclContext>(declaration);
+    if (!context || (!isa<FunctionDecl>(declaration) && !isa<CXXRecordDecl>(declaration)))
+      return Walk::TraverseDecl(declaration);
+    Scope const scope(*this, instance_of(declaration, context));
+    return Walk::TraverseDecl(declaration);
+  }
+  bool TraverseLambdaExpr(LambdaExpr *lambda) {
+    FunctionTemplateDecl *generic = lambda->getLambdaClass()->getDependentLambdaCallOperator();
+    if (generic)
+      for (FunctionDecl *one : generic->specializations())
+        if (one->hasBody()) {
+          Scope const scope(*this, instance_of(one, one));
+          if (!TraverseStmt(one->getBody())) return false;
+        }
+    return Walk::TraverseLambdaExpr(lambda);
+  }
+  // Neither what is not evaluated is looked at nor what the compiler computes.
+  bool TraverseUnaryExprOrTypeTraitExpr(UnaryExprOrTypeTraitExpr *) { return true; }
+  bool TraverseCXXNoexceptExpr(CXXNoexceptExpr *) { return true; }
+  bool TraverseTypeLoc(TypeLoc) { return true; }
+
+  bool VisitCallExpr(CallExpr *call) {
+    if (is_here(call)) record_.instantiated_call(call);
+    return true;
+  }
+  bool VisitAtomicExpr(AtomicExpr *call) {
+    if (is_here(call)) record_.atomic_builtin(call);
+    return true;
+  }
+  bool VisitCXXConstructExpr(CXXConstructExpr *construction) {
+    if (is_here(construction)) record_.instantiated_construction(construction);
+    return true;
+  }
+  bool VisitExplicitCastExpr(ExplicitCastExpr *cast) {
+    if (!is_here(cast)) return true;
+    record_.explicit_cast(cast);
+    record_.pointer_cast(cast);
+    return true;
+  }
+  bool VisitMemberExpr(MemberExpr *member) {
+    if (is_here(member)) record_.union_member(member);
+    return true;
+  }
+  bool VisitVarDecl(VarDecl *variable) {
+    if (instance_ && !variable->isConstexpr() && map_.in_roots(variable->getLocation()) &&
+        !isa<ParmVarDecl>(variable) && variable->getInit())
+      record_.instantiated_value(variable->getInit());
+    return true;
+  }
+  bool VisitReturnStmt(ReturnStmt *statement) {
+    if (instance_ && map_.in_roots(statement->getBeginLoc())) record_.instantiated_value(statement->getRetValue());
+    return true;
+  }
+  bool VisitBinaryOperator(BinaryOperator *binary) {
+    if (binary->getOpcode() == BO_Assign && is_here(binary)) record_.instantiated_value(binary->getRHS());
+    return true;
+  }
+
+private:
+  // While it lives, what is walked belongs to this instantiation, or to none.
+  class Scope {
+  public:
+    Scope(Instances &walk, std::optional<Note> instance)
+        : walk_(walk),
+          outer_(std::exchange(walk.instance_, std::move(instance))) {
+      walk_.record_.set_instance(walk_.instance_);
+    }
+    ~Scope() {
+      walk_.instance_ = outer_;
+      walk_.record_.set_instance(outer_);
+    }
+    Scope(Scope const &) = delete;
+    Scope &operator=(Scope const &) = delete;
+
+  private:
+    Instances &walk_;
+    std::optional<Note> const outer_;
+  };
+
+  std::optional<Note> instance_of(Decl const *declaration, DeclContext const *context) const {
+    if (context->isDependentContext()) return std::nullopt;
+    std::string name;
+    llvm::raw_string_ostream out(name);
+    SourceLocation place;
+    if (auto const *function = dyn_cast<FunctionDecl>(declaration)) {
+      if (!function->getTemplateInstantiationPattern()) return instance_;
+      place = function->getPointOfInstantiation();
+      function->getNameForDiagnostic(out, policy(), true);
+    } else if (auto const *special = dyn_cast<ClassTemplateSpecializationDecl>(declaration);
+               special && special->getSpecializationKind() != TSK_ExplicitSpecialization) {
+      place = special->getPointOfInstantiation();
+      special->getNameForDiagnostic(out, policy(), true);
+    } else
+      return instance_;
+    if (place.isInvalid() || !map_.in_roots(place)) place = declaration->getLocation();
+    return Note{map_.place(place), "in the instantiation " + name};
+  }
+  PrintingPolicy policy() const { return PrintingPolicy(map_.language()); }
+
+  bool is_here(Expr const *expression) const {
+    return instance_ && map_.in_roots(expression->getBeginLoc()) && !expression->isInstantiationDependent();
+  }
+
+  SourceMap const &map_;
+  Recorder record_;
+  std::optional<Note> instance_; // what is walked is part of it
+};
+
+} // namespace
+
+void record_instances(ASTContext &context, SourceMap const &map, Reals const &reals, IntegerState const &integers,
+                      Facts &facts) {
+  Instances(context, map, reals, integers, facts).TraverseDecl(context.getTranslationUnitDecl());
+}
+
+} // namespace symreal::rewrite

@@ -1,0 +1,176 @@
+#include "rewrite/operand_order.h"
+
+#include "rewrite/context_walk.h"
+#include "rewrite/effects.h"
+#include "rewrite/merge.h"
+
+namespace symreal::rewrite {
+namespace {
+
+using namespace clang;
+
+// How gcc folds signs, after which it may begin with the other operand.
+UnaryOperator const *negation(Expr const *expression) {
+  auto const *unary = dyn_cast<UnaryOperator>(expression->IgnoreParens());
+  return unary && unary->getOpcode() == UO_Minus ? unary : nullptr;
+}
+
+// Can the sign be taken into it?
+bool takes_sign(Expr const *expression) {
+  if (negation(expression)) return true;
+  auto const *product = dyn_cast<BinaryOperator>(expression->IgnoreParens());
+  return product && product->isMultiplicativeOp() && (takes_sign(product->getLHS()) || takes_sign(product->getRHS()));
+}
+
+// What is left of two signs.
+Expr const *without_signs(Expr const *expression) {
+  while (UnaryOperator const *outer = negation(expression)) {
+    UnaryOperator const *inner = negation(outer->getSubExpr());
+    if (!inner) break;
+    expression = inner->getSubExpr();
+  }
+  return expression->IgnoreParens();
+}
+
+bool stays_negation(Expr const *expression) {
+  UnaryOperator const *sign = negation(without_signs(expression));
+  if (!sign) return false;
+  Expr const *operand = sign->getSubExpr()->IgnoreParens();
+  return !takes_sign(operand) && !isa<FloatingLiteral>(operand) && !isa<AbstractConditionalOperator>(operand);
+}
+
+bool is_variable(Expr const *expression) {
+  auto const *read = dyn_cast<ImplicitCastExpr>(without_signs(expression));
+  if (!read || read->getCastKind() != CK_LValueToRValue) return false;
+  Expr const *object = read->getSubExpr()->IgnoreParens();
+  ValueDecl const *declaration = nullptr;
+  if (auto const *name = dyn_cast<DeclRefExpr>(object)) declaration = name->getDecl();
+  if (auto const *member = dyn_cast<MemberExpr>(object)) declaration = member->getMemberDecl();
+  return isa_and_nonnull<VarDecl>(declaration) && !declaration->getType()->isReferenceType();
+}
+
+// It begins with the left operand. But where the operands may be exchanged it puts a variable last, and of -a + b it
+// makes b - a.
+bool gcc_begins_on_the_right(BinaryOperator const *binary) {
+  Expr const *left = binary->getLHS(), *right = binary->getRHS();
+  bool commutes = binary->getOpcode() == BO_Mul || binary->isComparisonOp();
+  if (binary->getOpcode() == BO_Add) {
+    if (stays_negation(right)) return false; // a - b
+    if (stays_negation(left)) return true;
+    commutes = true;
+  }
+  if (binary->getOpcode() == BO_Sub && takes_sign(right)) { // a + b
+    if (stays_negation(left)) return true;
+    commutes = true;
+  }
+  return commutes && is_variable(left);
+}
+
+class OperandOrder : public ContextWalk<OperandOrder> {
+  using Walk = ContextWalk<OperandOrder>;
+
+public:
+  OperandOrder(SourceMap const &map, Reals const &reals, Facts &facts)
+      : ContextWalk(map, reals),
+        effects_(reals),
+        facts_(facts) {}
+
+  bool shouldVisitTemplateInstantiations() const { return true; }
+  bool shouldVisitImplicitCode() const { return false; }
+  bool TraverseLambdaExpr(LambdaExpr *lambda) {
+    if (FunctionTemplateDecl *generic = lambda->getLambdaClass()->getDependentLambdaCallOperator())
+      for (FunctionDecl *one : generic->specializations())
+        if (one->hasBody()) {
+          FunctionDecl const *const outer = std::exchange(function_, one);
+          bool const more = TraverseStmt(one->getBody());
+          function_ = outer;
+          if (!more) return false;
+        }
+    return Walk::TraverseLambdaExpr(lambda);
+  }
+
+  bool VisitBinaryOperator(BinaryOperator *binary) {
+    Expr const *left = binary->getLHS(), *right = binary->getRHS();
+    if (passive_ || no_state_ || binary->isInstantiationDependent()) return true;
+    if (!binary->isAdditiveOp() && !binary->isMultiplicativeOp() && !binary->isRelationalOp() &&
+        !binary->isEqualityOp())
+      return true;
+    if (!Reals::is_double(left->getType()) || (!reals_.is_real(left) && !reals_.is_real(right))) return true;
+    if (!map_.in_roots(binary->getOperatorLoc()) || !conflict(left, right)) return true;
+    std::optional<Span> const span = map_.range(right->getSourceRange());
+    if (span) on_numbers_.emplace(*span, binary->getOperatorLoc());
+    if (gcc_begins_on_the_right(binary)) return true; // as with the operator of a class
+    if (!function_ || !span || map_.is_shared(right->getSourceRange()))
+      refuse(binary->getOperatorLoc());
+    else
+      facts_.wraps.insert({*span, Use::later, ""});
+    return true;
+  }
+  bool VisitCallExpr(CallExpr *call) {
+    if (passive_ || no_state_ || call->isInstantiationDependent() || !map_.in_roots(call->getBeginLoc())) return true;
+    FunctionDecl const *function = call->getDirectCallee();
+    std::vector<Expr const *> all(call->arg_begin(), call->arg_end());
+    bool const has_object = isa<CXXOperatorCallExpr>(call) && isa_and_nonnull<CXXMethodDecl>(function) && !all.empty();
+    if (auto const *operation = dyn_cast<CXXOperatorCallExpr>(call); operation && operation->isInfixBinaryOp())
+      if (std::optional<Span> const span = map_.range(call->getArg(1)->getSourceRange())) on_classes_.insert(*span);
+    for (std::size_t i = has_object ? 1 : 0; i < all.size(); ++i) argument(all, i);
+    return true;
+  }
+  bool VisitCXXConstructExpr(CXXConstructExpr *construction) {
+    if (passive_ || no_state_ || construction->isInstantiationDependent() || construction->getNumArgs() < 2 ||
+        !map_.in_roots(construction->getBeginLoc()))
+      return true;
+    std::vector<Expr const *> const all(construction->arg_begin(), construction->arg_end());
+    for (std::size_t i = 0; i < all.size(); ++i) argument(all, i);
+    return true;
+  }
+
+  // One text for both: an operator of the language, in another instantiation one of a class.
+  void refuse_mixed() {
+    for (auto const &[span, place] : on_numbers_)
+      if (on_classes_.contains(span) && facts_.wraps.contains({span, Use::later, ""})) refuse(place);
+  }
+
+private:
+  bool conflict(Expr const *left, Expr const *right) {
+    Effects const one = effects_.of(left, function_), other = effects_.of(right, function_);
+    return (one.changes && (other.changes || other.reads || other.talks)) ||
+           (other.changes && (one.reads || one.talks)) || (one.talks && other.talks);
+  }
+
+  // A number that is read for a parameter, while another argument changes it.
+  void argument(std::vector<Expr const *> const &all, std::size_t index) {
+    auto const *read = dyn_cast<ImplicitCastExpr>(all[index]);
+    if (!read || read->getCastKind() != CK_LValueToRValue || !reals_.is_real(read)) return;
+    if (!effects_.of(read, function_).reads) return;
+    bool is_changed = false;
+    for (std::size_t i = 0; i < all.size(); ++i)
+      is_changed |= i != index && !isa<CXXDefaultArgExpr>(all[i]) && effects_.of(all[i], function_).changes;
+    if (!is_changed) return;
+    if (std::optional<Span> const span = map_.range(read->getSourceRange()))
+      facts_.wraps.insert({*span, Use::now, ""});
+    else
+      refuse(read->getBeginLoc());
+  }
+
+  void refuse(SourceLocation location) {
+    add_diagnostic(facts_,
+                   {DiagnosticId::evaluation_order, Severity::error, map_.place(location),
+                    "one operand changes what the other reads, or both change the same", map_.expansions(location)});
+  }
+  EffectAnalysis effects_;
+  Facts &facts_;
+  // Right operands of operators.
+  std::map<Span, SourceLocation> on_numbers_;
+  std::set<Span> on_classes_;
+};
+
+} // namespace
+
+void record_operand_order(ASTContext &context, SourceMap const &map, Reals const &reals, Facts &facts) {
+  OperandOrder order(map, reals, facts);
+  order.TraverseDecl(context.getTranslationUnitDecl());
+  order.refuse_mixed();
+}
+
+} // namespace symreal::rewrite

@@ -1,0 +1,22 @@
+// Where the order of operands cannot be kept: in one text for several types, in a macro's.
+// RUN: not %symreal generate %s -o %t.c 2>&1 | FileCheck %s
+// RUN: not ls %t.c
+#include <complex>
+#include <cstdio>
+
+static double state = 1.0;
+static double next() { return state = state * 3.0 + 1.0; }
+static std::complex<double> turn() { return {next(), 0.0}; }
+// CHECK-DAG: evaluation_order.cpp:[[@LINE+1]]:{{[0-9]+}}: error: one operand changes what the other reads, or both change the same [SYM133]
+template <class T> T difference(T (*make)()) { return make() - make(); }
+#define SQUARE(x) ((x) * (x))
+
+int main() {
+  double x = 1.0, y;
+#pragma symreal input(x)
+  // CHECK-DAG: evaluation_order.cpp:[[@LINE+1]]:{{[0-9]+}}: error: one operand changes what the other reads, or both change the same [SYM133]
+  y = x * SQUARE(next());
+  y += difference<double>(next) + std::real(difference<std::complex<double>>(turn));
+#pragma symreal output(y) generate("y.c")
+  std::printf("%g\n", y);
+}
