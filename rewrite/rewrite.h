@@ -117,7 +117,7 @@ struct File {
   std::string text; // the original with its edits; it has as many lines as the original
   std::vector<Edit> edits;
   std::vector<Spelling> ledger = {};
-  std::string compiled_name = {}; // as __FILE__ has it
+  std::string compiled_name = {};     // as __FILE__ has it
   std::vector<Edit> annotations = {}; // those that leave the original with its annotations alone; may be none
 };
 
