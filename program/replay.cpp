@@ -37,7 +37,9 @@ struct Replay::Server {
   }
 
   void share(std::string const &file, Graph const &graph, double seconds, GeneratedCode const *code) {
+    constexpr std::uint32_t calls_in_a_row = 3;
     replay::Head shape{};
+    shape.calls_wanted = calls_in_a_row;
     if (code) {
       shape.constant_count = static_cast<std::uint32_t>(code->banner().constants);
       shape.guard_count = static_cast<std::uint32_t>(code->banner().guards);
@@ -115,24 +117,35 @@ void Replay::ask(replay::Command command, Sample const &sample) {
   if (!asked || poll(&answer, 1, patience) != 1 || read(server.answers, &status, sizeof status) != sizeof status)
     fail(DiagnosticId::replay_failed, place_, what_ + " did not reach its kernel again");
   if (WIFSIGNALED(status) && WTERMSIG(status) == SIGALRM)
-    fail(DiagnosticId::replay_failed, place_, what_ + " does not end its kernel on a sample within the time limit");
+    fail(DiagnosticId::replay_failed, place_, what_ + "'s kernel does not end on a sample within the time limit");
   if (WIFSIGNALED(status))
     fail(DiagnosticId::replay_failed, place_,
-         fmt::format("{} was ended by signal {} ({}) on a sample", what_, WTERMSIG(status),
+         fmt::format("{}'s kernel was ended by signal {} ({}) on a sample", what_, WTERMSIG(status),
                      strsignal(WTERMSIG(status))));
   if (head->state != replay::State::complete)
     fail(DiagnosticId::replay_failed, place_,
          "on a sample " + what_ + " met other annotations than it was recorded with");
 }
 
-std::vector<double> Replay::outputs() const {
+std::size_t Replay::calls() const { return server_->head->calls_done; }
+
+std::vector<double> Replay::outputs_of(std::size_t call) const {
   replay::Head *head = server_->head;
-  return {replay::shared_outputs(head), replay::shared_outputs(head) + head->output_count};
+  double const *outputs = replay::shared_outputs(head) + call * head->output_count;
+  return {outputs, outputs + head->output_count};
+}
+
+std::vector<double> Replay::next_inputs(Sample const &sample, std::vector<double> const &outputs) const {
+  std::vector<double> inputs = sample.inputs;
+  double const *links = replay::shared_links(server_->head);
+  for (std::size_t k = 0; k < inputs.size(); ++k)
+    if (links[k] >= 0) inputs[k] = outputs[static_cast<std::size_t>(links[k])];
+  return inputs;
 }
 
 std::vector<double> Replay::run(Sample const &sample) {
   ask(replay::Command::original, sample);
-  return outputs();
+  return outputs_of(0);
 }
 
 std::vector<replay::LeftBehind> Replay::left_behind() const {
@@ -143,12 +156,12 @@ GeneratedCode::Result Replay::run_generated(Sample const &sample) {
   replay::Head *head = server_->head;
   std::fill_n(replay::shared_outputs(head), head->output_count, std::bit_cast<double>(GeneratedCode::untouched));
   ask(replay::Command::generated, sample);
-  return {head->failed, outputs()};
+  return {head->failed, outputs_of(0)};
 }
 
 Evaluation Replay::run_graph(Sample const &sample) {
   ask(replay::Command::graph, sample);
-  return {outputs(), server_->head->premises, server_->head->failing_guard};
+  return {outputs_of(0), server_->head->premises, server_->head->failing_guard};
 }
 
 } // namespace symreal::program

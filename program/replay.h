@@ -25,6 +25,12 @@ public:
 
   // The outputs of the kernel. Throws replay_failed when the kernel does not end on this sample.
   std::vector<double> run(Sample const &sample);
+  // Later calls of the kernel in a row, on the sample that it ran on last: each finds the state that the one before it
+  // has left, and all other inputs as in the first. What another machine or kind of kernel cannot repeat has one call.
+  std::size_t calls() const;
+  std::vector<double> outputs_of(std::size_t call) const;
+  // The inputs of the next call of code that gave these outputs.
+  std::vector<double> next_inputs(Sample const &sample, std::vector<double> const &outputs) const;
   // What the kernel left, on the last sample that it ran on, in memory that outlives it and is no output; of the
   // original only.
   std::vector<replay::LeftBehind> left_behind() const;
@@ -34,8 +40,6 @@ public:
 private:
   struct Server;
   void ask(replay::Command command, Sample const &sample);
-  std::vector<double> outputs() const;
-
   std::string what_;
   std::unique_ptr<Server> server_;
   Place place_; // of the kernel, for diagnostics

@@ -64,6 +64,7 @@ public:
     result_.mode = banner.mode;
     result_.outputs.resize(graph_.output_count());
     result_.rewritten.resize(graph_.output_count());
+    result_.called_again.resize(graph_.output_count());
     for (std::size_t number = 1; number <= banner.guards; ++number)
       result_.guards.push_back({code_.guard_text(number), 0, {}});
     if (own_flags_) result_.own_flags_ulp.resize(graph_.output_count());
@@ -108,6 +109,7 @@ private:
         add_left(describe(left));
     for (std::size_t slot = 0; slot < original.size(); ++slot)
       result_.outputs[slot].add(k, original[slot], generated[slot], banner_.mode, options_.tolerance);
+    if (!code_.needs_program()) compare_calls(k, sample, generated);
     result_.graph_different += !all_same(original, recorded);
     if (rewritten_) {
       std::vector<double> const rewritten = rewritten_->run(sample);
@@ -118,6 +120,25 @@ private:
       std::vector<double> const own = own_flags_->run(sample);
       for (std::size_t slot = 0; slot < own.size(); ++slot)
         result_.own_flags_ulp[slot] = std::max(result_.own_flags_ulp[slot], ulp_distance(own[slot], generated[slot]));
+    }
+  }
+
+  // Called again and again on the state that it leaves, the generated code must stay with the original. It stops where
+  // the next call would leave the premises or the guards.
+  void compare_calls(std::size_t k, Sample const &sample, std::vector<double> generated) {
+    for (std::size_t call = 1; call < original_->calls(); ++call) {
+      std::vector<double> const inputs = original_->next_inputs(sample, generated);
+      Evaluation const evaluated = evaluate_sample(graph_, inputs, sample.parameters);
+      bool const inside = evaluated.premises.defined &&
+                          (banner_.mode == FloatingPoint::strict || evaluated.premises.hold()) &&
+                          evaluated.failing_guard >= graph_.guards.size();
+      GeneratedCode::Result const computed =
+          inside ? code_.run(inputs, sample.parameters) : GeneratedCode::Result{1, {}};
+      if (computed.failed != 0) return;
+      generated = computed.outputs;
+      std::vector<double> const original = original_->outputs_of(call);
+      for (std::size_t slot = 0; slot < original.size(); ++slot)
+        result_.called_again[slot].add(k, original[slot], generated[slot], banner_.mode, options_.tolerance);
     }
   }
 

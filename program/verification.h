@@ -44,6 +44,7 @@ struct Verification {
   std::size_t graph_different = 0; // samples inside on which the recorded graph itself differs from the original
   std::vector<Sample> samples;     // all that were drawn
   std::vector<OutputComparison> rewritten; // per slot, the rewritten text against the original: equal to the last bit
+  std::vector<OutputComparison> called_again; // per slot, over the second and third of three calls in a row
   std::vector<LeftState> left;
 
   std::vector<GuardCheck> guards;              // of the generated code, in order

@@ -168,6 +168,7 @@ Json to_json(Graph const &graph, program::Verification const &verification) {
     }
   if (!verification.guards.empty()) json["refused"] = verification.refused;
   json["rewritten_different"] = program::count_different(verification.rewritten);
+  json["called_again_different"] = program::count_different(verification.called_again);
   json["left_behind"] = Json::array();
   for (program::LeftState const &left : verification.left)
     json["left_behind"].push_back({{"name", left.name}, {"samples", left.samples}});
@@ -190,6 +191,14 @@ std::optional<Diagnostic> verification_failure(Graph const &graph, program::Veri
                                               verification.graph_different)});
     return diagnostic;
   }
+  if (std::size_t count = program::count_different(verification.called_again))
+    return Diagnostic{DiagnosticId::verification_mismatch,
+                      Severity::error,
+                      {file},
+                      fmt::format("called again, {} of {} outputs differ from the original: it keeps something that is "
+                                  "no output, or that is said to be scratch",
+                                  count, verification.outputs.size()),
+                      {{{}, first_difference(graph, verification, verification.called_again, "generated")}}};
   if (verification.guards_different != 0 && verification.mode != FloatingPoint::fast)
     return Diagnostic{DiagnosticId::verification_mismatch,
                       Severity::error,

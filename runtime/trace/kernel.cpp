@@ -1,5 +1,6 @@
 #include "trace/kernel.h"
 
+#include "memory/heap_blocks.h"
 #include "trace/events.h"
 
 #include <filesystem>
@@ -61,7 +62,10 @@ bool Kernel::begin_function(detail::Program program, char const *name, SourcePla
 
 void Kernel::end_function() {
   phase_ = Phase::none;
-  recorded_.insert(begun_at_);
+  {
+    memory::OwnWork const own; // the sink may never return
+    recorded_.insert(begun_at_);
+  }
   sink_->end(name_, "", {begun_at_.first, begun_at_.second.first, begun_at_.second.second});
 }
 

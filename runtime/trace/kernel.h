@@ -51,6 +51,8 @@ public:
   void accept_annotations() { muted_ = false, phase_ = phase_ == Phase::entering ? Phase::inside : phase_; }
   void begin_outputs() { phase_ = Phase::leaving; }
   void end_function();
+  // The function of the kernel that has ended is run from its beginning.
+  void begin_again() { muted_ = false, phase_ = Phase::entering; }
   void end_region(detail::Program program, char const *file_name, SourcePlace place);
 
   void set_range(double low, double high) {

@@ -1,5 +1,6 @@
 // The original: its own text, annotated by <symreal/original.h>. It is fed and read like the replay, and what a kernel
 // leaves in the memory that outlives it is told as well.
+#include "trace/again.h"
 #include "trace/kernel.h"
 #include "trace/own_memory.h"
 #include "verify/replay_server.h"
@@ -31,49 +32,81 @@ void make_writable(double *number) {
 class Original final : public Sink {
 public:
   void begin(std::string const &name, void const *frame) override {
+    if (is_again_) return;
     is_wanted_ = replay::replay_begin(
-        name, {[&] { image_ = MemoryImage::capture(frame); }, [this] { return image_.changes(known_); }});
+        name, {[&] { image_ = MemoryImage::capture(frame); }, [this] { return image_.changes({}); }});
   }
   void begin_object(Kind kind, std::string const &, Place const &) override { kind_ = kind; }
   void element(void *number, bool) override {
     if (!is_wanted_) return;
     auto *real = static_cast<double *>(number);
     switch (kind_) {
-    case Kind::input:
-    case Kind::parameter:
-      make_writable(real);
-      kind_ == Kind::input ? replay::replay_input(real) : replay::replay_parameter(real);
-      image_.update(real, sizeof *real); // the caller's own doing
-      return;
-    case Kind::output: known_.push_back({static_cast<char const *>(number), sizeof *real}); return read(*real);
+    case Kind::input: return input(real);
+    case Kind::parameter: give(real, replay::replay_parameter); return;
+    case Kind::output:
+      if (!is_again_) outputs_.push_back(real);
+      return replay::replay_output(*real);
     case Kind::constant:
     case Kind::scratch: return;
     }
   }
   void bytes(void const *begin, std::size_t size) override {
-    if (is_wanted_ && kind_ == Kind::scratch) scratch_.push_back({static_cast<char const *>(begin), size});
+    if (kind_ == Kind::scratch) scratch_.push_back({static_cast<char const *>(begin), size});
   }
   void holder(void const *begin, std::size_t size) override {
-    if (kind_ == Kind::output) known_.push_back({static_cast<char const *>(begin), size});
+    if (kind_ == Kind::output) holders_.push_back({static_cast<char const *>(begin), size});
   }
   void end_object(std::vector<std::size_t>) override {}
   void set_range(double, double) override {}
-  void end(std::string const &, std::string const &, Place const &) override {
+  void end(std::string const &, std::string const &output_file, Place const &) override {
     if (!is_wanted_) return;
-    for (Known const &one : scratch_)
-      for (Known const &owned : image_.owned(one)) known_.push_back(owned);
-    replay::replay_left(image_.changes(known_));
-    replay::replay_end();
+    bool const is_function = output_file.empty();
+    if (!is_again_) {
+      replay::replay_left(image_.changes(known()));
+      for (double const *one : inputs_) replay::replay_link(output_at(one));
+    }
+    if (!is_function || !replay::replay_again()) replay::replay_end();
+    is_again_ = true;
+    Kernel::current().begin_again();
+    run_again();
+    replay::replay_end(); // this machine cannot
   }
   Graph const &interface() const override { return interface_; }
 
 private:
-  static void read(double value) { replay::replay_output(value); }
+  void give(double *number, void (*feed)(double *)) {
+    make_writable(number);
+    feed(number);
+    image_.update(number, sizeof *number); // the caller's own doing
+  }
 
-  bool is_wanted_ = false;
+  // Called again, the kernel finds in its state what it has left there.
+  void input(double *number) {
+    double kept = *number;
+    if (is_again_ && output_at(number) >= 0) return replay::replay_input(&kept);
+    if (!is_again_) inputs_.push_back(number);
+    give(number, replay::replay_input);
+  }
+
+  // Which output the number is as well, or -1.
+  int output_at(double const *number) const {
+    auto const found = std::find(outputs_.begin(), outputs_.end(), number);
+    return found == outputs_.end() ? -1 : static_cast<int>(found - outputs_.begin());
+  }
+
+  std::vector<Known> known() const {
+    std::vector<Known> result = holders_;
+    for (double const *one : outputs_) result.push_back({reinterpret_cast<char const *>(one), sizeof *one});
+    for (Known const &one : scratch_)
+      for (Known const &owned : image_.owned(one)) result.push_back(owned);
+    return result;
+  }
+
+  bool is_wanted_ = false, is_again_ = false;
   Kind kind_ = Kind::input;
   MemoryImage image_;
-  std::vector<Known> known_, scratch_;
+  std::vector<double const *> inputs_, outputs_;
+  std::vector<Known> holders_, scratch_;
   Graph interface_;
 };
 
@@ -155,7 +188,6 @@ int symreal_original_leaving(int active) {
 }
 
 void symreal_original_function_end(int active) {
-  OwnWork const own;
   if (active) Kernel::current().end_function();
 }
 

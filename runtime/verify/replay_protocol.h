@@ -38,7 +38,8 @@ struct LeftBehind {
   }
 };
 
-// The head of the shared file; inputs, parameters and outputs follow as doubles.
+// The head of the shared file; inputs, parameters, the outputs of each call, and for each input the output that is the
+// same number or -1, follow as doubles.
 struct Head {
   std::uint32_t input_count, parameter_count, output_count;
   std::uint32_t seconds; // after which a sample is given up
@@ -48,16 +49,22 @@ struct Head {
   std::uint32_t failing_guard;               // of the graph: the first that does not hold
   Premises premises;
   std::uint8_t unused;
-  std::uint32_t left_count, unused_too;
+  std::uint32_t left_count;
+  std::uint32_t calls_wanted, calls_done; // of the kernel in a row, each on the state that the one before it has left
+  std::uint32_t unused_too;
   LeftBehind left[16];
 };
 static_assert(sizeof(Head) % sizeof(double) == 0);
 
 inline std::size_t shared_size(Head const &head) {
-  return sizeof(Head) + sizeof(double) * (std::size_t{head.input_count} + head.parameter_count + head.output_count);
+  std::size_t const inputs = head.input_count, outputs = std::size_t{head.output_count} * head.calls_wanted;
+  return sizeof(Head) + sizeof(double) * (2 * inputs + head.parameter_count + outputs);
 }
 inline double *shared_inputs(Head *head) { return reinterpret_cast<double *>(head + 1); }
 inline double *shared_parameters(Head *head) { return shared_inputs(head) + head->input_count; }
 inline double *shared_outputs(Head *head) { return shared_parameters(head) + head->parameter_count; }
+inline double *shared_links(Head *head) {
+  return shared_outputs(head) + std::size_t{head->output_count} * head->calls_wanted;
+}
 
 } // namespace symreal::replay

@@ -17,8 +17,8 @@
 namespace symreal::replay {
 namespace {
 
-Head *shared = nullptr; // set while the wanted kernel runs in a fork
-std::uint32_t inputs_met, parameters_met, outputs_met;
+Head *shared = nullptr;                                           // set while the wanted kernel runs in a fork
+std::uint32_t inputs_met, parameters_met, outputs_met, links_met; // in this call of the kernel
 
 struct Connection {
   std::string file;
@@ -66,7 +66,7 @@ void serve(Connection const &connection, Head *head, Memory const &memory) {
   ReplayCode const code;
   for (Command command; read(connection.commands, &command, 1) == 1;) {
     head->state = State::begun;
-    head->left_count = 0;
+    head->left_count = head->calls_done = 0;
     pid_t child = fork();
     if (child == 0) {
       close(connection.commands);
@@ -120,18 +120,35 @@ void replay_parameter(double *number) {
 void replay_output(double value) {
   if (!shared) return;
   if (outputs_met == shared->output_count) finish(State::wrong_shape);
-  shared_outputs(shared)[outputs_met++] = value;
+  shared_outputs(shared)[shared->calls_done * shared->output_count + outputs_met++] = value;
 }
 
 void replay_left(std::vector<memory::Change> const &changes) {
   if (shared) tell_left(*shared, changes);
 }
 
+void replay_link(int output) {
+  if (shared && links_met < shared->input_count) shared_links(shared)[links_met++] = output;
+}
+
+static bool is_complete() {
+  return inputs_met == shared->input_count && parameters_met == shared->parameter_count &&
+         outputs_met == shared->output_count;
+}
+
+bool replay_again() {
+  if (!shared || shared->calls_done + 1 >= shared->calls_wanted || !is_complete()) return false;
+  ++shared->calls_done;
+  shared->state = State::complete; // if the next call fails, this one has not
+  inputs_met = parameters_met = outputs_met = 0;
+  return true;
+}
+
 void replay_end() {
   if (!shared) return;
-  bool complete = inputs_met == shared->input_count && parameters_met == shared->parameter_count &&
-                  outputs_met == shared->output_count;
-  finish(complete ? State::complete : State::wrong_shape);
+  bool const is_another = shared->calls_done != 0 && inputs_met == 0;
+  if (!is_another && is_complete()) ++shared->calls_done;
+  finish(is_another || is_complete() ? State::complete : State::wrong_shape);
 }
 
 } // namespace symreal::replay

@@ -29,6 +29,12 @@ void replay_output(double value);
 // What the kernel has left in memory.
 void replay_left(std::vector<memory::Change> const &changes);
 
+// Per input, in order: the output that is the same number, or -1.
+void replay_link(int output);
+
+// Whether the kernel is to run once more, on the state that it has left.
+bool replay_again();
+
 // At the kernel's end, which is the end of the fork.
 void replay_end();
 

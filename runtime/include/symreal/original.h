@@ -33,6 +33,13 @@ void symreal_original_generate(char const *name, char const *file, unsigned line
 /* Objects are looked up when the function is entered, and read when it returns. */
 void symreal_original_later(int active);
 void symreal_original_outputs(int *active);
+#ifdef __x86_64__
+/* The kernel is run several times in a row: from its end the program jumps back to here, with the function's frame as it
+   was, and all that outlives the function as the kernel left it. */
+void *symreal_original_point(void);
+int symreal_original_set_jump(void *point) __asm__("_setjmp") __attribute__((returns_twice));
+void symreal_original_keep(void const *frame);
+#endif
 
 #ifdef __cplusplus
 }
@@ -40,12 +47,23 @@ void symreal_original_outputs(int *active);
 
 #define SYMREAL_ORIGINAL_FRAME __builtin_frame_address(0)
 
+#ifdef __x86_64__
+#define SYMREAL_ORIGINAL_AGAIN(active)                                                                                 \
+  if (active) {                                                                                                        \
+    symreal_original_set_jump(symreal_original_point());                                                               \
+    symreal_original_keep(SYMREAL_ORIGINAL_FRAME);                                                                     \
+  }
+#else
+#define SYMREAL_ORIGINAL_AGAIN(active)
+#endif
+
 #ifndef __cplusplus
 
 #define SYMREAL_ORIGINAL_NUMBERS(...) symreal_original_bytes(&(__VA_ARGS__), sizeof(__VA_ARGS__), 0)
 #define SYMREAL_ORIGINAL_BYTES SYMREAL_ORIGINAL_NUMBERS
 #define SYMREAL_ORIGINAL_FUNCTION(name, file, line, column, call)                                                      \
-  int const symreal_kernel = symreal_original_function(name, file, line, column, call, SYMREAL_ORIGINAL_FRAME);
+  int const symreal_kernel = symreal_original_function(name, file, line, column, call, SYMREAL_ORIGINAL_FRAME);        \
+  SYMREAL_ORIGINAL_AGAIN(symreal_kernel)
 #define SYMREAL_RETURN(label, file, line, column, ...)                                                                 \
   (__extension__({                                                                                                     \
     double const symreal_value = (__VA_ARGS__);                                                                        \
@@ -186,7 +204,8 @@ template <class Outputs> OnReturn<Outputs> on_return(int active, Outputs outputs
 #define SYMREAL_ORIGINAL_NUMBERS(...) ::symreal_original::numbers(__VA_ARGS__)
 #define SYMREAL_ORIGINAL_BYTES(...) ::symreal_original::bytes(__VA_ARGS__)
 #define SYMREAL_ORIGINAL_FUNCTION(name, file, line, column, call)                                                      \
-  ::symreal_original::Kernel symreal_kernel(name, file, line, column, call, SYMREAL_ORIGINAL_FRAME);
+  ::symreal_original::Kernel symreal_kernel(name, file, line, column, call, SYMREAL_ORIGINAL_FRAME);                   \
+  SYMREAL_ORIGINAL_AGAIN(symreal_kernel.active())
 #define SYMREAL_RETURN(label, file, line, column, ...)                                                                 \
   (symreal_kernel.returned(label, file, line, column, __VA_ARGS__))
 #define SYMREAL_ORIGINAL_OUTPUTS(...)                                                                                  \
