@@ -55,11 +55,12 @@ bool Reals::integer_depends(Expr const *expression, llvm::function_ref<bool(Cast
     return variable && is_symbolic_integer(variable);
   }
   if (auto const *unary = dyn_cast<UnaryOperator>(expression))
-    return (unary->getOpcode() == UO_Minus || unary->getOpcode() == UO_Plus || unary->isIncrementDecrementOp()) &&
+    return (unary->getOpcode() == UO_Minus || unary->getOpcode() == UO_Plus || unary->getOpcode() == UO_Not ||
+            unary->isIncrementDecrementOp()) &&
            depends(unary->getSubExpr());
   if (auto const *binary = dyn_cast<BinaryOperator>(expression)) {
     if (binary->isAssignmentOp()) return depends(binary->getLHS());
-    return (binary->isAdditiveOp() || binary->isMultiplicativeOp()) &&
+    return (binary->isAdditiveOp() || binary->isMultiplicativeOp() || binary->isShiftOp() || binary->isBitwiseOp()) &&
            (depends(binary->getLHS()) || depends(binary->getRHS()));
   }
   auto const *call = dyn_cast<CallExpr>(expression);

@@ -1,4 +1,5 @@
 #include "emit/c_externals.h"
+#include "emit/c_integers.h"
 #include "emit/c_parts.h"
 #include "emit/expression.h"
 #include "emit/trace.h"
@@ -69,7 +70,7 @@ public:
 
   bool has_value_checks() const {
     for (std::size_t k = 0; options_.check_values && k < body_.variables.size(); ++k)
-      if (!is_truth(k) && !is_call_node(program_, body_, body_.variables[k])) return true;
+      if (is_number(k) && !is_call_node(program_, body_, body_.variables[k])) return true;
     return false;
   }
 
@@ -94,7 +95,7 @@ private:
       }
       append_wrapped(out, indent, text(step));
       bool const sets = step.kind == Step::Kind::set || step.kind == Step::Kind::set_const;
-      if (sets && options_.check_values && !is_truth(step.index))
+      if (sets && options_.check_values && is_number(step.index))
         out += std::string(indent - 2, ' ') +
                value_check(*program_.graph, spelling_(step.index), body_.variables[step.index]);
       if (step.kind == Step::Kind::open || step.kind == Step::Kind::otherwise) indent += 2;
@@ -141,14 +142,15 @@ private:
     FunctionContext const context{is_compute_, &variable_, &spelling_, &kept_};
     switch (step.kind) {
     case Step::Kind::declare:
-      return fmt::format("{} {} = {};", type(step.index), spelling_(step.index), is_truth(step.index) ? "0" : "0.0");
+      return fmt::format("{} {} = {};", type(step.index), spelling_(step.index), is_number(step.index) ? "0.0" : "0");
     case Step::Kind::open: return fmt::format("if ({}) {{", c_condition(program_, context, step.literal));
     case Step::Kind::otherwise: return "} else {";
     case Step::Kind::close: return "}";
     case Step::Kind::set: return setting(step.index);
     case Step::Kind::set_const: return std::string(type(step.index)) + " const " + setting(step.index);
     case Step::Kind::keep:
-      return fmt::format("v[{}] = {};", chunks_.spill_slot[body_.variables[step.index]], spelling_(step.index));
+      return kept(fmt::format("v[{}]", chunks_.spill_slot[body_.variables[step.index]]), body_.variables[step.index],
+                  spelling_(step.index));
     case Step::Kind::check:
       ++checks_printed_;
       return fmt::format("if ({}) return {};",
@@ -185,14 +187,26 @@ private:
     Op const op = program_.graph->nodes[id].op;
     return !is_leaf(op) && info(op).has(flag::BOOLEAN);
   }
-  char const *type(std::size_t statement) const { return is_truth(statement) ? "int" : "double"; }
+  bool is_wide_integer(NodeId id) const { return !body_.regions.is_gate(id) && is_wide(program_.graph->nodes[id].op); }
+  bool is_number(std::size_t statement) const {
+    return !is_truth(statement) && !is_wide_integer(body_.variables[statement]);
+  }
+  char const *type(std::size_t statement) const {
+    if (is_wide_integer(body_.variables[statement])) return "uint64_t";
+    return is_truth(statement) ? "int" : "double";
+  }
+
+  std::string kept(std::string const &element, NodeId id, std::string const &value) const {
+    return is_wide_integer(id) ? c_keep_integer(element, value) : fmt::format("{} = {};", element, value);
+  }
 
   std::string results() {
     std::string out;
     FunctionContext const context{is_compute_, &variable_, &spelling_, &kept_};
     for (std::size_t slot = 0; slot < body_.results.size(); ++slot)
       append_wrapped(out, 2,
-                     fmt::format("{}[{}] = {};", target(), slot, c_use(program_, context, body_.results[slot])));
+                     kept(fmt::format("{}[{}]", target(), slot), body_.results[slot],
+                          c_use(program_, context, body_.results[slot])));
     return out;
   }
 
@@ -234,11 +248,12 @@ constexpr char const *no_fusion = "#if defined(__clang__)\n"
 std::string c_source(Program const &program, EmitOptions const &options) {
   FunctionPrinter preprocess(program, options, false), compute(program, options, true);
   bool const checked = preprocess.has_value_checks() || compute.has_value_checks();
-  std::string text =
-      c_banner(program, options) +
-      fmt::format("#include \"{}.h\"\n\n#include <math.h>\n{}{}\n", options.base_name,
-                  checked ? value_check_helper() : "", options.mode == FloatingPoint::fast ? "" : no_fusion) +
-      c_declarations(*program.graph) + preprocess.print() + "\n" + compute.print();
+  std::string const functions = preprocess.print() + "\n" + compute.print();
+  std::string text = c_banner(program, options) +
+                     fmt::format("#include \"{}.h\"\n\n#include <math.h>\n{}{}{}\n", options.base_name,
+                                 c_integer_includes(*program.graph), checked ? value_check_helper() : "",
+                                 options.mode == FloatingPoint::fast ? "" : no_fusion) +
+                     c_declarations(*program.graph) + c_integer_functions(functions) + functions;
   if (!program.graph->guards.empty()) text += "\n" + c_guard_text(program, options);
   return text;
 }

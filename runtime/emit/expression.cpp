@@ -1,7 +1,10 @@
 #include "emit/expression.h"
 
+#include "emit/c_integers.h"
 #include "graph/opaque.h"
 #include "support/number.h"
+
+#include <symreal/integer_functions.h>
 
 #include <cmath>
 
@@ -102,20 +105,31 @@ private:
       text_ += (*context_.spelling)((*context_.name)[piece.node]);
       return;
     }
-    if (is_kept) {
-      text_ += "v[" + std::to_string((*context_.kept)[piece.node]) + "]";
-      return;
-    }
-    if (context_.in_compute && program_.constant_slot[piece.node] != no_slot) {
-      text_ += "constants[" + std::to_string(program_.constant_slot[piece.node]) + "]";
-      return;
-    }
+    if (is_kept) return print_element(node, "v[" + std::to_string((*context_.kept)[piece.node]) + "]");
+    if (context_.in_compute && program_.constant_slot[piece.node] != no_slot)
+      return print_element(node, "constants[" + std::to_string(program_.constant_slot[piece.node]) + "]");
     if (is_leaf(node.op)) {
       text_ += (node.op == Op::input ? "input[" : "parameters[") + std::to_string(node.slot()) + "]";
       return;
     }
     if (context_.spelled_out) context_.spelled_out->push_back(piece.node);
+    if (is_integer_constant(node)) {
+      double const bits =
+          evaluate(node.op, this->node(node.operand[0]).value(), this->node(node.operand[1]).value(), 0);
+      text_ += c_integer_constant(integers::bits(bits));
+      return;
+    }
     print_operation(node, piece.binding);
+  }
+
+  void print_element(Node const &node, std::string const &element) {
+    text_ += is_wide(node.op) ? c_kept_integer(element) : element;
+  }
+
+  // Of its two halves.
+  bool is_integer_constant(Node const &node) const {
+    return node.op == Op::wide && this->node(node.operand[0]).is_constant() &&
+           this->node(node.operand[1]).is_constant();
   }
 
   bool is_kept_value(Piece const &piece) const {
@@ -131,12 +145,13 @@ private:
   void print_operation(Node const &node, int binding) {
     OperationInfo const &operation = info(node.op);
     std::string c(operation.c);
-    bool parenthesised = operation.form != Form::call && operation.precedence < binding;
+    bool parenthesised = operation.precedence != 0 && operation.precedence < binding;
     if (parenthesised) {
       text_ += '(';
       push(")");
     }
     switch (operation.form) {
+    case Form::local:
     case Form::call:
       push(")");
       for (unsigned i = operation.arity; i-- > 0;) {

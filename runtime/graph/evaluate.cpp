@@ -4,6 +4,8 @@
 #include "graph/infinity.h"
 #include "graph/opaque.h"
 
+#include <symreal/integer_functions.h>
+
 #include <algorithm>
 #include <cmath>
 #include <unordered_map>
@@ -81,7 +83,7 @@ std::size_t first_failing_guard(Graph const &graph, std::span<double const> valu
 static std::array<NodeId, 3> active_operands(Node const &node, std::span<double const> values) {
   std::array<NodeId, 3> operand = node.operand;
   bool const holds = values[operand[0]] != 0;
-  if (node.op == Op::select) operand[holds ? 2 : 1] = no_node;
+  if (node.op == Op::select || node.op == Op::wide_select) operand[holds ? 2 : 1] = no_node;
   if (node.op == Op::logical_and && !holds) operand[1] = no_node;
   if (node.op == Op::logical_or && holds) operand[1] = no_node;
   return operand;
@@ -106,14 +108,23 @@ static bool is_within(double value, double low, double end) { return value > low
 
 static bool is_defined(Graph const &graph, Node const &node, std::span<double const> values) {
   auto operand = [&](std::size_t i) { return values[node.operand[i]]; };
-  constexpr double two_to_31 = 0x1p31, two_to_63 = 0x1p63;
+  constexpr double two_to_31 = 0x1p31, two_to_53 = 0x1p53, two_to_63 = 0x1p63;
   switch (node.op) {
   // C leaves open which sign a NaN has that an operation makes; the sign of a constant is the program's.
   case Op::copysign: return graph.nodes[node.operand[1]].is_constant() || !std::isnan(operand(1));
-  case Op::int32: return is_within(operand(0), -two_to_31, two_to_31);
-  case Op::int64: return is_within(operand(0), -two_to_63, two_to_63);
-  case Op::uint32: return is_within(operand(0), 0, 2 * two_to_31);
-  case Op::uint64: return is_within(operand(0), 0, 2 * two_to_63);
+  case Op::int32:
+  case Op::within_int32: return is_within(operand(0), -two_to_31, two_to_31);
+  case Op::within_uint32: return is_within(operand(0), 0, 2 * two_to_31);
+  case Op::within_double: return is_within(operand(0), -two_to_53, two_to_53);
+  case Op::int64:
+  case Op::wide_int: return operand(0) >= -two_to_63 && operand(0) < two_to_63;
+  case Op::wide_uint: return operand(0) >= -two_to_63 && operand(0) < 2 * two_to_63;
+  case Op::wide_udiv:
+  case Op::wide_urem: return integers::bits(operand(1)) != 0;
+  case Op::wide_div:
+  case Op::wide_rem:
+    return integers::bits(operand(1)) != 0 &&
+           (integers::bits(operand(0)) != std::uint64_t{1} << 63 || integers::bits(operand(1)) != ~std::uint64_t{0});
   case Op::lookup:
   case Op::lookup2: {
     std::vector<std::size_t> const &extents = graph.tables[table_of(graph, node)].extents;
@@ -168,7 +179,7 @@ Premises check_premises(Graph const &graph, std::span<double const> values) {
   for (std::size_t id = 0; id < graph.nodes.size(); ++id) {
     if (!active[id]) continue;
     Node const &node = graph.nodes[id];
-    if (!is_finite(graph, id, values, own)) premises.finite = false;
+    if (!is_wide(node.op) && !is_finite(graph, id, values, own)) premises.finite = false;
     if (is_leaf(node.op)) continue;
     if (!is_defined(graph, node, values)) premises.defined = false;
     if (sees_zero_sign(graph, node, values)) premises.zero_sign_unseen = false;

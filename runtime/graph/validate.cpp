@@ -30,6 +30,8 @@ static std::string check_node(Graph const &graph, NodeId id) {
     if ((i < arity(node.op)) != (node.operand[i] != no_node)) return at("has the wrong number of operands");
     if (i >= arity(node.op)) continue;
     if (node.operand[i] >= id) return at("is older than its operand");
+    if (is_wide(graph.nodes[node.operand[i]].op) != takes_wide(node.op, i))
+      return at(takes_wide(node.op, i) ? "takes integers of 64 bits" : "takes no integers of 64 bits");
     attribute = std::max(attribute, graph.nodes[node.operand[i]].attribute);
   }
   if (node.attribute != attribute_of(node.op, attribute)) return at("has the wrong attribute");
@@ -45,8 +47,11 @@ std::string find_violation(Graph const &graph) {
   for (auto const *roots : {&graph.results, &graph.precomputed})
     for (NodeId root : *roots)
       if (root >= graph.nodes.size()) return "a result names a node that does not exist";
+  for (NodeId result : graph.results)
+    if (is_wide(graph.nodes[result].op)) return "a result is no number";
   for (Guard const &guard : graph.guards) {
     if (guard.condition >= graph.nodes.size()) return "a guard names a node that does not exist";
+    if (is_wide(graph.nodes[guard.condition].op)) return "a guard's condition is no number";
     if (guard.location != no_location && guard.location >= graph.locations.size())
       return "a guard names a location that does not exist";
   }

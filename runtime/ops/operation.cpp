@@ -2,6 +2,8 @@
 
 #include "diagnostics/diagnostic.h"
 
+#include <symreal/integer_functions.h>
+
 #include <array>
 #include <cmath>
 #include <string>
@@ -35,6 +37,10 @@ OperationInfo const &info(Op op) {
 }
 
 unsigned arity(Op op) { return is_leaf(op) ? 0 : info(op).arity; }
+
+bool takes_wide(Op op, std::size_t i) {
+  return info(op).has(flag::TAKES_WIDE) && !(info(op).form == Form::select && i == 0);
+}
 
 std::optional<Op> find_operation(std::string_view name) {
   static std::unordered_map<std::string_view, Op> const by_name = [] {

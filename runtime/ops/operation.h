@@ -4,14 +4,15 @@
 
 #include <symreal/op.h>
 
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <string_view>
 
 namespace symreal {
 
-enum class Form : std::uint8_t { infix, prefix, call, cast, select, external };
-enum class Domain : std::uint8_t { any, positive, unit, above_one };
+enum class Form : std::uint8_t { infix, prefix, call, cast, select, local, external };
+enum class Domain : std::uint8_t { any, positive, unit, above_one, integer };
 
 struct OperationInfo {
   Op op;
@@ -31,7 +32,7 @@ struct OperationInfo {
 
 namespace flag {
 inline constexpr unsigned COMMUTATIVE = 1, ROUNDED = 2, ZERO_SIGN = 4, BOOLEAN = 8, LOGICAL = 16, QUIET = 32,
-                          OPAQUE = 64, STRUCTURE = 128, EFFECT = 256, MONOTONE = 512;
+                          OPAQUE = 64, STRUCTURE = 128, EFFECT = 256, MONOTONE = 512, WIDE = 1024, TAKES_WIDE = 2048;
 }
 
 // All operations in the order of the table.
@@ -41,6 +42,10 @@ std::span<OperationInfo const> operations();
 OperationInfo const &info(Op op);
 inline bool is_leaf(Op op) { return op <= Op::parameter; }
 unsigned arity(Op op);
+// An integer of 64 bits: its value among those of nodes is its bits.
+inline bool is_wide(Op op) { return !is_leaf(op) && info(op).has(flag::WIDE); }
+// Whether operand `i` must be one.
+bool takes_wide(Op op, std::size_t i);
 inline bool is_call(Op op) { return op == Op::call || op == Op::call_in_order; }
 std::optional<Op> find_operation(std::string_view name);
 

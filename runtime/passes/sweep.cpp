@@ -1,5 +1,7 @@
 #include "passes/sweep.h"
 
+#include <bit>
+
 namespace symreal {
 
 namespace {
@@ -38,7 +40,7 @@ private:
       std::swap(operand[0], operand[1]);
     Node node = table_.operation(op, operand[0], operand[1], operand[2]);
     if (info(op).has(flag::OPAQUE)) return table_.intern(node);
-    if (options_.fold && node.attribute == Attribute::constant) return fold(node);
+    if (options_.fold && node.attribute == Attribute::constant && op != Op::wide) return fold(node);
     Bindings bindings;
     for (Rule const *rule : rules_[static_cast<std::size_t>(op)])
       if (match(*rule, node, table_, bindings)) return build(rule->replacement, bindings);
@@ -62,8 +64,21 @@ private:
   }
 
   NodeId fold(Node const &node) {
-    auto value = [&](NodeId id) { return id == no_node ? 0.0 : table_[id].value(); };
-    return table_.constant(evaluate(node.op, value(node.operand[0]), value(node.operand[1]), value(node.operand[2])));
+    double const value =
+        evaluate(node.op, value_of(node.operand[0]), value_of(node.operand[1]), value_of(node.operand[2]));
+    if (!is_wide(node.op)) return table_.constant(value);
+    auto const bits = std::bit_cast<std::uint64_t>(value);
+    NodeId const high = table_.constant(static_cast<double>(bits >> 32));
+    return table_.intern(
+        table_.operation(Op::wide, high, table_.constant(static_cast<double>(bits & 0xFFFFFFFFu)), no_node));
+  }
+
+  // Of a constant: an integer of 64 bits is a node of its two halves.
+  double value_of(NodeId id) const {
+    if (id == no_node) return 0;
+    Node const &node = table_[id];
+    return node.is_constant() ? node.value()
+                              : evaluate(node.op, value_of(node.operand[0]), value_of(node.operand[1]), 0);
   }
 
   SweepOptions options_;

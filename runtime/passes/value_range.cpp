@@ -46,7 +46,7 @@ Interval ValueRanges::of(Node const &node, int depth) const {
   if (is_leaf(node.op)) return any_;
   OperationInfo const &operation = info(node.op);
   if (operation.has(flag::BOOLEAN)) return {0, 1, false};
-  if (operation.has(flag::OPAQUE)) return any_;
+  if (operation.has(flag::OPAQUE) || operation.has(flag::WIDE)) return any_;
   if (operation.has(flag::MONOTONE)) return monotone(node, depth);
   switch (node.op) {
   case Op::select: return choice(node, Bound(), 2);
@@ -67,6 +67,18 @@ Interval ValueRanges::of(Node const &node, int depth) const {
     Interval const x = magnitude(operand(node, 0, depth));
     return {-x.high, x.high, x.nan};
   }
+  case Op::int32:
+  case Op::wrap_int32: return integer(node, -0x1p31, 0x1p31 - 1, depth);
+  case Op::int64: return integer(node, -0x1p63, 0x1p63, depth);
+  case Op::wrap_int8: return integer(node, -128, 127, depth);
+  case Op::wrap_int16: return integer(node, -0x1p15, 0x1p15 - 1, depth);
+  case Op::wrap_uint8: return integer(node, 0, 255, depth);
+  case Op::wrap_uint16: return integer(node, 0, 0x1p16 - 1, depth);
+  case Op::wrap_uint32: return integer(node, 0, 0x1p32 - 1, depth);
+  case Op::mul_uint32:
+  case Op::wide_low: return {0, 0x1p32 - 1, false};
+  case Op::wide_value: return {-0x1p63, 0x1p63, false};
+  case Op::wide_uvalue: return {0, 0x1p64, false};
   case Op::fmod: return rest(operand(node, 0, depth), operand(node, 1, depth));
   default: return any_;
   }
@@ -86,6 +98,13 @@ Interval ValueRanges::monotone(Node const &node, int depth) const {
     high[k] = range.high;
   }
   return bounded({evaluate(node.op, low[0], low[1], low[2]), evaluate(node.op, high[0], high[1], high[2]), any_.nan});
+}
+
+// A conversion to an integer: cut off where the type holds the operand, else anything that it holds.
+Interval ValueRanges::integer(Node const &node, double low, double high, int depth) const {
+  Interval const x = operand(node, 0, depth);
+  if (x.nan || !(x.low >= low && x.high <= high)) return {low, high, false};
+  return {std::trunc(x.low), std::trunc(x.high), false};
 }
 
 // Products and quotients are largest and smallest at the ends of the ranges.

@@ -52,7 +52,8 @@ public:
         is_read_(graph.nodes.size(), 0),
         has_variable_(graph.nodes.size(), 0) {
     for (std::size_t id = 0; id < graph.nodes.size(); ++id)
-      is_read_[id] = is_leaf(graph.nodes[id].op) || (constant_slot && (*constant_slot)[id] != no_slot);
+      is_read_[id] = is_leaf(graph.nodes[id].op) || is_literal(graph.nodes[id]) ||
+                     (constant_slot && (*constant_slot)[id] != no_slot);
     // All inputs are read before an output is written, since the arrays may overlap; so what an output holds must be in
     // a variable by then, or in the array of a call.
     for (NodeId result : results)
@@ -80,6 +81,9 @@ private:
     if (effect_ != no_node) roots.push_back(effect_);
     return roots;
   }
+
+  // An integer of 64 bits that is a constant.
+  bool is_literal(Node const &node) const { return node.op == Op::wide && node.attribute == Attribute::constant; }
 
   // What is used more than once, is too large to nest, or has been given one.
   std::vector<NodeId> choose_variables() const {

@@ -8,7 +8,7 @@
 #include "trace/policy.h"
 #include "trace/pool.h"
 
-#include <symreal/real_math.h>
+#include <symreal/symbolic_int.h>
 
 #include <algorithm>
 #include <cmath>
@@ -98,6 +98,15 @@ double convert_to_integer(RealNumber x) noexcept {
   else
     report("the conversion of " + trace::describe(x));
   return value;
+}
+
+std::uint64_t convert_wide(RealNumber integer) noexcept {
+  double const value = needed_value(integer);
+  if (decisions() == Decisions::guard)
+    trace::Guards::current().add(wide_equal(integer64_of_bits(integer), integer64(bits(value))), true);
+  else
+    report("the conversion of " + trace::describe(integer));
+  return bits(value);
 }
 
 double convert(RealNumber x) noexcept {

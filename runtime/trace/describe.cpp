@@ -6,6 +6,8 @@
 #include "trace/kernel.h"
 #include "trace/pool.h"
 
+#include <symreal/integer_functions.h>
+
 #include <ostream>
 
 namespace symreal {
@@ -33,6 +35,16 @@ static std::string describe_external(Node const &node, std::string const *operan
   return node.op == Op::returned ? operands[0] : "...";
 }
 
+// As a program would spell it, without what only generated code needs.
+static std::string spelling(OperationInfo const &operation) {
+  if (operation.op == Op::int32 || operation.op == Op::int64) return "trunc";
+  if (operation.op == Op::wide_int || operation.op == Op::wide_value) return "(int64_t)";
+  if (operation.op == Op::wide_uint || operation.op == Op::wide_uvalue) return "(uint64_t)";
+  constexpr std::string_view wrap = "wrap_";
+  if (operation.name.starts_with(wrap)) return "(" + std::string(operation.name.substr(wrap.size())) + "_t)";
+  return std::string(operation.c);
+}
+
 static std::string describe_node(NodeId id, int depth) {
   Node const &node = Pool::current().nodes()[id];
   if (node.is_constant()) return shortest(node.value());
@@ -40,6 +52,11 @@ static std::string describe_node(NodeId id, int depth) {
   if (node.op == Op::parameter) return leaf_name(Kernel::current().interface().parameters, node.slot());
   if (depth == deepest) return "...";
   OperationInfo const &operation = info(node.op);
+  if (node.op == Op::wide) { // of two constants
+    auto half = [&](std::size_t i) { return Pool::current().nodes()[node.operand[i]].value(); };
+    return std::to_string(integers::wide(half(0), half(1)));
+  }
+  if (node.op == Op::within_int32 || node.op == Op::within_uint32) return describe_node(node.operand[0], depth);
   std::string operands[3];
   for (unsigned i = 0; i < operation.arity; ++i) operands[i] = describe_node(node.operand[i], depth + 1);
   std::string text;
@@ -49,8 +66,9 @@ static std::string describe_node(NodeId id, int depth) {
   case Form::select: text = operands[0] + " ? " + operands[1] + " : " + operands[2]; break;
   case Form::external: return describe_external(node, operands);
   case Form::call:
+  case Form::local:
   case Form::cast:
-    text = std::string(operation.c) + "(" + operands[0];
+    text = spelling(operation) + "(" + operands[0];
     for (unsigned i = 1; i < operation.arity; ++i) text += ", " + operands[i];
     return text + ")";
   }

@@ -23,10 +23,8 @@ Graph graph_of_all() {
     if (operation.has(flag::OPAQUE)) continue;
     for (unsigned i = 0; i < operation.arity; ++i)
       nodes += "%" + std::to_string(node++) + " = input " + std::to_string(input++) + "\n";
-    nodes += "%" + std::to_string(node) + " = " + std::string(operation.name);
-    for (unsigned i = 0; i < operation.arity; ++i) nodes += " %" + std::to_string(node - operation.arity + i);
-    nodes += "\n";
-    results += "result " + std::to_string(slot++) + " %" + std::to_string(node++) + "\n";
+    nodes += test::lines_on_numbers(operation, node - operation.arity, node);
+    results += "result " + std::to_string(slot++) + " %" + std::to_string(node - 1) + "\n";
   }
   return read_graph("symreal-graph 1\nkernel \"k\"\ninput \"x\" [" + std::to_string(input) + "]\noutput \"y\" [" +
                         std::to_string(slot) + "]\n" + nodes + results,
@@ -43,12 +41,12 @@ TEST(Emit, EveryOperationComputesTheReferenceInC) {
         if (operation.has(flag::OPAQUE)) continue; // they are the table's last rows
         auto x = test::samples(operation, 25)[k];
         input.insert(input.end(), x.begin(), x.begin() + operation.arity);
-        expected.push_back(evaluate(operation.op, x[0], x[1], x[2]));
+        expected.push_back(test::on_numbers(operation, x));
       }
       std::vector<double> const output = compiled.run(input, expected.size());
       for (std::size_t i = 0; i < expected.size(); ++i)
         EXPECT_EQ(std::bit_cast<std::uint64_t>(output[i]), std::bit_cast<std::uint64_t>(expected[i]))
-            << operations()[i].name << " with " << compiler;
+            << operations()[i].name << " with " << compiler << " at " << k;
     }
   }
 }
@@ -76,6 +74,28 @@ TEST(Emit, CallsAndLookupsComputeTheSameAcrossChunks) {
       std::vector<double> const expected = evaluate_sample(graph, input, {}, call).outputs;
       for (std::size_t i = 0; i < expected.size(); ++i)
         EXPECT_TRUE(output[i] == expected[i] || (std::isnan(output[i]) && std::isnan(expected[i]))) << i << " at " << x;
+    }
+  }
+}
+
+// Integers of 64 bits that other chunks read are kept by their bits, among them such as are no number.
+TEST(Emit, IntegersOf64BitsCrossChunks) {
+  std::string text = "symreal-graph 1\nkernel \"k\"\ninput \"x\" [2]\noutput \"y\" [3]\n%0 = input 0\n%1 = input 1\n"
+                     "%2 = wide_int %0\n%3 = wide 1481765933 1284865837\n%4 = wide_mul %2 %3\n%5 = wide_less %4 %2\n"
+                     "%6 = sin %0\n";
+  std::size_t const count = 2000;
+  for (std::size_t k = 7; k < count; ++k)
+    text += "%" + std::to_string(k) + " = hypot %" + std::to_string(k - 1) + " %" + std::to_string(k % 2) + "\n";
+  text += "%2000 = wide_add %4 %2\n%2001 = wide_low %2000\n%2002 = wide_select %5 %4 %2\n%2003 = wide_value %2002\n"
+          "result 0 %2001\nresult 1 %2003\nresult 2 %1999\n";
+  Graph const graph = read_graph(text, "test");
+  EXPECT_NE(emit_c(graph, {.base_name = "k"})[0].text.find("keep_integer(&v["), std::string::npos);
+  for (std::string const compiler : {"gcc", "clang-19"}) {
+    Compiled const compiled(graph, compiler);
+    for (double x : {-1.0, 0.0, 1.0, 2.0, 12345.0, -98765.0, 0x1p62, 4503599627370495.0}) {
+      std::vector<double> const input = {x, 1 - x}, output = compiled.run(input, 3);
+      std::vector<double> const expected = evaluate_sample(graph, input, {}).outputs;
+      for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_EQ(output[i], expected[i]) << i << " at " << x;
     }
   }
 }

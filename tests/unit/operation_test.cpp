@@ -17,10 +17,10 @@ namespace {
 // A graph of one operation on inputs.
 Graph graph_of(OperationInfo const &operation) {
   std::string text = "symreal-graph 1\nkernel \"k\"\ninput \"x\" [3]\noutput \"y\"\n%0 = input 0\n%1 = input 1\n"
-                     "%2 = input 2\n%3 = " +
-                     std::string(operation.name);
-  for (unsigned i = 0; i < operation.arity; ++i) text += " %" + std::to_string(i);
-  return read_graph(text + "\nresult 0 %3\n", "test");
+                     "%2 = input 2\n";
+  std::size_t next = 3;
+  text += test::lines_on_numbers(operation, 0, next);
+  return read_graph(text + "result 0 %" + std::to_string(next - 1) + "\n", "test");
 }
 
 TEST(Operations, AreFoundByTheirNames) {
@@ -51,7 +51,7 @@ TEST(Operations, GraphsEvaluateThem) {
     if (operation.has(flag::OPAQUE)) continue;
     Graph const graph = graph_of(operation);
     for (auto const &x : test::samples(operation, 20)) {
-      double direct = evaluate(operation.op, x[0], x[1], x[2]);
+      double direct = test::on_numbers(operation, x);
       EXPECT_EQ(evaluate(graph, x, {}).back(), direct) << operation.name;
       EXPECT_TRUE(std::isfinite(direct)) << operation.name << " leaves its domain";
     }

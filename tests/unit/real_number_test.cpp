@@ -80,6 +80,7 @@ TEST_F(Recording, FunctionsCarryTheirValues) {
 #define SYMREAL_FORM_prefix(...)
 #define SYMREAL_FORM_cast(...)
 #define SYMREAL_FORM_select(...)
+#define SYMREAL_FORM_local(...)
 #define SYMREAL_FORM_external(...)
 #define SYMREAL_FORM_call(id, arity) SYMREAL_CHECK_##arity(id)
 #define SYMREAL_SAME(id, real, reference)                                                                              \

@@ -7,6 +7,7 @@
 #include <symreal/decisions.h>
 #include <symreal/truth.h>
 
+#include <cstring>
 #include <optional>
 #include <vector>
 
@@ -48,6 +49,8 @@ public:
       numbers_.push_back(&object);
     else if constexpr (std::is_array_v<T>)
       for (auto &element : object) (*this)(element);
+    else if constexpr (detail::is_symbolic_int<T>)
+      integer(object);
     else if constexpr (detail::is_matrix<T>::value) {
       for (decltype(object.rows()) i = 0; i < object.rows(); ++i)
         for (decltype(object.cols()) j = 0; j < object.cols(); ++j) (*this)(object(i, j));
@@ -66,12 +69,40 @@ public:
   // Each becomes select(condition, yes, no).
   [[gnu::always_inline]] void merge(SymbolicBool condition, std::vector<RealNumber> const &yes,
                                     std::vector<RealNumber> const &no) const {
-    for (std::size_t k = 0; k < numbers_.size(); ++k)
-      *numbers_[k] = yes[k].to_bits() == no[k].to_bits() ? yes[k] : select(condition, yes[k], no[k]);
+    std::size_t k = 0;
+    for (Integer const &integer : integers_) {
+      for (; k < integer.first; ++k) merge_number(k, condition, yes, no);
+      integer.merge(numbers_[k], condition, &yes[k], &no[k]);
+      k += integer.words;
+    }
+    for (; k < numbers_.size(); ++k) merge_number(k, condition, yes, no);
   }
 
 private:
+  // What is more than a number: it is saved as its words, and selected as a whole.
+  struct Integer {
+    std::size_t first, words;
+    void (*merge)(void *object, SymbolicBool condition, void const *yes, void const *no);
+  };
+  template <class T> void integer(T &object) {
+    constexpr std::size_t words = sizeof(T) / sizeof(RealNumber);
+    static_assert(std::is_trivially_copyable_v<T> && sizeof(T) % sizeof(RealNumber) == 0);
+    integers_.push_back(
+        {numbers_.size(), words, [](void *into, SymbolicBool condition, void const *yes, void const *no) {
+           T y, n;
+           std::memcpy(&y, yes, sizeof y);
+           std::memcpy(&n, no, sizeof n);
+           *static_cast<T *>(into) = std::memcmp(yes, no, sizeof y) == 0 ? y : select(condition, y, n);
+         }});
+    for (std::size_t k = 0; k < words; ++k) numbers_.push_back(reinterpret_cast<RealNumber *>(&object) + k);
+  }
+  [[gnu::always_inline]] void merge_number(std::size_t k, SymbolicBool condition, std::vector<RealNumber> const &yes,
+                                           std::vector<RealNumber> const &no) const {
+    *numbers_[k] = yes[k].to_bits() == no[k].to_bits() ? yes[k] : select(condition, yes[k], no[k]);
+  }
+
   std::vector<RealNumber *> numbers_;
+  std::vector<Integer> integers_; // among them
   bool has_others_ = false;
 };
 

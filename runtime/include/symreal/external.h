@@ -118,7 +118,9 @@ public:
     } else if constexpr (std::is_same_v<Result, double>) {
       return call.returned(std::apply(function_, passed));
     } else {
-      return SymbolicInt<Result>::from_number(call.returned(static_cast<double>(std::apply(function_, passed))));
+      Result const plain = std::apply(function_, passed);
+      RealNumber const returned = call.returned(static_cast<double>(plain));
+      return returned.is_node() ? SymbolicInt<Result>::from_number(returned) : SymbolicInt<Result>(plain);
     }
   }
 

@@ -32,9 +32,6 @@ template <class T> constexpr bool has_strides() {
   return false;
 }
 
-template <class> inline constexpr bool is_symbolic_int = false;
-template <class T> inline constexpr bool is_symbolic_int<SymbolicInt<T>> = true;
-
 template <class T> constexpr bool integer_type() {
   if constexpr (std::is_integral_v<T> || std::is_enum_v<T>) return sizeof(T) <= 8;
   return false;

@@ -12,6 +12,7 @@ namespace symreal {
 #define SYMREAL_FORM_prefix(...)
 #define SYMREAL_FORM_cast(...)
 #define SYMREAL_FORM_select(...)
+#define SYMREAL_FORM_local(...)
 #define SYMREAL_FORM_external(...)
 #define SYMREAL_FORM_call(id, arity, evaluate) SYMREAL_CALL_##arity(id, evaluate)
 #define SYMREAL_CALL_1(id, evaluate)                                                                                   \
@@ -61,6 +62,7 @@ namespace symreal {
 #undef SYMREAL_FORM_prefix
 #undef SYMREAL_FORM_cast
 #undef SYMREAL_FORM_select
+#undef SYMREAL_FORM_local
 #undef SYMREAL_FORM_external
 #undef SYMREAL_FORM_call
 #undef SYMREAL_CALL_1
@@ -157,6 +159,7 @@ inline SymbolicBool signbit(RealNumber x) noexcept {
 #define SYMREAL_FORM_prefix(id)
 #define SYMREAL_FORM_cast(id)
 #define SYMREAL_FORM_select(id)
+#define SYMREAL_FORM_local(id)
 #define SYMREAL_FORM_external(id)
 #define SYMREAL_FORM_call(id) SYMREAL_NAME(id)
 #define OPERATION(id, arity, form, ...) SYMREAL_FORM_##form(id)
@@ -174,6 +177,7 @@ SYMREAL_CALL_NAMES
 #undef SYMREAL_FORM_prefix
 #undef SYMREAL_FORM_cast
 #undef SYMREAL_FORM_select
+#undef SYMREAL_FORM_local
 #undef SYMREAL_FORM_external
 #undef SYMREAL_FORM_call
 #undef SYMREAL_CALL_NAMES

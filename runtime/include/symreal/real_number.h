@@ -70,6 +70,9 @@ extern __thread std::uint64_t executed[static_cast<unsigned>(Op::count)];
 // Whether truth values become numbers without a decision.
 bool selects() noexcept;
 
+template <class> inline constexpr bool is_symbolic_int = false;
+template <class T> inline constexpr bool is_symbolic_int<SymbolicInt<T>> = true;
+
 } // namespace detail
 
 namespace types {

@@ -1,12 +1,13 @@
 // An integer that was computed from real numbers: the conversion of one, and what integer arithmetic makes of it.
 //
 // It is recorded as a real number that has integer values, so an index into a table, or a fraction (x/h - i), keeps its
-// dependency. Where the program needs an integer of its own (a loop's bound, an index into something that is no table)
-// it converts to one, which is a decision. Integers are taken to stay within their types, as signed ones must; what
-// would be negative in an unsigned type is a decision.
+// dependency; one of 64 bits as integer64.h says. It has the values that the host's compiler gives it: conversions, the
+// promotions and usual conversions of the language, unsigned types that wrap. Where a signed type of 32 bits overflows
+// the original is undefined, and the graph says so to verification. Where the program needs an integer of its own (a
+// loop's bound, an index into something that is no table) it converts to one, which is a decision.
 #pragma once
 
-#include <symreal/extremes.h>
+#include <symreal/integer64.h>
 
 #include <iosfwd>
 #include <limits>
@@ -24,15 +25,69 @@ template <class T> struct Given {
 };
 // What the language makes of two integers before it computes.
 template <class T, class U> using Common = decltype(T() + U());
+template <class T> using Promoted = decltype(+T());
 
-template <class T> constexpr Op conversion_to() {
-  if constexpr (std::is_signed_v<T>) return sizeof(T) <= 4 ? Op::int32 : Op::int64;
-  return sizeof(T) <= 4 ? Op::uint32 : Op::uint64;
+template <class T> inline constexpr bool is_wide = sizeof(T) > 4;
+template <class T> inline constexpr double bound_of_type = sizeof(T) == 1 ? 0x1p8 : sizeof(T) == 2 ? 0x1p16 : 0x1p32;
+template <class T, class U>
+inline constexpr bool holds_all_of = sizeof(T) > sizeof(U)
+                                         ? std::is_signed_v<T> || std::is_unsigned_v<U>
+                                         : sizeof(T) == sizeof(U) && std::is_signed_v<T> == std::is_signed_v<U>;
+
+template <class T> constexpr Op wrap_to() {
+  if constexpr (std::is_signed_v<T>)
+    return sizeof(T) == 1 ? Op::wrap_int8 : sizeof(T) == 2 ? Op::wrap_int16 : Op::wrap_int32;
+  return sizeof(T) == 1 ? Op::wrap_uint8 : sizeof(T) == 2 ? Op::wrap_uint16 : Op::wrap_uint32;
+}
+// The low bits of an integral number, as a type of up to 32 bits.
+template <class T> [[gnu::always_inline]] inline RealNumber wrapped(RealNumber x) noexcept {
+  if (x.is_node()) return record(wrap_to<T>(), x, 0.0, 0.0);
+  return static_cast<double>(static_cast<T>(static_cast<std::int64_t>(x.plain())));
+}
+// The result of arithmetic that the type holds wherever the original is defined.
+template <class T> [[gnu::always_inline]] inline RealNumber within(RealNumber x) noexcept {
+  return x.is_node() ? record(std::is_signed_v<T> ? Op::within_int32 : Op::within_uint32, x, 0.0, 0.0) : x;
+}
+// The carried value of an integer of 64 bits, by a decision.
+[[gnu::noinline]] std::uint64_t convert_wide(RealNumber bits) noexcept;
+
+template <class T> using Held = std::conditional_t<is_wide<T>, Integer64, RealNumber>;
+
+// The conversion of a real number: towards 0, as gcc has it. Of a plain one it is the language's.
+template <class T> [[gnu::always_inline]] inline Held<T> converted(RealNumber x) noexcept {
+  if constexpr (is_wide<T>) {
+    if (!x.is_node()) return integer64(static_cast<std::uint64_t>(static_cast<T>(x.plain())));
+    if constexpr (std::is_signed_v<T>) return {record(Op::int64, x, 0.0, 0.0), 0, 0x1p63};
+    return integer64_of_bits(record(Op::wide_uint, x, 0.0, 0.0));
+  } else {
+    if (!x.is_node()) return static_cast<double>(static_cast<T>(x.plain()));
+    if constexpr (std::is_unsigned_v<T> && sizeof(T) == 4) return wrapped<T>(record(Op::int64, x, 0.0, 0.0));
+    RealNumber const number = record(Op::int32, x, 0.0, 0.0);
+    return sizeof(T) == 4 ? number : wrapped<T>(number);
+  }
 }
 
-// The outcome of a decision that goes one way in programs that are not negative where they must not be.
-inline void require_not_negative(RealNumber x) noexcept {
-  if (x.is_node()) (void)static_cast<bool>(x >= RealNumber(0.0));
+// An integer of type U as one of type T.
+template <class T, class U> [[gnu::always_inline]] inline Held<T> cast(Held<U> x) noexcept {
+  if constexpr (is_wide<T> && is_wide<U>) {
+    bool const may_change = std::is_unsigned_v<T> && std::is_signed_v<U>;
+    return may_change && x.is_node() ? integer64_of_bits(bits_of(x)) : x;
+  } else if constexpr (is_wide<T>) {
+    if (!x.is_node()) return integer64(static_cast<std::uint64_t>(static_cast<U>(x.plain())));
+    Integer64 const exact = integer64_of_number(x, bound_of_type<U>);
+    return holds_all_of<T, U> ? exact : integer64_of_bits(bits_of(exact));
+  } else if constexpr (is_wide<U>) {
+    if (!x.is_node()) return static_cast<double>(static_cast<T>(x.plain));
+    if (x.bound == 0) {
+      RealNumber const low = record(Op::wide_low, x.number, 0.0, 0.0);
+      return wrap_to<T>() == Op::wrap_uint32 ? low : wrapped<T>(low);
+    }
+    bool const fits =
+        x.bound <= static_cast<double>(std::numeric_limits<T>::max()) && (std::is_signed_v<T> || std::is_unsigned_v<U>);
+    return fits ? x.number : wrapped<T>(x.number);
+  } else {
+    return holds_all_of<T, U> ? x : wrapped<T>(x);
+  }
 }
 
 } // namespace detail
@@ -45,30 +100,48 @@ template <class T> class SymbolicInt {
 public:
   SymbolicInt() = default;
   template <class U, detail::IfInteger<U> = 0> constexpr SymbolicInt(U value) noexcept
-      : number_(static_cast<double>(static_cast<T>(value))) {}
+      : held_(from_plain(static_cast<T>(value))) {}
   // 1 or 0, as for a real number.
-  SymbolicInt(SymbolicBool condition) noexcept : number_(condition) {}
-  // The conversion of a real number: towards 0.
-  [[gnu::always_inline]] explicit SymbolicInt(RealNumber x) noexcept
-      : number_(x.is_node() ? detail::record(detail::conversion_to<T>(), x, 0.0, 0.0)
-                            : RealNumber(static_cast<double>(static_cast<T>(x.plain())))) {}
-  template <class U> SymbolicInt(SymbolicInt<U> other) noexcept : number_(other.number()) {
-    if constexpr (std::is_unsigned_v<T> && std::is_signed_v<U>) detail::require_not_negative(number_);
-  }
-  static SymbolicInt from_number(RealNumber integer) noexcept {
-    SymbolicInt result;
-    result.number_ = integer;
+  SymbolicInt(SymbolicBool condition) noexcept : held_(from_small(RealNumber(condition), 1)) {}
+  // The conversion of a real number.
+  [[gnu::always_inline]] explicit SymbolicInt(RealNumber x) noexcept : held_(detail::converted<T>(x)) {}
+  template <class U> [[gnu::always_inline]] SymbolicInt(SymbolicInt<U> other) noexcept
+      : held_(detail::cast<T, U>(other.held())) {}
+  static constexpr SymbolicInt from_held(detail::Held<T> held) noexcept {
+    SymbolicInt result(T(0));
+    result.held_ = held;
     return result;
   }
+  // Of a number that other code made of an integer of this type.
+  static SymbolicInt from_number(RealNumber integer) noexcept {
+    if (detail::is_wide<T> && integer.is_node()) integer = detail::record(Op::within_double, integer, 0.0, 0.0);
+    return from_held(from_small(integer, detail::largest_exact));
+  }
 
-  bool is_symbolic() const noexcept { return number_.is_node(); }
+  bool is_symbolic() const noexcept { return held_.is_node(); }
   // As a real number: no decision.
-  RealNumber number() const noexcept { return number_; }
-  operator RealNumber() const noexcept { return number_; }
+  [[gnu::always_inline]] RealNumber number() const noexcept {
+    if constexpr (detail::is_wide<T>)
+      return detail::real_of<T>(held_);
+    else
+      return held_;
+  }
+  [[gnu::always_inline]] operator RealNumber() const noexcept { return number(); }
+  detail::Held<T> held() const noexcept { return held_; }
+  // Of one that is not symbolic.
+  T plain() const noexcept {
+    if constexpr (detail::is_wide<T>)
+      return static_cast<T>(held_.plain);
+    else
+      return static_cast<T>(held_.plain());
+  }
 
   // A decision.
   [[gnu::always_inline]] operator T() const noexcept {
-    return static_cast<T>(number_.is_node() ? detail::convert_to_integer(number_) : number_.plain());
+    if (!is_symbolic()) return plain();
+    if constexpr (detail::is_wide<T>)
+      if (held_.bound == 0) return static_cast<T>(detail::convert_wide(held_.number));
+    return static_cast<T>(detail::convert_to_integer(number()));
   }
 
   SymbolicInt &operator++() noexcept { return *this = SymbolicInt(*this + T(1)); }
@@ -83,176 +156,38 @@ public:
     --*this;
     return old;
   }
-  template <class U> SymbolicInt &operator+=(U other) noexcept { return *this = SymbolicInt(*this + other); }
-  template <class U> SymbolicInt &operator-=(U other) noexcept { return *this = SymbolicInt(*this - other); }
-  template <class U> SymbolicInt &operator*=(U other) noexcept { return *this = SymbolicInt(*this * other); }
-  template <class U> SymbolicInt &operator/=(U other) noexcept { return *this = SymbolicInt(*this / other); }
-  template <class U> SymbolicInt &operator%=(U other) noexcept { return *this = SymbolicInt(*this % other); }
-  // What works on bits works on an integer of the program's own: by decisions.
-#define SYMREAL_BITWISE(op)                                                                                            \
-  template <class U> SymbolicInt &operator op##=(U other) noexcept {                                                   \
-    return *this = SymbolicInt(static_cast<T>(static_cast<T>(*this) op other));                                        \
-  }
-  SYMREAL_BITWISE(<<)
-  SYMREAL_BITWISE(>>)
-  SYMREAL_BITWISE(&)
-  SYMREAL_BITWISE(|)
-  SYMREAL_BITWISE(^)
-#undef SYMREAL_BITWISE
+#define SYMREAL_ASSIGNMENT(op)                                                                                         \
+  template <class U> SymbolicInt &operator op##=(U other) noexcept { return *this = SymbolicInt(*this op other); }
+  SYMREAL_ASSIGNMENT(+)
+  SYMREAL_ASSIGNMENT(-)
+  SYMREAL_ASSIGNMENT(*)
+  SYMREAL_ASSIGNMENT(/)
+  SYMREAL_ASSIGNMENT(%)
+  SYMREAL_ASSIGNMENT(<<)
+  SYMREAL_ASSIGNMENT(>>)
+  SYMREAL_ASSIGNMENT(&)
+  SYMREAL_ASSIGNMENT(|)
+  SYMREAL_ASSIGNMENT(^)
+#undef SYMREAL_ASSIGNMENT
 
 private:
-  RealNumber number_;
+  static constexpr detail::Held<T> from_plain(T value) noexcept {
+    if constexpr (detail::is_wide<T>)
+      return detail::integer64(static_cast<std::uint64_t>(value));
+    else
+      return static_cast<double>(value);
+  }
+  static detail::Held<T> from_small(RealNumber number, double bound) noexcept {
+    if constexpr (detail::is_wide<T>)
+      return detail::integer64_of_number(number, bound);
+    else
+      return number;
+  }
+
+  detail::Held<T> held_;
 };
 
 } // namespace types
-
-namespace detail {
-
-// Operands after the usual conversions. A negative number would become a large one in an unsigned type.
-template <class C, class T> RealNumber as(SymbolicInt<T> x) noexcept { return SymbolicInt<C>(x).number(); }
-template <class C, class T, IfInteger<T> = 0> RealNumber as(T x) noexcept {
-  return static_cast<double>(static_cast<C>(x));
-}
-
-template <class C> SymbolicInt<C> sum(RealNumber x, RealNumber y) { return SymbolicInt<C>::from_number(x + y); }
-template <class C> SymbolicInt<C> difference(RealNumber x, RealNumber y) {
-  RealNumber const result = x - y;
-  if constexpr (std::is_unsigned_v<C>) require_not_negative(result);
-  return SymbolicInt<C>::from_number(result);
-}
-template <class C> SymbolicInt<C> product(RealNumber x, RealNumber y) { return SymbolicInt<C>::from_number(x * y); }
-// The quotient of two integers of up to 53 bits, rounded, is never on the other side of an integer.
-template <class C> SymbolicInt<C> quotient(RealNumber x, RealNumber y) {
-  return SymbolicInt<C>::from_number(trunc(x / y));
-}
-template <class C> SymbolicInt<C> remainder_of(RealNumber x, RealNumber y) {
-  return SymbolicInt<C>::from_number(fmod(x, y));
-}
-
-} // namespace detail
-
-namespace types {
-
-// With an integer the result is an integer, with a floating-point number a real number, as in the language.
-#define SYMREAL_INTEGER(op, compute)                                                                                   \
-  template <class T, class U> SymbolicInt<detail::Common<T, U>> operator op(SymbolicInt<T> x, SymbolicInt<U> y) {      \
-    using C = detail::Common<T, U>;                                                                                    \
-    return detail::compute<C>(detail::as<C>(x), detail::as<C>(y));                                                     \
-  }                                                                                                                    \
-  template <class T, class U, detail::IfInteger<U> = 0>                                                                \
-  SymbolicInt<detail::Common<T, U>> operator op(SymbolicInt<T> x, U y) {                                               \
-    using C = detail::Common<T, U>;                                                                                    \
-    return detail::compute<C>(detail::as<C>(x), detail::as<C>(y));                                                     \
-  }                                                                                                                    \
-  template <class T, class U, detail::IfInteger<T> = 0>                                                                \
-  SymbolicInt<detail::Common<T, U>> operator op(T x, SymbolicInt<U> y) {                                               \
-    using C = detail::Common<T, U>;                                                                                    \
-    return detail::compute<C>(detail::as<C>(x), detail::as<C>(y));                                                     \
-  }
-SYMREAL_INTEGER(+, sum)
-SYMREAL_INTEGER(-, difference)
-SYMREAL_INTEGER(*, product)
-SYMREAL_INTEGER(/, quotient)
-SYMREAL_INTEGER(%, remainder_of)
-#undef SYMREAL_INTEGER
-
-#define SYMREAL_MIXED(op)                                                                                              \
-  template <class T, class U, detail::IfFloating<U> = 0> RealNumber operator op(SymbolicInt<T> x, U y) {               \
-    return x.number() op RealNumber(y);                                                                                \
-  }                                                                                                                    \
-  template <class T, class U, detail::IfFloating<T> = 0> RealNumber operator op(T x, SymbolicInt<U> y) {               \
-    return RealNumber(x) op y.number();                                                                                \
-  }
-SYMREAL_MIXED(+)
-SYMREAL_MIXED(-)
-SYMREAL_MIXED(*)
-SYMREAL_MIXED(/)
-#undef SYMREAL_MIXED
-
-#define SYMREAL_INTEGER_COMPARISON(op)                                                                                 \
-  template <class T, class U> SymbolicBool operator op(SymbolicInt<T> x, SymbolicInt<U> y) {                           \
-    using C = detail::Common<T, U>;                                                                                    \
-    return detail::as<C>(x) op detail::as<C>(y);                                                                       \
-  }                                                                                                                    \
-  template <class T, class U, detail::IfInteger<U> = 0> SymbolicBool operator op(SymbolicInt<T> x, U y) {              \
-    using C = detail::Common<T, U>;                                                                                    \
-    return detail::as<C>(x) op detail::as<C>(y);                                                                       \
-  }                                                                                                                    \
-  template <class T, class U, detail::IfInteger<T> = 0> SymbolicBool operator op(T x, SymbolicInt<U> y) {              \
-    using C = detail::Common<T, U>;                                                                                    \
-    return detail::as<C>(x) op detail::as<C>(y);                                                                       \
-  }                                                                                                                    \
-  template <class T, class U, detail::IfFloating<U> = 0> SymbolicBool operator op(SymbolicInt<T> x, U y) {             \
-    return x.number() op RealNumber(y);                                                                                \
-  }                                                                                                                    \
-  template <class T, class U, detail::IfFloating<T> = 0> SymbolicBool operator op(T x, SymbolicInt<U> y) {             \
-    return RealNumber(x) op y.number();                                                                                \
-  }
-SYMREAL_INTEGER_COMPARISON(<)
-SYMREAL_INTEGER_COMPARISON(<=)
-SYMREAL_INTEGER_COMPARISON(>)
-SYMREAL_INTEGER_COMPARISON(>=)
-SYMREAL_INTEGER_COMPARISON(==)
-SYMREAL_INTEGER_COMPARISON(!=)
-#undef SYMREAL_INTEGER_COMPARISON
-
-template <class T> SymbolicInt<detail::Common<T, T>> operator-(SymbolicInt<T> x) noexcept { return T(0) - x; }
-template <class T> SymbolicInt<detail::Common<T, T>> operator+(SymbolicInt<T> x) noexcept { return T(0) + x; }
-
-} // namespace types
-
-template <class T> SymbolicInt<detail::Common<T, T>> abs(SymbolicInt<T> x) noexcept {
-  return SymbolicInt<detail::Common<T, T>>::from_number(abs(x.number()));
-}
-
-inline SymbolicInt<long> lround(RealNumber x) noexcept { return SymbolicInt<long>(round(x)); }
-inline SymbolicInt<long long> llround(RealNumber x) noexcept { return SymbolicInt<long long>(round(x)); }
-inline SymbolicInt<long> lrint(RealNumber x) noexcept { return SymbolicInt<long>(rint(x)); }
-inline SymbolicInt<long long> llrint(RealNumber x) noexcept { return SymbolicInt<long long>(rint(x)); }
-
-// y where the condition holds, else z; both are computed.
-template <class T, class U>
-SymbolicInt<std::common_type_t<T, U>> select(SymbolicBool condition, SymbolicInt<T> y, SymbolicInt<U> z) noexcept {
-  return SymbolicInt<std::common_type_t<T, U>>::from_number(select(condition, y.number(), z.number()));
-}
-
-// As for real numbers, the template of <algorithm>: (y < x) ? y : x.
-#define SYMREAL_EXTREME(name, chosen)                                                                                  \
-  template <class T, detail::IfInteger<T> = 0> SymbolicInt<T> name(SymbolicInt<T> x, SymbolicInt<T> y) noexcept {      \
-    return chosen;                                                                                                     \
-  }                                                                                                                    \
-  template <class T, detail::IfInteger<T> = 0>                                                                         \
-  SymbolicInt<T> name(SymbolicInt<T> x, typename detail::Given<T>::Type y) noexcept {                                  \
-    return name(x, SymbolicInt<T>(y));                                                                                 \
-  }                                                                                                                    \
-  template <class T, detail::IfInteger<T> = 0>                                                                         \
-  SymbolicInt<T> name(typename detail::Given<T>::Type x, SymbolicInt<T> y) noexcept {                                  \
-    return name(SymbolicInt<T>(x), y);                                                                                 \
-  }
-SYMREAL_EXTREME(min, select(y < x, y, x))
-SYMREAL_EXTREME(max, select(x < y, y, x))
-#undef SYMREAL_EXTREME
-template <class T, detail::IfInteger<T> = 0>
-SymbolicInt<T> clamp(SymbolicInt<T> x, typename detail::Given<SymbolicInt<T>>::Type low,
-                     typename detail::Given<SymbolicInt<T>>::Type high) noexcept {
-  return select(x < low, low, select(high < x, high, x));
-}
-
-// Prints the carried value; so does REAL_VALUE among the arguments of printf.
-template <class T> T value(SymbolicInt<T> x) noexcept { return static_cast<T>(value(x.number())); }
-namespace types {
-template <class Character, class Traits, class T>
-std::basic_ostream<Character, Traits> &operator<<(std::basic_ostream<Character, Traits> &out, SymbolicInt<T> x) {
-  return out << value(x);
-}
-} // namespace types
-
 } // namespace symreal
 
-using symreal::abs;
-namespace std {
-using symreal::abs;
-using symreal::clamp;
-using symreal::max;
-using symreal::min;
-} // namespace std
+#include <symreal/symbolic_int_operators.h>

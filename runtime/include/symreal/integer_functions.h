@@ -1,0 +1,24 @@
+// The functions of integer_functions.def, for the evaluation of operations.
+#pragma once
+
+#include <cstdint>
+
+namespace symreal::integers {
+
+using std::int32_t, std::int64_t, std::uint32_t, std::uint64_t; // as the text, which is C, spells them
+
+#define INTEGER_FUNCTION(type, name, parameters, ...)                                                                  \
+  inline type name parameters { __VA_ARGS__ }
+#include <symreal/integer_functions.def>
+#undef INTEGER_FUNCTION
+
+// An integer of 64 bits among the values of nodes, which are doubles: its bits.
+constexpr uint64_t bits(double value) noexcept { return __builtin_bit_cast(uint64_t, value); }
+constexpr double held(uint64_t bits) noexcept { return __builtin_bit_cast(double, bits); }
+
+// The low bits of an integer, as a type has them.
+template <class T> double wrapped(double integer) noexcept {
+  return static_cast<double>(static_cast<T>(wide_int(integer)));
+}
+
+} // namespace symreal::integers
