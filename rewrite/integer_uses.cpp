@@ -1,3 +1,4 @@
+#include "ops/operation.h"
 #include "rewrite/conditions.h"
 #include "rewrite/pragma_text.h"
 #include "rewrite/symbolic_ints.h"
@@ -42,12 +43,17 @@ public:
   bool VisitCallExpr(CallExpr *call) {
     FunctionDecl const *function = call->getDirectCallee();
     if (!function || is_std_function(function, {"min", "max", "clamp"})) return true;
+    if (computes_with_numbers(function)) {
+      for (Expr const *argument : call->arguments()) keep_(argument);
+      return true;
+    }
     // Streams have an operator for it; of the others these are indices.
     auto const *operation = dyn_cast<CXXOperatorCallExpr>(call);
     if (operation && operation->getOperator() != OO_Subscript && operation->getOperator() != OO_Call) return true;
     unsigned const object = operation && isa<CXXMethodDecl>(function) ? 1 : 0;
     for (unsigned i = object; i < call->getNumArgs(); ++i)
-      argument(call->getArg(i), function->isVariadic() && i - object >= function->getNumParams());
+      argument(call->getArg(i),
+               function->isVariadic() && i - object >= function->getNumParams() && !reals_.in_roots(function));
     return true;
   }
   bool VisitCXXConstructExpr(CXXConstructExpr *construction) {
@@ -66,10 +72,20 @@ public:
   }
 
 private:
-  // What is printed needs no decision; any other function is chosen by the type of a plain integer.
-  void argument(Expr const *argument, bool is_variadic) {
+  // A mathematical function of which every argument is a number: an integer becomes one.
+  bool computes_with_numbers(FunctionDecl const *function) const {
+    if (!reals_.is_math(function) || !Reals::is_double(function->getReturnType())) return false;
+    std::span<OperationInfo const> const table = operations();
+    return std::any_of(table.begin(), table.end(), [&](OperationInfo const &operation) {
+      return operation.form == Form::call && function->getName() == llvm::StringRef(operation.c);
+    });
+  }
+
+  // What is printed needs no decision; any other function is chosen by the type of a plain integer, and a variadic one
+  // of the program may compute with it.
+  void argument(Expr const *argument, bool is_printed) {
     if (table_indices_.contains(argument)) return;
-    if (!is_variadic || !depends_(argument)) return make_plain(argument);
+    if (!is_printed || !depends_(argument)) return make_plain(argument);
     keep_(argument);
     wrap(argument, Use::value, "");
   }

@@ -60,6 +60,12 @@ bool runtime_overloads(FunctionDecl const *function, SourceManager const &source
 
 } // namespace
 
+// The type as which an integer goes through `...`, in words of the language.
+static std::string promoted_integer(Expr const *argument) {
+  QualType const type = argument->getType().getCanonicalType();
+  return type->isBooleanType() ? "int" : type.getUnqualifiedType().getAsString();
+}
+
 bool Recorder::is_plain_double(Expr const *expression) const {
   return Reals::is_double(expression->getType()) && !expression->isTypeDependent() && reals_.stays_double(expression);
 }
@@ -142,7 +148,7 @@ void Recorder::arguments(SourceLocation call, FunctionDecl const *function, Argu
     else if (reals_.is_real(arguments[i]))
       wrap_for(call, arguments[i], Use::value, function->getQualifiedNameAsString());
     else if (may_be_truth(arguments[i])) // the program itself may compute with it
-      wrap_for(call, arguments[i], Use::conversion, "int");
+      wrap_for(call, arguments[i], Use::conversion, promoted_integer(arguments[i]));
   }
 }
 

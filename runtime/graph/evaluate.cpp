@@ -166,10 +166,11 @@ static std::vector<char> own_infinities(Graph const &graph, std::span<double con
 static bool is_finite(Graph const &graph, std::size_t id, std::span<double const> values,
                       std::vector<char> const &own_infinities) {
   Node const &node = graph.nodes[id];
-  if (!std::isfinite(values[id]) && !own_infinities[id]) return false;
+  auto is_number = [&](std::size_t k) { return is_wide(graph.nodes[k].op) || std::isfinite(values[k]); };
+  if (!is_number(id) && !own_infinities[id]) return false;
   if (is_leaf(node.op) || takes_infinity(node.op)) return true;
   return std::all_of(node.operand.begin(), node.operand.end(),
-                     [&](NodeId operand) { return operand == no_node || std::isfinite(values[operand]); });
+                     [&](NodeId operand) { return operand == no_node || is_number(operand); });
 }
 
 Premises check_premises(Graph const &graph, std::span<double const> values) {
@@ -179,7 +180,7 @@ Premises check_premises(Graph const &graph, std::span<double const> values) {
   for (std::size_t id = 0; id < graph.nodes.size(); ++id) {
     if (!active[id]) continue;
     Node const &node = graph.nodes[id];
-    if (!is_wide(node.op) && !is_finite(graph, id, values, own)) premises.finite = false;
+    if (!is_finite(graph, id, values, own)) premises.finite = false;
     if (is_leaf(node.op)) continue;
     if (!is_defined(graph, node, values)) premises.defined = false;
     if (sees_zero_sign(graph, node, values)) premises.zero_sign_unseen = false;
