@@ -57,7 +57,8 @@ Interval ValueRanges::of(Node const &node, int depth) const {
     return bounded({x.low - y.high, x.high - y.low, x.nan || y.nan});
   }
   case Op::mul:
-  case Op::div: return corners(node, depth);
+  case Op::div:
+  case Op::int_div: return corners(node, depth);
   case Op::neg: {
     Interval const x = operand(node, 0, depth);
     return {-x.high, -x.low, x.nan};
@@ -67,9 +68,9 @@ Interval ValueRanges::of(Node const &node, int depth) const {
     Interval const x = magnitude(operand(node, 0, depth));
     return {-x.high, x.high, x.nan};
   }
-  case Op::int32:
+  case Op::int32: return cut_off(node, -0x1p31, 0x1p31 - 1, depth);
+  case Op::int64: return cut_off(node, -0x1p63, 0x1p63, depth);
   case Op::wrap_int32: return integer(node, -0x1p31, 0x1p31 - 1, depth);
-  case Op::int64: return integer(node, -0x1p63, 0x1p63, depth);
   case Op::wrap_int8: return integer(node, -128, 127, depth);
   case Op::wrap_int16: return integer(node, -0x1p15, 0x1p15 - 1, depth);
   case Op::wrap_uint8: return integer(node, 0, 255, depth);
@@ -100,7 +101,14 @@ Interval ValueRanges::monotone(Node const &node, int depth) const {
   return bounded({evaluate(node.op, low[0], low[1], low[2]), evaluate(node.op, high[0], high[1], high[2]), any_.nan});
 }
 
-// A conversion to an integer: cut off where the type holds the operand, else anything that it holds.
+// A conversion of a number to an integer, undefined where the type does not hold it.
+Interval ValueRanges::cut_off(Node const &node, double low, double high, int depth) const {
+  Interval const x = operand(node, 0, depth);
+  if (!(x.low <= high && x.high >= low)) return {low, high, false};
+  return {std::trunc(std::max(x.low, low)), std::trunc(std::min(x.high, high)), false};
+}
+
+// The low bits of an integer: itself where the type holds it, else anything that the type holds.
 Interval ValueRanges::integer(Node const &node, double low, double high, int depth) const {
   Interval const x = operand(node, 0, depth);
   if (x.nan || !(x.low >= low && x.high <= high)) return {low, high, false};
@@ -110,7 +118,7 @@ Interval ValueRanges::integer(Node const &node, double low, double high, int dep
 // Products and quotients are largest and smallest at the ends of the ranges.
 Interval ValueRanges::corners(Node const &node, int depth) const {
   Interval const x = operand(node, 0, depth), y = operand(node, 1, depth);
-  if (node.op == Op::div && y.low <= 0 && y.high >= 0) return any_;
+  if (node.op != Op::mul && y.low <= 0 && y.high >= 0) return any_;
   Interval result{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(), x.nan || y.nan};
   for (double a : {x.low, x.high})
     for (double b : {y.low, y.high}) {

@@ -40,6 +40,7 @@ private:
   Interval bounded(Interval const &range) const;
   Interval monotone(Node const &node, int depth) const;
   Interval corners(Node const &node, int depth) const;
+  Interval cut_off(Node const &node, double low, double high, int depth) const;
   Interval integer(Node const &node, double low, double high, int depth) const;
   Interval extreme(Node const &node, int depth) const;
   Interval rest(Interval const &x, Interval const &y) const;

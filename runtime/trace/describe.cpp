@@ -60,6 +60,8 @@ static std::string describe_node(NodeId id, int depth) {
   std::string operands[3];
   for (unsigned i = 0; i < operation.arity; ++i) operands[i] = describe_node(node.operand[i], depth + 1);
   std::string text;
+  if (node.op == Op::int_div)
+    return (depth == 0 ? "" : "(") + operands[0] + " / " + operands[1] + (depth == 0 ? "" : ")");
   switch (operation.form) {
   case Form::infix: text = operands[0] + " " + std::string(operation.c) + " " + operands[1]; break;
   case Form::prefix: return std::string(operation.c) + operands[0];

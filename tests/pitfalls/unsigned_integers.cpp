@@ -4,6 +4,7 @@
 // RUN: %same %s
 // RUN: %symreal generate %s --decisions=select --mainline -o %t/k.c && FileCheck %s --input-file=%t/k.c
 // RUN: %symreal verify %s %t/k.c --samples=500
+// RUN: %symreal generate %s --decisions=select --fp=fast -o %t/f.c && %symreal verify %s %t/f.c --samples=500
 // What the program prints as it was, the symbolic program prints, and the generated code computes, here and elsewhere.
 // RUN: %cxx -w %s -o %t/original && %symreal-c++ -w %s -o %t/symbolic && env SYMREAL_DECISIONS=select %t/symbolic | tail -n 12 > %t/printed
 // RUN: %t/original 5.3 9.1 > %t/expected && diff %t/expected %t/printed
@@ -33,7 +34,7 @@ void k(double const *x, double *y) {
   unsigned v = i;
   v -= 9;
   --v;
-  y[9] = v;
+  y[9] = v + i * 49 / 49; // 49 * (1.0 / 49) is less than 1
   y[10] = i > n ? 1.5 : 2.5;
   y[11] = (i + n) % 7 + (u << 30) + (~u >> 3);
 }

@@ -84,10 +84,15 @@ template <class C> [[gnu::always_inline]] inline Integer64 product(Integer64 x, 
     return integer64_of_number(real_of<C>(x) * real_of<C>(y) + RealNumber(0.0), bound);
   return wide(Op::wide_mul, x, y);
 }
-// The quotient of two integers of up to 53 bits, rounded, is never on the other side of an integer.
+// The quotient of two integers of up to 53 bits, rounded, is never on the other side of an integer. It is an operation
+// of its own, since a quotient of numbers may become a product with an inverse in mode fast.
+[[gnu::always_inline]] inline RealNumber divided(RealNumber x, RealNumber y) noexcept {
+  if (x.is_node() || y.is_node()) return record(Op::int_div, x, y, 0.0);
+  return std::trunc(x.plain() / y.plain()) + 0.0;
+}
 template <class C> [[gnu::always_inline]] inline Integer64 quotient(Integer64 x, Integer64 y) noexcept {
   if (is_small<C>(x) && is_small_constant<C>(y) && y.plain != 0)
-    return integer64_of_number(trunc(real_of<C>(x) / real_of<C>(y)) + RealNumber(0.0), bound_of<C>(x));
+    return integer64_of_number(divided(real_of<C>(x), real_of<C>(y)), bound_of<C>(x));
   return wide(std::is_signed_v<C> ? Op::wide_div : Op::wide_udiv, x, y);
 }
 template <class C> [[gnu::always_inline]] inline Integer64 remainder_of(Integer64 x, Integer64 y) noexcept {

@@ -1,11 +1,12 @@
 // The functions of integer_functions.def, for the evaluation of operations.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 
 namespace symreal::integers {
 
-using std::int32_t, std::int64_t, std::uint32_t, std::uint64_t; // as the text, which is C, spells them
+using std::int32_t, std::int64_t, std::uint32_t, std::uint64_t, std::trunc; // as the text, which is C, spells them
 
 #define INTEGER_FUNCTION(type, name, parameters, ...)                                                                  \
   inline type name parameters { __VA_ARGS__ }

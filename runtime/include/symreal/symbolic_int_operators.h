@@ -21,7 +21,7 @@ template <class C> [[gnu::always_inline]] inline RealNumber product(RealNumber x
   return std::is_signed_v<C> ? within<C>(x * y + RealNumber(0.0)) : record(Op::mul_uint32, x, y, 0.0);
 }
 template <class C> [[gnu::always_inline]] inline RealNumber quotient(RealNumber x, RealNumber y) noexcept {
-  return within<C>(trunc(x / y) + RealNumber(0.0));
+  return within<C>(divided(x, y));
 }
 template <class C> [[gnu::always_inline]] inline RealNumber remainder_of(RealNumber x, RealNumber y) noexcept {
   return within<C>(fmod(x, y) + RealNumber(0.0));
