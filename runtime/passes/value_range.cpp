@@ -118,7 +118,10 @@ Interval ValueRanges::integer(Node const &node, double low, double high, int dep
 // Products and quotients are largest and smallest at the ends of the ranges.
 Interval ValueRanges::corners(Node const &node, int depth) const {
   Interval const x = operand(node, 0, depth), y = operand(node, 1, depth);
-  if (node.op != Op::mul && y.low <= 0 && y.high >= 0) return any_;
+  bool const x_has_zero = x.low <= 0 && x.high >= 0, y_has_zero = y.low <= 0 && y.high >= 0;
+  if (node.op != Op::mul && y_has_zero) return any_;
+  auto is_bounded = [](Interval const &range) { return std::isfinite(range.low) && std::isfinite(range.high); };
+  if (node.op == Op::mul && ((x_has_zero && !is_bounded(y)) || (y_has_zero && !is_bounded(x)))) return any_;
   Interval result{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(), x.nan || y.nan};
   for (double a : {x.low, x.high})
     for (double b : {y.low, y.high}) {

@@ -83,11 +83,11 @@ TEST(Emit, IntegersOf64BitsCrossChunks) {
   std::string text = "symreal-graph 1\nkernel \"k\"\ninput \"x\" [2]\noutput \"y\" [3]\n%0 = input 0\n%1 = input 1\n"
                      "%2 = wide_int %0\n%3 = wide 1481765933 1284865837\n%4 = wide_mul %2 %3\n%5 = wide_less %4 %2\n"
                      "%6 = sin %0\n";
-  std::size_t const count = 2000;
+  std::size_t const count = 6000;
   for (std::size_t k = 7; k < count; ++k)
     text += "%" + std::to_string(k) + " = hypot %" + std::to_string(k - 1) + " %" + std::to_string(k % 2) + "\n";
-  text += "%2000 = wide_add %4 %2\n%2001 = wide_low %2000\n%2002 = wide_select %5 %4 %2\n%2003 = wide_value %2002\n"
-          "result 0 %2001\nresult 1 %2003\nresult 2 %1999\n";
+  text += "%6000 = wide_add %4 %2\n%6001 = wide_low %6000\n%6002 = wide_select %5 %4 %2\n%6003 = wide_value %6002\n"
+          "result 0 %6001\nresult 1 %6003\nresult 2 %5999\n";
   Graph const graph = read_graph(text, "test");
   EXPECT_NE(emit_c(graph, {.base_name = "k"})[0].text.find("keep_integer(&v["), std::string::npos);
   for (std::string const compiler : {"gcc", "clang-19"}) {
