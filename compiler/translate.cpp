@@ -2,6 +2,7 @@
 
 #include "compiler/dependencies.h"
 #include "compiler/link_marks.h"
+#include "program/c_macros.h"
 #include "program/compile.h"
 #include "program/compiler_errors.h"
 #include "program/make_rule.h"
@@ -31,13 +32,18 @@ bool is_for_the_linker(Diagnostic const &diagnostic) { return diagnostic.id == D
 
 std::string real_path(Translation const &translation) { return fs::weakly_canonical(translation.source.name).string(); }
 
+// The source as the rewriter and the compiler of its own language take it.
+rewrite::Compilation compilation(Translation const &translation, CommandLine const &line) {
+  rewrite::Compilation source{translation.source.name, {}, line.flags};
+  if (translation.source.language == Language::cxx) append(source.flags, {"-x", "c++"});
+  if (translation.source.language == Language::c) append(source.flags, {"-x", "c"});
+  return source;
+}
+
 std::optional<rewrite::Result> rewritten(Translation const &translation, CommandLine const &line) {
   rewrite::Request request;
   request.roots = translation.roots;
-  request.compilations = {{translation.source.name, {}, line.flags}};
-  Words &flags = request.compilations.front().flags;
-  if (translation.source.language == Language::cxx) append(flags, {"-x", "c++"});
-  if (translation.source.language == Language::c) append(flags, {"-x", "c"});
+  request.compilations = {compilation(translation, line)};
   rewrite::Result result = rewrite::run(request);
   bool failed = false;
   for (Diagnostic const &diagnostic : result.diagnostics) {
@@ -151,19 +157,20 @@ Words compile_words(Translation const &translation, Words const &flags, std::str
   return words;
 }
 
-bool compile(Translation const &translation, CommandLine const &line, rewrite::Result const &result) {
+bool compile(Translation const &translation, CommandLine const &line, rewrite::Result &result) {
   bool const keep = std::getenv("SYMREAL_KEEP") != nullptr;
   Workspace const workspace(keep);
   std::string const top = workspace.directory("overlay"), listed = workspace.file("dependencies");
   if (keep) std::cerr << "symreal: the rewritten sources are in " << top << "\n";
-  std::set<std::string> c_sources;
-  if (translation.source.language == Language::c) c_sources.insert(real_path(translation));
-  Overlay const overlay(result, top, std::move(c_sources));
+  program::CSources const c = program::as_in_c(result, {compilation(translation, line)}, translation.compiler,
+                                               translation.compiler, result.type_name, workspace);
+  Overlay const overlay(result, top, c.sources);
   Names const names(result, top);
   std::string const &source = translation.source.name;
   bool const preprocess = translation.action == Action::preprocess;
   std::string const output = preprocess ? workspace.file("preprocessed") : translation.output;
   Words words = compile_words(translation, overlay.search_flags(line.flags), result.type_name);
+  if (auto const more = c.flags.find(real_path(translation)); more != c.flags.end()) append(words, more->second);
   append(words, {line.dependencies.wanted && !line.dependencies.system ? "-MMD" : "-MD", "-MF", listed, "-MT", "x"});
   append(words, {"-x", "c++", overlay.compiled_path(source)});
   if (translation.action != Action::check) append(words, {"-o", output});
@@ -188,7 +195,7 @@ void remove_output(Translation const &translation) {
 
 bool translate(Translation const &translation, CommandLine const &line) {
   try {
-    if (auto const result = rewritten(translation, line); result && compile(translation, line, *result)) return true;
+    if (auto result = rewritten(translation, line); result && compile(translation, line, *result)) return true;
   } catch (DiagnosticError const &problem) {
     print(std::cerr, problem.diagnostic());
   }
@@ -199,6 +206,8 @@ bool translate(Translation const &translation, CommandLine const &line) {
 bool compile_preprocessed(Translation const &translation, CommandLine const &line) {
   Words words = translation.compiler;
   append(words, program::variant_flags(line.flags, program::Variant::symbolic));
+  bool const is_c = translation.source.name.ends_with(".i");
+  append(words, program::evaluation_order(line.flags, is_c, translation.compiler[0]));
   append(words, {"-frandom-seed=" + translation.source.name, option(translation.action)});
   append(words, {"-x", "c++-cpp-output", translation.source.name});
   if (!translation.output.empty()) append(words, {"-o", translation.output});

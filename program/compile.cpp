@@ -83,6 +83,12 @@ Words variant_flags(Words const &flags, Variant variant) {
   return words;
 }
 
+Words c_flags(Words const &flags) {
+  Words words = original_flags(flags, Variant::original);
+  append(words, reference_flags);
+  return words;
+}
+
 namespace {
 
 Words compile_command(BuildRequest const &request, Variant variant, Overlay const &overlay,
@@ -92,6 +98,8 @@ Words compile_command(BuildRequest const &request, Variant variant, Overlay cons
   append(words, evaluation_order(source.flags, is_c(source), request.compiler));
   append(words, {"-I", runtime_include()});
   append(words, rewrite::type_name_flags(request.type_name));
+  if (auto const more = request.source_flags.find(rewrite::real_source(source)); more != request.source_flags.end())
+    append(words, more->second);
   append(words, {"-x", "c++", "-c", overlay.compiled_path(rewrite::real_source(source)), "-o", object});
   return words;
 }

@@ -7,6 +7,7 @@
 #include "program/workspace.h"
 
 #include <functional>
+#include <map>
 #include <span>
 #include <string>
 #include <vector>
@@ -26,6 +27,7 @@ struct BuildRequest {
   std::vector<std::string> link;                    // further words for the linker
   std::string type_name = rewrite::usual_type_name; // how the rewritten sources spell the number
   std::string compiler = "c++", c_compiler = "cc";
+  std::map<std::string, std::vector<std::string>> source_flags = {}; // of a source besides, by its real path
 };
 
 // What becomes of the user's flags where rewritten text is compiled: options that change the numbers, choose outputs or
@@ -43,6 +45,9 @@ std::vector<std::string> variant_flags(std::vector<std::string> const &flags, Va
 // and older C++ leave it open, and gcc goes the other way there: what it must be told. clang has one order for all.
 std::vector<std::string> evaluation_order(std::vector<std::string> const &flags, bool is_c,
                                           std::string const &compiler);
+
+// The same for a source in C that is compiled as one, in its own standard.
+std::vector<std::string> c_flags(std::vector<std::string> const &flags);
 
 // A run of a compiler whose messages a program reads.
 Command compiler_run(std::vector<std::string> words, std::string const &directory = {});

@@ -101,7 +101,9 @@ std::vector<std::string> unchanged_flags(std::vector<std::string> const &flags) 
   return kept;
 }
 
-static bool is_standard(std::string const &flag) { return flag.starts_with("-std=") || flag.starts_with("--std="); }
+static bool is_standard(std::string const &flag) {
+  return flag.starts_with("-std=") || flag.starts_with("--std=") || flag == "-ansi";
+}
 
 std::vector<std::string> adapted_flags(std::vector<std::string> const &flags) {
   std::vector<std::string> adapted = original_flags(flags, Variant::replay);

@@ -1,4 +1,6 @@
 #include "program/front.h"
+
+#include "program/c_macros.h"
 #include "program/refusals.h"
 
 #include <algorithm>
@@ -103,11 +105,11 @@ std::optional<Front> run_front(FrontRequest const &request, Talk const &talk) {
 
   talk.stage("building");
   front.workspace = std::make_unique<Workspace>(request.keep);
-  BuildRequest const parts = build_request(request, rewritten);
-  std::set<std::string> c_sources;
-  for (rewrite::Compilation const &source : parts.sources)
-    if (is_c(source)) c_sources.insert(rewrite::real_source(source));
-  front.overlay = std::make_unique<Overlay>(rewritten, front.workspace->directory("overlay"), std::move(c_sources));
+  BuildRequest parts = build_request(request, rewritten);
+  CSources c =
+      as_in_c(rewritten, parts.sources, {parts.compiler}, {parts.c_compiler}, parts.type_name, *front.workspace);
+  parts.source_flags = std::move(c.flags);
+  front.overlay = std::make_unique<Overlay>(rewritten, front.workspace->directory("overlay"), std::move(c.sources));
   build(request, rewritten, parts, front);
   front.build_seconds = watch.lap();
 

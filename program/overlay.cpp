@@ -45,12 +45,6 @@ std::size_t original_offset(std::vector<rewrite::Edit> const &edits, std::size_t
   return original;
 }
 
-// What a header of C has for C++ alone, behind __cplusplus, cannot have C linkage: operators, templates.
-bool has_parts_of_cxx(std::string const &text) {
-  static std::regex const words("\\b(operator|template)\\b");
-  return text.find("__cplusplus") != text.npos && std::regex_search(text, words);
-}
-
 } // namespace
 
 Overlay::Overlay(rewrite::Result const &rewritten, std::string directory, std::set<std::string> c_sources)
@@ -75,11 +69,7 @@ void Overlay::write(rewrite::File const &file) const {
   fs::create_directories(fs::path(path).parent_path(), ignored);
   // A byte order mark is one only at the very beginning.
   std::size_t const mark = file.text.starts_with("\xEF\xBB\xBF") ? 3 : 0;
-  std::string linkage;
-  if (c_sources_.contains(file.path))
-    linkage = "extern \"C\" {\n";
-  else if (!c_sources_.empty() && has_parts_of_cxx(file.text))
-    linkage = "extern \"C++\" {\n";
+  std::string const linkage = c_sources_.contains(file.path) ? "extern \"C\" {\n" : "";
   write_if_changed(path, file.text.substr(0, mark) + linkage + "#line 1 " + rewrite::quoted(file.compiled_name) + "\n" +
                              redirected(file.text.substr(mark)) + (linkage.empty() ? "" : "\n}\n"));
   // A symbolic link to the file is found beside what includes it.

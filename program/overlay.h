@@ -21,7 +21,7 @@ public:
   // and columns are not known.
   Overlay() = default;
   // Writes the files below `directory`. What the sources in C (real paths) and their headers define keeps C linkage,
-  // though they are compiled as C++; a header with parts for C++ alone says itself what has it.
+  // though they are compiled as C++.
   Overlay(rewrite::Result const &rewritten, std::string directory, std::set<std::string> c_sources = {});
 
   // Where the rewritten text of a source stands.

@@ -15,6 +15,7 @@ bool is_told_by_types(Use use) {
   switch (use) {
   case Use::cast:
   case Use::conversion:
+  case Use::division:
   case Use::linkage:
   case Use::table:
   case Use::value:
@@ -94,8 +95,12 @@ void Configurations::compare(std::string const &path, FileFact const &file, View
 void Configurations::compare_wraps(std::string const &path, FileFact const &file, View const &one, View const &other) {
   for (auto const &[key, detail] : one.wraps) {
     auto const found = other.wraps.find(key);
-    if (found == other.wraps.end() ? !holds(other.reached, key.begin) : found->second == detail) continue;
-    if (key.use == Use::conversion || key.use == Use::cast)
+    if (found != other.wraps.end() ? found->second == detail
+                                   : key.use != Use::division && !holds(other.reached, key.begin))
+      continue;
+    if (key.use == Use::division)
+      contradiction(file, key.begin, "this is a division for " + one.source + " and a comment for " + other.source);
+    else if (key.use == Use::conversion || key.use == Use::cast)
       shared_.insert({path, key.begin, key.end});
     else
       contradiction(file, key.begin,

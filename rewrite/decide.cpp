@@ -34,6 +34,11 @@ Rewording rewording(Wrap const &wrap, bool is_shared) {
   case Use::value: return make("SYMREAL_REAL_VALUE(", ")");
   case Use::enumeration: return make("SYMREAL_REAL_ENUM(", ")");
   case Use::promoted: return make("SYMREAL_REAL_PROMOTED(", ")");
+  case Use::of_c: return make("SYMREAL_REAL_OF_C(" + wrap.detail + ", ", ")");
+  case Use::counted: return make("SYMREAL_REAL_COUNTED(", ")");
+  case Use::as_width:
+  case Use::width: return make("SYMREAL_REAL_WIDTH(" + wrap.detail + ", ", ")");
+  case Use::division: return make("", " ");
   case Use::conversion: return make("SYMREAL_REAL_TO(" + wrap.detail + ", ", ")");
   case Use::range_begin: return make("SYMREAL_REAL_FIRST(" + wrap.detail + ", ", ")");
   case Use::range_end: return make("SYMREAL_REAL_LAST(" + wrap.detail + ", ", ")");

@@ -58,6 +58,10 @@ enum class Use {
   value,
   enumeration, // of C, which an operator of assignment changes
   promoted,    // to double, as a function of C takes it
+  of_c,        // it has another type in C++; the other argument: the one that it has in C
+  counted,     // of an enumeration, as the integer that C computes with
+  as_width,    // the operand of what is next
+  width,       // computed in as many bits as a wide bit-field has
   literal,
   external,
   function,    // of <cmath>, as a value; the other arguments: how many it takes
@@ -73,6 +77,7 @@ enum class Use {
   pasted,      // a macro whose expansion pastes or quotes what a converted type is spelled as
   prototype,   // of a function that is declared as before C89
   name,        // a keyword of C++ that is a name in C
+  division,    // before C99, the first of `//`, which C++ takes for a comment
   // Around all of these:
   later,    // a right operand, where the order of evaluation matters
   now,      // an argument, where it does
@@ -85,11 +90,10 @@ enum class Use {
 struct Wrap {
   Span span;
   Use use;
-  // conversion, cast, argument: the type; state: the declaration's place; returned, and the uses between literal and
-  // state: the other arguments; value: the function of the program, if it is one, whose variadic argument the
-  // expression is; external, table: the other arguments; pasted: the text that the macro expands to; name: it; layout,
-  // padding: sizes and offsets;
-  // prototype: the parameters
+  // conversion, cast, argument, of_c: the type; state: the declaration's place; returned, and the uses between literal
+  // and state: the other arguments; value: the function of the program, if it is one, whose variadic argument the
+  // expression is; as_width, width: the bits, and whether they are signed; external, table: the other arguments;
+  // pasted: the text that the macro expands to; name: it; layout, padding: sizes and offsets; prototype: the parameters
   std::string detail;
   auto operator<=>(Wrap const &) const = default;
 };

@@ -72,12 +72,19 @@ void Recorder::c_arguments(CallExpr const *call) {
   if (!is_builtin && (map_.language().CPlusPlus || reals_.in_roots(function))) return;
   bool const is_math = is_builtin ? Reals::is_math_name(function->getName()) : reals_.is_math(function);
   bool const is_integral = function->getName() == "abs" || function->getName() == "div";
+  // The runtime's functions take a double beside a REAL.
+  bool const takes_real = std::any_of(call->arg_begin(), call->arg_end(), [&](Expr const *one) {
+    return reals_.is_real(one->IgnoreParenImpCasts());
+  });
   for (unsigned i = 0; i < std::min(call->getNumArgs(), function->getNumParams()); ++i) {
     auto const *cast = dyn_cast<ImplicitCastExpr>(call->getArg(i));
     if (!cast || reals_.is_real(cast->getSubExpr())) continue;
-    if (is_math && cast->getCastKind() == CK_FloatingCast && Reals::is_double(cast->getType()))
+    bool const to_double = Reals::is_double(cast->getType());
+    if ((is_math && to_double && cast->getCastKind() == CK_FloatingCast) ||
+        (to_double && cast->getCastKind() == CK_IntegralToFloating && !takes_real)) {
       wrap(cast->getSubExpr(), Use::promoted);
-    else if (is_integral && (cast->getCastKind() == CK_IntegralCast || cast->getCastKind() == CK_FloatingToIntegral))
+      promoted_.insert(cast);
+    } else if (is_integral && (cast->getCastKind() == CK_IntegralCast || cast->getCastKind() == CK_FloatingToIntegral))
       wrap(cast->getSubExpr(), Use::cast, spelled(cast->getType()));
   }
 }
@@ -85,7 +92,10 @@ void Recorder::c_arguments(CallExpr const *call) {
 // A literal's characters are const in C++, and so are those that `x ? name : "none"` leads to.
 void Recorder::c_choice(ConditionalOperator const *choice) {
   QualType const pointee = choice->getType()->getPointeeType();
-  if (map_.language().CPlusPlus || pointee.isNull() || pointee.isConstQualified()) return;
+  if (map_.language().CPlusPlus) return;
+  if (choice->getType()->isIntegerType())
+    for (Expr const *arm : {choice->getTrueExpr(), choice->getFalseExpr()}) c_operand(choice->getQuestionLoc(), arm);
+  if (pointee.isNull() || pointee.isConstQualified()) return;
   for (Expr const *arm : {choice->getTrueExpr(), choice->getFalseExpr()})
     if (Expr const *written = arm->IgnoreImpCasts(); isa<StringLiteral>(written->IgnoreParens()))
       wrap(written, Use::cast, spelled(choice->getType()));

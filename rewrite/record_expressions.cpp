@@ -85,8 +85,8 @@ void Recorder::implicit_cast(ImplicitCastExpr const *cast, bool decides) {
       convert(from, Use::cast, spelled(to));
     return;
   case CK_IntegralToFloating: // an enumerator among numbers: a class has no built-in promotion
-    if (Reals::is_double(to) && !cast->isPartOfExplicitCast() && is_enumeration(from))
-      wrap(from->IgnoreImpCasts(), Use::conversion, "int");
+    if (Reals::is_double(to) && !cast->isPartOfExplicitCast() && !promoted_.contains(cast) && is_enumeration(from))
+      wrap(from->IgnoreImpCasts(), Use::conversion, spelled(counted_as(from)));
     return;
   case CK_IntegralCast:
     if (!map_.language().CPlusPlus && to->isEnumeralType() && !cast->isPartOfExplicitCast() &&

@@ -63,6 +63,18 @@ public:
   void c_call(clang::CallExpr const *call);
   void c_arguments(clang::CallExpr const *call);
 
+  // What C means by an expression that C++ gives another type (record_c_types.cpp).
+  void c_operation(clang::BinaryOperator const *operation);
+  void c_operation(clang::UnaryOperator const *operation);
+  void c_operand(clang::SourceLocation operation, clang::Expr const *operand);
+  void c_type_asked(clang::Expr const *operand, bool is_size);
+  void c_literal(clang::IntegerLiteral const *literal);
+  clang::QualType counted_as(clang::Expr const *enumeration) const;
+  // Bit-fields that are wider than int (record_c_widths.cpp).
+  void c_widths(clang::BinaryOperator const *operation);
+  void c_widths(clang::UnaryOperator const *operation);
+  void c_widths(clang::ConditionalOperator const *choice);
+
   // Variables of files in C (record_tentative.cpp).
   void tentative_definitions(clang::VarDecl const *variable);
   bool tentative_definition(clang::VarDecl const *variable, bool is_definition);
@@ -133,6 +145,17 @@ private:
   void library_object(clang::CallExpr const *call, clang::FunctionDecl const *function, clang::Expr const *object);
   void operator_call(clang::CXXOperatorCallExpr const *call, clang::FunctionDecl const *function);
 
+  // How many bits gcc's C computes an integer in; null for what is none.
+  struct Width {
+    unsigned bits = 0;
+    bool is_signed = true;
+    bool is_narrow() const { return bits > 32 && bits != 64 && bits != 128; }
+  };
+  static Width common(Width one, Width other);
+  Width width_of(clang::Expr const *expression);
+  Width computed_width(clang::Expr const *expression);
+  void as_width(clang::SourceLocation operation, clang::Expr const *operand, Width width);
+
   void wrap(clang::Expr const *expression, Use use, std::string detail = {});
   // What becomes of it for `user` alone (SourceMap::range_for).
   std::optional<Span> wrap_for(clang::SourceLocation user, clang::Expr const *expression, Use use,
@@ -154,8 +177,10 @@ private:
   llvm::SmallPtrSet<clang::Expr const *, 4> counting_casts_;    // to bytes, which nobody looks at
   llvm::SmallPtrSet<clang::Expr const *, 4> compared_exactly_;  // conversions to long double that change nothing
   llvm::SmallPtrSet<clang::Expr const *, 4> compared_pointers_; // conversions that C++ makes as well
-  llvm::SmallPtrSet<clang::Expr const *, 32> callees_;          // names of functions that are called there
-  std::optional<Note> instance_;                                // what is looked at belongs to it
+  llvm::SmallPtrSet<clang::Expr const *, 8> promoted_;          // conversions of arguments that are written out
+  llvm::DenseMap<clang::Expr const *, Width> widths_;
+  llvm::SmallPtrSet<clang::Expr const *, 32> callees_; // names of functions that are called there
+  std::optional<Note> instance_;                       // what is looked at belongs to it
 };
 
 } // namespace symreal::rewrite

@@ -17,14 +17,20 @@ bool holds(Span const &outer, Span const &inner) {
 // Without it the symbolic program would not compile, or mean something else.
 bool is_needed(Use use) {
   switch (use) {
+  case Use::as_width:
   case Use::cast:
   case Use::conversion:
+  case Use::counted:
+  case Use::division:
   case Use::integer:
   case Use::value:
   case Use::literal:
   case Use::external:
   case Use::function:
-  case Use::name: return true;
+  case Use::name:
+  case Use::of_c:
+  case Use::promoted:
+  case Use::width: return true;
   default: return false;
   }
 }

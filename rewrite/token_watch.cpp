@@ -61,6 +61,14 @@ private:
   Names const names_;
 };
 
+// Before C99 `x //* half */ 2` is a division and a comment; later it is a comment alone.
+void note_division(Token const &token, SourceMap const &map, Facts &facts) {
+  char const *const text = map.sources().getCharacterData(map.sources().getSpellingLoc(token.getLocation()));
+  if (text[0] != '/' || text[1] != '/') return;
+  if (std::optional<Span> const first = map.first_character(token.getLocation()))
+    facts.wraps.insert({*first, Use::division, ""});
+}
+
 } // namespace
 
 void watch_tokens(Preprocessor &preprocessor, SourceMap const &map, std::string const &type_name, Facts &facts,
@@ -79,6 +87,8 @@ void watch_tokens(Preprocessor &preprocessor, SourceMap const &map, std::string 
     } else if (token.is(tok::identifier)) {
       names.note(token.getIdentifierInfo()->getName(), token.getLocation());
       if (!map.language().CPlusPlus) note_keyword_name(token, map, facts);
+    } else if (token.is(tok::slash) && !map.language().LineComment) {
+      note_division(token, map, facts);
     }
   });
 }

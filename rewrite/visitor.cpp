@@ -1,6 +1,7 @@
 #include "rewrite/visitor.h"
 
 #include "rewrite/boundaries.h"
+#include "rewrite/c_declarations.h"
 #include "rewrite/configured.h"
 #include "rewrite/context_walk.h"
 #include "rewrite/externals.h"
@@ -148,6 +149,7 @@ public:
     decide(choice->getCond());
     if (!passive_) record_.choice(choice);
     record_.c_choice(choice);
+    record_.c_widths(choice);
     return true;
   }
   bool VisitReturnStmt(ReturnStmt *statement) {
@@ -203,11 +205,28 @@ public:
   bool VisitWhileStmt(WhileStmt *statement) { return decide(statement->getCond()); }
   bool VisitDoStmt(DoStmt *statement) { return decide(statement->getCond()); }
   bool VisitForStmt(ForStmt *statement) { return decide(statement->getCond()); }
+  bool VisitUnaryExprOrTypeTraitExpr(UnaryExprOrTypeTraitExpr *expression) {
+    if (!expression->isArgumentType())
+      record_.c_type_asked(expression->getArgumentExpr(), expression->getKind() == UETT_SizeOf);
+    return true;
+  }
+  bool VisitTypeOfExprTypeLoc(TypeOfExprTypeLoc type) {
+    record_.c_type_asked(type.getUnderlyingExpr(), /*is_size=*/false);
+    return true;
+  }
+  bool VisitIntegerLiteral(IntegerLiteral *literal) {
+    record_.c_literal(literal);
+    return true;
+  }
   bool VisitUnaryOperator(UnaryOperator *unary) {
+    record_.c_operation(unary);
+    record_.c_widths(unary);
     if (!passive_ && !no_state_ && unary->isIncrementDecrementOp()) record_.step(unary);
     return unary->getOpcode() != UO_LNot || decide(unary->getSubExpr());
   }
   bool VisitBinaryOperator(BinaryOperator *binary) {
+    record_.c_operation(binary);
+    record_.c_widths(binary);
     if (!passive_) record_.named_target(binary);
     if (!passive_ && binary->isComparisonOp()) record_.comparison(binary);
     if (!passive_ && !no_state_) {
@@ -264,6 +283,7 @@ void record_tree(ASTContext &context, SourceMap const &map, PragmaIndex const &i
   record_layouts(context, map, reals, facts);
   attach_function_pragmas(visitor.definitions, map, reals, integers, index, facts);
   attach_configured_kernels(request, visitor.definitions, map, reals, integers, facts);
+  record_c_declarations(context, map, facts);
   record_decisions(context, map, reals, index, facts);
   record_boundaries(context, visitor.definitions, map, reals, facts);
 }

@@ -6,6 +6,10 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+enum { count = 3 };
+// CHECK: #define TWICE(function, x) (2 * function(REAL_PROMOTED(x)))
+#define TWICE(function, x) (2 * function(x))
+
 static double all(double x)
 {
     float f = 0.3f;
@@ -15,8 +19,15 @@ static double all(double x)
     double y = x + sin(f) + sqrt(l) + pow(x, f) + ldexp(f, 2);
     // CHECK: y += abs((int)(wide)) + abs((int)(-2.5)) + sinf(f);
     y += abs(wide) + abs(-2.5) + sinf(f);
-    // CHECK: y += REAL_BUILTIN(exp)(REAL_PROMOTED(f)) + fabs(-2) + fmax(x, 3);
+    // CHECK: y += REAL_BUILTIN(exp)(REAL_PROMOTED(f)) + fabs(REAL_PROMOTED(-2)) + fmax(x, 3);
     y += __builtin_exp(f) + fabs(-2) + fmax(x, 3);
+    // Of integers C++ has templates, which the compiler folds otherwise than the library rounds.
+    // CHECK: y += expm1(REAL_PROMOTED(1)) + cbrt(REAL_PROMOTED(10)) + log1p(REAL_PROMOTED('\2')) + erf(REAL_PROMOTED(2));
+    y += expm1(1) + cbrt(10) + log1p('\2') + erf(2);
+    // CHECK: y += pow(REAL_PROMOTED(3), 0.3) + tgamma(REAL_PROMOTED(abs(-7))) + lgamma(REAL_PROMOTED(x > 1)) + atan2(REAL_PROMOTED(count), REAL_PROMOTED(wide));
+    y += pow(3, 0.3) + tgamma(abs(-7)) + lgamma(x > 1) + atan2(count, wide);
+    // CHECK: y += cbrt(REAL_PROMOTED(wide * 2)) + pow(x, 2) + TWICE(cosh, 3);
+    y += cbrt(wide * 2) + pow(x, 2) + TWICE(cosh, 3);
     return y;
 }
 

@@ -37,14 +37,6 @@ template <class To, class From> [[gnu::always_inline]] constexpr decltype(auto) 
     return static_cast<From &&>(value);
 }
 
-// A function of C takes a double; in C++ there may be one for float and for long double besides.
-template <class T> [[gnu::always_inline]] constexpr auto promoted(T const &value) noexcept {
-  if constexpr (std::is_floating_point_v<T> && !detail::is_class<T>) // the trait holds for RealNumber
-    return static_cast<double>(value);
-  else
-    return value;
-}
-
 // An enumerator that an operator of assignment changes: in C it is an integer.
 template <class E> constexpr auto &enumeration(E &x) noexcept {
   if constexpr (std::is_enum_v<E>) {

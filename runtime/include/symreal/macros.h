@@ -23,6 +23,9 @@
 #define SYMREAL_REAL_NOW(...) __VA_ARGS__
 #define SYMREAL_REAL_PROMOTED(...) __VA_ARGS__
 #define SYMREAL_REAL_ENUM(...) __VA_ARGS__
+#define SYMREAL_REAL_OF_C(type, ...) __VA_ARGS__
+#define SYMREAL_REAL_COUNTED(...) __VA_ARGS__
+#define SYMREAL_REAL_WIDTH(bits, is_signed, ...) __VA_ARGS__
 #define SYMREAL_REAL_STATE(object, place) object
 #define SYMREAL_REAL_LOCAL_STATE(object, place) object
 #define SYMREAL_REAL_EXTERNAL(function, ...) function
@@ -150,11 +153,26 @@ public:                                                                         
 #define SYMREAL_REAL_LAYOUT(...)
 #define SYMREAL_REAL_PADDING(...)
 #endif
-/* A conversion by what its context expects; one of float to double, as C has it where C++ has functions for both; an
-   enumerator as the integer that it is in C. */
+/* A conversion by what its context expects; an enumerator as the integer that it is in C. */
 #define SYMREAL_REAL_FIT(...) (::symreal::fit(__VA_ARGS__))
-#define SYMREAL_REAL_PROMOTED(...) (::symreal::promoted(__VA_ARGS__))
 #define SYMREAL_REAL_ENUM(...) (::symreal::enumeration(__VA_ARGS__))
+/* What C means by an expression that C++ has other types for (<symreal/of_c.h>). A header may be included by both. */
+#ifdef SYMREAL_SOURCE_OF_C
+#include <symreal/of_c.h>
+#define SYMREAL_REAL_PROMOTED(...) (::symreal::promoted(__VA_ARGS__))
+#define SYMREAL_REAL_OF_C(type, ...) (::symreal::of_c<type>((__VA_ARGS__)))
+#define SYMREAL_REAL_COUNTED(...) (::symreal::counted((__VA_ARGS__)))
+#ifdef __clang__ /* computes in the declared type, in C as well */
+#define SYMREAL_REAL_WIDTH(bits, is_signed, ...) (__VA_ARGS__)
+#else
+#define SYMREAL_REAL_WIDTH(bits, is_signed, ...) (::symreal::width<bits, is_signed>((__VA_ARGS__)))
+#endif
+#else
+#define SYMREAL_REAL_PROMOTED(...) (__VA_ARGS__)
+#define SYMREAL_REAL_OF_C(type, ...) (__VA_ARGS__)
+#define SYMREAL_REAL_COUNTED(...) (__VA_ARGS__)
+#define SYMREAL_REAL_WIDTH(bits, is_signed, ...) (__VA_ARGS__)
+#endif
 /* What a macro makes of the spelling `double`, which does not stand there any more. */
 #define SYMREAL_REAL_PASTED(text, ...) SYMREAL_UNPACKED text
 #define SYMREAL_UNPACKED(...) __VA_ARGS__

@@ -1,0 +1,63 @@
+// What C means by an expression where C++ would give it another type. Each leaves what it does not concern as it is:
+// the text may be a macro's, which is compiled with other types as well.
+#pragma once
+
+#include <symreal/truth.h>
+
+#include <type_traits>
+
+namespace symreal {
+namespace detail {
+
+template <class T> inline constexpr bool is_character = std::is_same_v<T, char> || std::is_same_v<T, wchar_t> ||
+                                                        std::is_same_v<T, char8_t> || std::is_same_v<T, char16_t> ||
+                                                        std::is_same_v<T, char32_t>;
+
+// What an operand becomes as an rvalue: an array a pointer.
+template <class T> using Value = std::remove_cv_t<std::decay_t<T const &>>;
+
+} // namespace detail
+
+// A function of C takes a double; in C++ there may be others for float, long double and integers.
+template <class T> [[gnu::always_inline]] constexpr auto promoted(T const &value) noexcept {
+  if constexpr (!detail::is_class<T> &&
+                (std::is_arithmetic_v<T> || std::is_enum_v<T>)) // traits hold for RealNumber too
+    return static_cast<double>(value);
+  else
+    return value;
+}
+
+// A truth value, a character or an enumerator, of type C there; an array that is a pointer there; a comparison of
+// REALs, by a decision, unless only its size is asked for.
+template <class C, class T> [[gnu::always_inline]] constexpr auto of_c(T const &value) noexcept {
+  using From = std::remove_cv_t<T>;
+  if constexpr (std::is_same_v<From, bool> || detail::is_character<From> || std::is_enum_v<From> ||
+                std::is_same_v<From, SymbolicBool>)
+    return static_cast<C>(value);
+  else
+    return static_cast<detail::Value<T>>(value);
+}
+
+// The value of an enumeration takes part in arithmetic as the integer that its objects are in C.
+template <class T> [[gnu::always_inline]] constexpr decltype(auto) counted(T const &value) noexcept {
+  if constexpr (std::is_enum_v<T>)
+    return +static_cast<std::underlying_type_t<std::remove_cv_t<T>>>(value);
+  else if constexpr (detail::is_class<T>)
+    return (value);
+  else
+    return static_cast<detail::Value<T>>(value);
+}
+
+// gcc computes with a bit-field that is wider than int in as many bits as it has, where C++ takes the type that it is
+// declared with.
+template <int bits, bool is_signed, class T> [[gnu::always_inline]] constexpr auto width(T const &value) noexcept {
+  using Wide = std::conditional_t<is_signed, long long, unsigned long long>;
+  if constexpr (std::is_integral_v<T> && !detail::is_class<T>) {
+    constexpr int unused = 64 - bits;
+    static_assert(unused >= 0);
+    return static_cast<Wide>(static_cast<unsigned long long>(value) << unused) >> unused;
+  } else
+    return value;
+}
+
+} // namespace symreal
