@@ -73,6 +73,9 @@ enum class Use {
   pasted,      // a macro whose expansion pastes or quotes what a converted type is spelled as
   prototype,   // of a function that is declared as before C89
   name,        // a keyword of C++ that is a name in C
+  environment, // errno, and what reads or sets the floating-point environment
+  formatting,  // the name of a function that makes text of numbers, or moves text
+  text,        // text is read: characters, strings, files
 };
 
 struct Wrap {
@@ -80,7 +83,7 @@ struct Wrap {
   Use use;
   // conversion, cast: the type; state: the declaration's place; returned, and the uses between literal and state: the
   // other arguments; value: the function of the program, if it is one, whose variadic argument the expression is;
-  // external, table: the other arguments; pasted: the text that the macro expands to; name: it;
+  // external, table, formatting: the other arguments; pasted: the text that the macro expands to; name: it;
   // prototype: the parameters
   std::string detail;
   auto operator<=>(Wrap const &) const = default;
@@ -252,7 +255,8 @@ struct Facts {
   std::vector<std::string> include_dirs;
   std::set<std::string> read; // real paths, those of the system's headers left out
   std::vector<Diagnostic> diagnostics;
-  bool broken = false; // a source does not compile
+  bool broken = false;     // a source does not compile
+  bool makes_text = false; // of REALs, where it could be read back
 };
 
 } // namespace symreal::rewrite

@@ -20,9 +20,12 @@ bool is_needed(Use use) {
   case Use::cast:
   case Use::conversion:
   case Use::integer:
+  case Use::environment:
   case Use::value:
   case Use::literal:
   case Use::external:
+  case Use::formatting:
+  case Use::text:
   case Use::function:
   case Use::name: return true;
   default: return false;

@@ -3,8 +3,10 @@
 
 #include <symreal/branch.h>
 #include <symreal/eigen_traits.h>
+#include <symreal/environment.h>
 #include <symreal/external.h>
 #include <symreal/lookup.h>
 #include <symreal/standard_library.h>
 #include <symreal/state.h>
 #include <symreal/symbolic_expr.h>
+#include <symreal/text.h>

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <symreal/extremes.h>
+#include <symreal/text.h>
 
 #include <iosfwd>
 #include <limits>
@@ -243,6 +244,8 @@ template <class T> T value(SymbolicInt<T> x) noexcept { return static_cast<T>(va
 namespace types {
 template <class Character, class Traits, class T>
 std::basic_ostream<Character, Traits> &operator<<(std::basic_ostream<Character, Traits> &out, SymbolicInt<T> x) {
+  if constexpr (std::is_same_v<Character, char>)
+    if (x.is_symbolic()) detail::made_stream(out, std::to_string(static_cast<long long>(value(x))), x.number());
   return out << value(x);
 }
 } // namespace types
