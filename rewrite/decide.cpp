@@ -44,6 +44,11 @@ Rewording rewording(Wrap const &wrap, bool is_shared) {
   case Use::range_end: return make("SYMREAL_REAL_LAST(" + wrap.detail + ", ", ")");
   case Use::bits: return make("SYMREAL_REAL_BITS(" + wrap.detail + ", ", ")");
   case Use::bytes: return make("SYMREAL_REAL_BYTES(" + wrap.detail + ", ", ")");
+  case Use::environment: return make("SYMREAL_REAL_ENVIRONMENT(" + wrap.detail + ", ", ")");
+  case Use::formatting:
+    if (wrap.detail.empty()) return make("SYMREAL_REAL_SHOWS(", ")");
+    return make("SYMREAL_REAL_FORMAT(" + wrap.detail + ", ", ")");
+  case Use::text: return make("SYMREAL_REAL_TEXT(" + wrap.detail + ", ", ")");
   case Use::read: return make("SYMREAL_REAL_READ(" + wrap.detail + ", ", ")");
   case Use::written: return make("SYMREAL_REAL_WRITTEN(" + wrap.detail + ", ", ")");
   case Use::changed: return make("SYMREAL_REAL_CHANGED(" + wrap.detail + ", ", ")");
@@ -288,6 +293,8 @@ Result decide(Facts facts, Request const &request) {
   std::set<Span> pragmas;
   for (auto const &[span, pragma] : facts.pragmas)
     if (!pragma.configured) pragmas.insert(span);
+  if (!facts.makes_text)
+    std::erase_if(facts.wraps, [](Wrap const &wrap) { return wrap.use == Use::formatting || wrap.use == Use::text; });
   ByFile rewordings;
   copy_text_calls(facts, rewordings);
   Ledger const ledger(facts);

@@ -78,6 +78,9 @@ enum class Use {
   prototype,   // of a function that is declared as before C89
   name,        // a keyword of C++ that is a name in C
   division,    // before C99, the first of `//`, which C++ takes for a comment
+  environment, // errno, and what reads or sets the floating-point environment
+  formatting,  // the name of a function that makes text of numbers, or moves text
+  text,        // text is read: characters, strings, files
   // Around all of these:
   later,    // a right operand, where the order of evaluation matters
   now,      // an argument, where it does
@@ -92,7 +95,7 @@ struct Wrap {
   Use use;
   // conversion, cast, argument, of_c: the type; state: the declaration's place; returned, and the uses between literal
   // and state: the other arguments; value: the function of the program, if it is one, whose variadic argument the
-  // expression is; as_width, width: the bits, and whether they are signed; external, table: the other arguments;
+  // expression is; as_width, width: the bits, and whether they are signed; external, table, formatting: the other arguments;
   // pasted: the text that the macro expands to; name: it; layout, padding: sizes and offsets; prototype: the parameters
   std::string detail;
   auto operator<=>(Wrap const &) const = default;
@@ -264,7 +267,8 @@ struct Facts {
   std::vector<std::string> include_dirs;
   std::set<std::string> read; // real paths, those of the system's headers left out
   std::vector<Diagnostic> diagnostics;
-  bool broken = false; // a source does not compile
+  bool broken = false;     // a source does not compile
+  bool makes_text = false; // of REALs, where it could be read back
 };
 
 } // namespace symreal::rewrite

@@ -79,7 +79,7 @@ void merge(Facts &facts, Facts &&other) {
   // Named one by one, so that a new kind of fact does not compile until it is merged as well.
   auto &[files, types, doubles, wraps, shared, members, reached, skipped, consumed, conversions, comparisons, printed,
          quoted, pasted, text_calls, pragmas, number_readers, by_hand, definitions, exported, uses, names, decisions,
-         externals, configured_externals, taken_names, include_dirs, read, diagnostics, broken] = other;
+         externals, configured_externals, taken_names, include_dirs, read, diagnostics, broken, makes_text] = other;
   for (auto &[path, file] : files)
     if (auto const [at, is_new] = facts.files.try_emplace(path, std::move(file)); !is_new)
       merge_file(at->second, std::move(file), facts);
@@ -120,6 +120,7 @@ void merge(Facts &facts, Facts &&other) {
   facts.read.merge(read);
   for (Diagnostic const &diagnostic : diagnostics) add_diagnostic(facts, diagnostic);
   facts.broken |= broken;
+  facts.makes_text |= makes_text;
 }
 
 } // namespace symreal::rewrite

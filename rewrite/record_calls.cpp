@@ -1,4 +1,5 @@
 #include "rewrite/recorder.h"
+#include "rewrite/text_functions.h"
 #include "support/installation.h"
 
 namespace symreal::rewrite {
@@ -56,6 +57,13 @@ bool runtime_overloads(FunctionDecl const *function, SourceManager const &source
     return method && method->getParent()->isInStdNamespace();
   }
   return function->isInStdNamespace() && function->getDeclName().isIdentifier() && function->getName() == "to_string";
+}
+
+// Other than what it was given a reference to, as an operator << does. What makes text is looked at elsewhere.
+bool gives_something(FunctionDecl const *function) {
+  QualType const type = function->getReturnType();
+  return !isa<CXXConstructorDecl>(function) && !type->isVoidType() && !type->isReferenceType() &&
+         text_use(function) == TextUse::none;
 }
 
 } // namespace
@@ -230,7 +238,7 @@ void Recorder::outside_argument(SourceLocation call, FunctionDecl const *functio
   if (Reals::is_double(parameter) &&
       (!parameter->isReferenceType() || parameter.getNonReferenceType().isConstQualified())) {
     if (!real) return;
-    if (takes_only(function) && function->getReturnType()->isArithmeticType())
+    if (takes_only(function) && gives_something(function))
       wrap_for(call, argument, Use::conversion, plain_double); // what it gives depends on what it takes
     else if (takes_only(function))
       wrap_for(call, argument, Use::value);

@@ -4,6 +4,7 @@
 #include "rewrite/merge.h"
 #include "rewrite/pragma_handler.h"
 #include "rewrite/quoted_arguments.h"
+#include "rewrite/rounding_pragma.h"
 #include "rewrite/source_map.h"
 #include "rewrite/spelled_types.h"
 #include "rewrite/token_watch.h"
@@ -85,6 +86,7 @@ public:
     preprocessor.AddPragmaHandler(make_pragma_handler(map_, facts_, index_).release()); // owned there from now on
     preprocessor.addPPCallbacks(make_quoted_argument_recorder(map_, facts_, expansions_));
     preprocessor.addPPCallbacks(make_skipped_text_recorder(map_, facts_));
+    preprocessor.addPPCallbacks(make_rounding_pragma_watch(map_, facts_));
     watch_tokens(preprocessor, map_, settings.type_name, facts_, expansions_);
   }
 

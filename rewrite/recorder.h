@@ -84,6 +84,19 @@ public:
   void assembly(clang::GCCAsmStmt const *assembly);
   void designators(clang::InitListExpr const *list);
 
+  // errno and the floating-point environment (record_environment.cpp).
+  void environment_of_call(clang::CallExpr const *call);
+  void error_read(clang::Expr const *value);
+  void error_assigned(clang::BinaryOperator const *assignment);
+
+  // Text that is made of REALs, and text that is read (record_text.cpp).
+  void discarded(clang::Stmt const *statement, clang::FunctionDecl const *function);
+  void text_of_call(clang::CallExpr const *call);
+  void text_comparison(clang::CXXRewrittenBinaryOperator const *comparison);
+  void characters(clang::Expr const *value);
+  void characters_of(clang::CXXForRangeStmt const *loop);
+  void keeps_text(clang::QualType type);
+
   // What depends on values, for the report of a scan (record_dependence.cpp).
   void conversion(clang::CastExpr const *cast);
   void comparison(clang::BinaryOperator const *comparison);
@@ -112,6 +125,12 @@ public:
   void state_of_construction(clang::CXXConstructExpr const *construction);
 
 private:
+  void environment(clang::Expr const *expression, char const *what, std::string const &name);
+  void shows(clang::CallExpr const *call, clang::FunctionDecl const *function);
+  void formatting(clang::CallExpr const *call, clang::FunctionDecl const *function);
+  // `only_looks`: at the object, whose characters may be read later.
+  void reads_text(clang::SourceLocation reader, clang::Expr const *text, bool only_looks = false);
+
   void name(llvm::StringRef name, clang::SourceLocation begin, clang::SourceLocation end);
 
   bool compares_exactly(clang::Expr const *side, clang::Expr const *constant);
@@ -181,6 +200,7 @@ private:
   llvm::DenseMap<clang::Expr const *, Width> widths_;
   llvm::SmallPtrSet<clang::Expr const *, 32> callees_; // names of functions that are called there
   std::optional<Note> instance_;                       // what is looked at belongs to it
+  llvm::SmallPtrSet<clang::Expr const *, 32> discarded_;        // calls whose value nobody uses
 };
 
 } // namespace symreal::rewrite

@@ -23,9 +23,12 @@ bool is_needed(Use use) {
   case Use::counted:
   case Use::division:
   case Use::integer:
+  case Use::environment:
   case Use::value:
   case Use::literal:
   case Use::external:
+  case Use::formatting:
+  case Use::text:
   case Use::function:
   case Use::name:
   case Use::of_c:

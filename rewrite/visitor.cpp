@@ -87,6 +87,8 @@ public:
     record_.c_search(call);
     record_.dependent_variadic_call(call);
     if (no_state_) return true;
+    record_.environment_of_call(call);
+    record_.text_of_call(call);
     record_.state_of_call(call);
     record_.dependent_call(call);
     return true;
@@ -94,6 +96,7 @@ public:
   bool VisitCXXConstructExpr(CXXConstructExpr *construction) {
     if (passive_ || !map_.in_roots(construction->getLocation())) return true;
     record_.construction(construction);
+    record_.keeps_text(construction->getType());
     if (!no_state_) record_.state_of_construction(construction);
     return true;
   }
@@ -101,7 +104,11 @@ public:
     if (passive_) return true;
     record_.implicit_cast(cast, decisions_.count(cast) != 0);
     if (no_state_ || cast->isTypeDependent()) return true;
-    if (cast->getCastKind() == CK_LValueToRValue) record_.read(cast->getSubExpr());
+    if (cast->getCastKind() == CK_LValueToRValue) {
+      record_.read(cast->getSubExpr());
+      record_.error_read(cast->getSubExpr());
+      record_.characters(cast->getSubExpr());
+    }
     record_.pointer_cast(cast);
     return true;
   }
@@ -125,7 +132,10 @@ public:
     return true;
   }
   bool VisitCXXForRangeStmt(CXXForRangeStmt *loop) {
-    if (!passive_ && !no_state_) record_.copied_elements(loop);
+    if (!passive_ && !no_state_) {
+      record_.copied_elements(loop);
+      record_.characters_of(loop);
+    }
     return true;
   }
   bool VisitCXXRecordDecl(CXXRecordDecl *record) {
@@ -166,6 +176,7 @@ public:
   }
   bool VisitNamedDecl(NamedDecl *declaration) {
     record_.c_declaration(declaration);
+    if (auto const *object = dyn_cast<ValueDecl>(declaration)) record_.keeps_text(object->getType());
     return true;
   }
   bool VisitLambdaExpr(LambdaExpr *lambda) {
@@ -200,6 +211,17 @@ public:
     return true;
   }
 
+  bool VisitCXXRewrittenBinaryOperator(CXXRewrittenBinaryOperator *comparison) {
+    if (!passive_ && !no_state_) record_.text_comparison(comparison);
+    return true;
+  }
+
+  // Of an expression that is a statement, nobody uses the value.
+  bool VisitStmt(Stmt *statement) {
+    record_.discarded(statement, function_);
+    return true;
+  }
+
   // Conditions convert to bool by themselves: no cast is needed in front of the decision.
   bool VisitIfStmt(IfStmt *statement) { return decide(statement->getCond()); }
   bool VisitWhileStmt(WhileStmt *statement) { return decide(statement->getCond()); }
@@ -230,7 +252,10 @@ public:
     if (!passive_) record_.named_target(binary);
     if (!passive_ && binary->isComparisonOp()) record_.comparison(binary);
     if (!passive_ && !no_state_) {
-      if (binary->isAssignmentOp()) record_.assignment(binary);
+      if (binary->isAssignmentOp()) {
+        record_.assignment(binary);
+        record_.error_assigned(binary);
+      }
       record_.dependent_operands(binary);
     }
     return !binary->isLogicalOp() || (decide(binary->getLHS()) && decide(binary->getRHS()));

@@ -47,6 +47,7 @@ void Pool::begin(Columns columns) {
   do generation_ = ++last_generation;
   while (generation_ == 0); // which says that nothing is recorded
   recording_ = true;
+  error_setter_ = no_node;
   table_.clear();
   values_.clear();
   places_.clear();
@@ -112,6 +113,7 @@ RealNumber Pool::record(Op op, RealNumber x, RealNumber y, RealNumber z, void co
   unsigned operands = arity(op);
   NodeId a = node(x), b = operands > 1 ? node(y) : no_node, c = operands > 2 ? node(z) : no_node;
   NodeId id = table_.intern(table_.operation(op, a, b, c));
+  if (info(op).has(flag::ERROR)) error_setter_ = id;
   if (id + 1 == table_.size()) // most likely new
     fill(id, columns_.values && id == values_.size() ? value_of(table_[id]) : 0, caller);
   return number(id);

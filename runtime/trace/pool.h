@@ -50,6 +50,11 @@ public:
     return RealNumber::from_bits((bits & ~marks) | detail::node_tag << 40);
   }
   bool owns(RealNumber number) const { return number.is_node() && generation_of(number) == generation_; }
+  // The last operation that may have set errno, if that was not written since.
+  RealNumber last_to_set_error() const { return error_setter_ == no_node ? RealNumber(0.0) : number(error_setter_); }
+  void may_set_error(RealNumber x) { error_setter_ = owns(x) ? static_cast<NodeId>(x.to_bits()) : error_setter_; }
+  void forget_error() { error_setter_ = no_node; }
+
   // What a number becomes when its kernel ends.
   double final_value(RealNumber number) const { return value(static_cast<NodeId>(number.to_bits())); }
 
@@ -73,6 +78,7 @@ private:
   std::vector<std::uint32_t> places_;
   std::uint8_t generation_ = 0;
   bool recording_ = false;
+  NodeId error_setter_ = no_node;
 };
 
 } // namespace symreal::trace

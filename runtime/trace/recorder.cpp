@@ -1,12 +1,14 @@
 // Recording: annotated numbers become nodes, and at the kernel's end the graph is checked, handed over, and every
 // annotated number becomes an ordinary one again.
 #include "trace/deliver.h"
+#include "trace/environment.h"
 #include "trace/events.h"
 #include "trace/externals.h"
 #include "trace/guards.h"
 #include "trace/kernel.h"
 #include "trace/pool.h"
 #include "trace/state.h"
+#include "trace/text_marks.h"
 #include "trace/trap.h"
 
 #include <algorithm>
@@ -32,6 +34,9 @@ public:
     Guards::current().begin();
     Externals::current().begin();
     std::copy(std::begin(detail::executed), std::end(detail::executed), executed_before_.by_op.begin());
+    Environment::current().begin();
+    TextMarks::current().begin();
+    modes_at_begin_ = Environment::unusual_modes();
     enable_trap();
   }
 
@@ -95,12 +100,14 @@ public:
     if (!disable_trap())
       report({DiagnosticId::trap_lost, Severity::error, place,
               "kernel '" + name + "' changes the floating-point environment or the handler of SIGFPE or SIGTRAP"});
-    Pool &pool = Pool::current();
     graph_.kernel = name;
+    check_modes(place);
+    Pool &pool = Pool::current();
     for (std::size_t op = 0; op < graph_.executed.by_op.size(); ++op)
       graph_.executed.by_op[op] = detail::executed[op] - executed_before_.by_op[op];
     check_outputs(place);
     graph_.frozen = State::current().end();
+    TextMarks::current().end();
     for (RealNumber *number : written_)
       if (pool.owns(*number)) *number = pool.final_value(*number);
     Guards::current().end(graph_);
@@ -142,6 +149,17 @@ private:
     }
   }
 
+  void check_modes(Place const &end) {
+    auto const refuse = [this](char const *when, std::string const &modes, Place const &place) {
+      if (!modes.empty())
+        report({DiagnosticId::arithmetic_modes, Severity::error, place,
+                "kernel '" + graph_.kernel + "' " + when + " where arithmetic " + modes});
+    };
+    std::string const modes = Environment::unusual_modes();
+    refuse("begins", modes_at_begin_, graph_.inputs.empty() ? end : graph_.inputs.front().place);
+    if (modes != modes_at_begin_) refuse("ends", modes, end);
+  }
+
   void check_outputs(Place const &end) {
     if (graph_.outputs.empty())
       report({DiagnosticId::no_output, Severity::error, end, "kernel '" + graph_.kernel + "' ends without an output"});
@@ -161,6 +179,7 @@ private:
   Kind kind_ = Kind::input;
   Object object_;
   OperationCounts executed_before_;
+  std::string modes_at_begin_;                               // of arithmetic, where it is not as promised
   std::map<void *, std::pair<std::string, Place>> declared_; // inputs and parameters by address
   std::vector<RealNumber *> written_;                        // what holds nodes and becomes ordinary again
 };

@@ -4,9 +4,9 @@
 #include "trace/events.h"
 #include "trace/own_memory.h"
 #include "trace/pool.h"
+#include "trace/written_place.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cstdlib>
 #include <cstring>
 #include <tuple>
@@ -14,23 +14,6 @@
 namespace symreal {
 
 namespace trace {
-
-namespace {
-
-// "file:line:column", as the rewriter writes it.
-Place parse_place(std::string_view place) {
-  std::string text(place);
-  unsigned numbers[2] = {0, 0};
-  for (unsigned &number : numbers) {
-    std::size_t colon = text.rfind(':');
-    if (colon == std::string::npos) return {text, 0, 0};
-    std::from_chars(text.data() + colon + 1, text.data() + text.size(), number);
-    text.resize(colon);
-  }
-  return {text, numbers[1], numbers[0]};
-}
-
-} // namespace
 
 State &State::current() {
   static constinit thread_local State *state = nullptr;
@@ -121,7 +104,7 @@ void State::check_bits(void const *begin, std::size_t size, char const *name, ch
   auto const *numbers = reinterpret_cast<RealNumber const *>(first * sizeof(RealNumber));
   bool const any = std::any_of(numbers, numbers + (end - first), [](RealNumber number) { return number.is_node(); });
   if (!any || !reported_bits_.insert(place).second) return;
-  report({DiagnosticId::reinterpretation, Severity::error, parse_place(place),
+  report({DiagnosticId::reinterpretation, Severity::error, written_place(place),
           "the bytes behind '" + std::string(name) + "' are those of a symbolic value"});
 }
 
@@ -185,7 +168,7 @@ bool State::is_lost(RealNumber const *number) {
 
 void State::report_lost(Site const &site) {
   if (!reported_.insert(site).second) return;
-  report({DiagnosticId::state_not_output, Severity::error, parse_place(site.place),
+  report({DiagnosticId::state_not_output, Severity::error, written_place(site.place),
           "'" + std::string(site.name) + "' is written by the kernel and is no output"});
 }
 
@@ -234,7 +217,7 @@ std::vector<Frozen> State::end() {
   judge_integers();
   std::vector<Frozen> frozen;
   for (auto &[site, read] : reads_) {
-    Frozen state{std::string(site.name), parse_place(site.place), {}, std::move(read.stack)};
+    Frozen state{std::string(site.name), written_place(site.place), {}, std::move(read.stack)};
     for (std::size_t k = 0; k < read.numbers.size(); ++k) {
       if (is_lost(read.numbers[k]))
         report_lost(site);

@@ -2,10 +2,25 @@
 
 #include <istream>
 #include <ostream>
+#include <sstream>
 
 namespace symreal::types {
 
-std::ostream &operator<<(std::ostream &out, RealNumber x) { return out << value(x); }
+std::ostream &operator<<(std::ostream &out, RealNumber x) {
+  double const number = x.is_node() ? detail::needed_value(x) : x.plain();
+  if (x.is_node() && detail::recording) {
+    std::ostringstream text; // as it will read there
+    text.copyfmt(out);
+    text << number;
+    detail::made_stream(out, text.view(), x);
+  }
+  return out << number;
+}
+
+std::ostream &operator<<(std::ostream &out, SymbolicBool x) {
+  detail::made_stream(out, value(x) ? "1" : "0", x.condition());
+  return out << value(x);
+}
 
 std::istream &operator>>(std::istream &in, RealNumber &x) {
   double number = 0;

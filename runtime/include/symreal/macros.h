@@ -40,6 +40,10 @@
 #define SYMREAL_REAL_LAST(name, place, ...) __VA_ARGS__
 #define SYMREAL_REAL_BITS(name, place, ...) __VA_ARGS__
 #define SYMREAL_REAL_BYTES(how, name, place, ...) __VA_ARGS__
+#define SYMREAL_REAL_ENVIRONMENT(what, name, place, ...) __VA_ARGS__
+#define SYMREAL_REAL_FORMAT(how, is_used, place, ...) __VA_ARGS__
+#define SYMREAL_REAL_SHOWS(...) __VA_ARGS__
+#define SYMREAL_REAL_TEXT(name, place, ...) __VA_ARGS__
 #define SYMREAL_REAL_PASTED(text, ...) __VA_ARGS__
 #define SYMREAL_REAL_EITHER(original, ...) SYMREAL_ORIGINAL original
 #define SYMREAL_ORIGINAL(...) __VA_ARGS__
@@ -112,6 +116,12 @@
 #define SYMREAL_REAL_BITS(name, place, ...) (::symreal::bits(__VA_ARGS__, name, place))
 /* Stands for memmove (and memcpy) or memset. */
 #define SYMREAL_REAL_BYTES(how, name, place, ...) ::symreal::Bytes(name, place).how
+#define SYMREAL_REAL_ENVIRONMENT(what, name, place, ...) (::symreal::what(name, place), __VA_ARGS__)
+/* Stands for a function that makes text, or moves it. */
+#define SYMREAL_REAL_FORMAT(how, is_used, place, ...) ::symreal::Format(is_used, place).how
+/* A function of the program that is given carried values. */
+#define SYMREAL_REAL_SHOWS(...) (::symreal::Shows(), __VA_ARGS__)
+#define SYMREAL_REAL_TEXT(name, place, ...) (::symreal::text(__VA_ARGS__, name, place))
 /* What a class tells about itself: `access` is that of what follows. */
 #define SYMREAL_REAL_MEMBERS(access, ...)                                                                              \
 public:                                                                                                                \
@@ -149,6 +159,10 @@ public:                                                                         
 #define SYMREAL_REAL_LAST(name, place, ...) (__VA_ARGS__)
 #define SYMREAL_REAL_BITS(name, place, ...) (__VA_ARGS__)
 #define SYMREAL_REAL_BYTES(how, name, place, ...) __VA_ARGS__
+#define SYMREAL_REAL_ENVIRONMENT(what, name, place, ...) (__VA_ARGS__)
+#define SYMREAL_REAL_FORMAT(how, is_used, place, ...) __VA_ARGS__
+#define SYMREAL_REAL_SHOWS(...) (__VA_ARGS__)
+#define SYMREAL_REAL_TEXT(name, place, ...) (__VA_ARGS__)
 #define SYMREAL_REAL_MEMBERS(...)
 #define SYMREAL_REAL_LAYOUT(...)
 #define SYMREAL_REAL_PADDING(...)

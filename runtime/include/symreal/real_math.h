@@ -72,7 +72,11 @@ namespace symreal {
 
 inline RealNumber fabs(RealNumber x) noexcept { return abs(x); }
 inline RealNumber nearbyint(RealNumber x) noexcept { return rint(x); }
-inline RealNumber ldexp(RealNumber x, int exponent) noexcept { return x * RealNumber(std::ldexp(1.0, exponent)); }
+inline RealNumber ldexp(RealNumber x, int exponent) noexcept {
+  RealNumber const product = x * RealNumber(std::ldexp(1.0, exponent));
+  if (product.is_node()) detail::may_set_error(product);
+  return product;
+}
 inline RealNumber scalbn(RealNumber x, int exponent) noexcept { return ldexp(x, exponent); }
 inline RealNumber modf(RealNumber x, RealNumber *integer) noexcept { return x - (*integer = trunc(x)); }
 inline void sincos(RealNumber x, RealNumber *sine, RealNumber *cosine) noexcept {

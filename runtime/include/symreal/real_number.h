@@ -58,6 +58,8 @@ extern __thread std::uint64_t executed[static_cast<unsigned>(Op::count)];
 [[gnu::noinline]] double carried_value(RealNumber x) noexcept;
 // As carried_value, for something that needs it: an input without a value is an error here.
 [[gnu::noinline]] double needed_value(RealNumber x) noexcept;
+// The same, on its way into text (text.h).
+[[gnu::noinline]] double shown_value(RealNumber x) noexcept;
 // The node of a comparison; where the premise of the floating-point mode settles it (x != x), the truth value.
 [[gnu::noinline]] RealNumber compare(Op op, RealNumber x, RealNumber y) noexcept;
 // Whether x is finite, as a comparison; settled like one.
@@ -67,6 +69,8 @@ extern __thread std::uint64_t executed[static_cast<unsigned>(Op::count)];
 [[gnu::noinline]] bool decide(RealNumber condition) noexcept;
 [[gnu::noinline]] double convert_to_integer(RealNumber x) noexcept;
 [[gnu::noinline]] double convert(RealNumber x) noexcept;
+// The program computes x by a function that may set errno.
+[[gnu::noinline]] void may_set_error(RealNumber x) noexcept;
 // Whether truth values become numbers without a decision.
 bool selects() noexcept;
 
@@ -269,7 +273,7 @@ SYMREAL_COMPOUND(/)
 } // namespace types
 
 // The carried value: the number that the program would have here. For printing; no dependency is recorded.
-constexpr double value(RealNumber x) noexcept { return x.is_node() ? detail::needed_value(x) : x.plain(); }
+constexpr double value(RealNumber x) noexcept { return x.is_node() ? detail::shown_value(x) : x.plain(); }
 template <class T, class = std::enable_if_t<std::is_arithmetic_v<T>>> constexpr T value(T x) noexcept { return x; }
 inline bool value(SymbolicBool x) noexcept { return value(x.condition()) != 0; }
 // What a template prints besides numbers.

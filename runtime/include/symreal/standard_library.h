@@ -5,6 +5,7 @@
 #include <symreal/complex.h>
 #include <symreal/extremes.h>
 #include <symreal/real_math.h>
+#include <symreal/text.h>
 
 #include <cstddef>
 #include <functional>
@@ -15,7 +16,7 @@
 namespace symreal::types {
 // Prints the carried value.
 std::ostream &operator<<(std::ostream &out, RealNumber x);
-inline std::ostream &operator<<(std::ostream &out, SymbolicBool x) { return out << value(x); }
+std::ostream &operator<<(std::ostream &out, SymbolicBool x);
 std::istream &operator>>(std::istream &in, RealNumber &x);
 } // namespace symreal::types
 
@@ -42,6 +43,11 @@ template <> struct hash<symreal::RealNumber> {
   size_t operator()(symreal::RealNumber x) const noexcept { return hash<double>()(static_cast<double>(x)); }
 };
 
-inline string to_string(symreal::RealNumber x) { return to_string(symreal::value(x)); }
+inline string to_string(symreal::RealNumber x) {
+  if (!x.is_node()) return to_string(x.plain());
+  string text = to_string(symreal::detail::needed_value(x));
+  symreal::detail::made_string(text, x);
+  return text;
+}
 
 } // namespace std

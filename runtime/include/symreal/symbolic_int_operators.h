@@ -3,6 +3,7 @@
 #pragma once
 
 #include <symreal/symbolic_int.h>
+#include <symreal/text.h>
 
 namespace symreal {
 
@@ -266,6 +267,8 @@ template <class T> T value(SymbolicInt<T> x) noexcept {
 namespace types {
 template <class Character, class Traits, class T>
 std::basic_ostream<Character, Traits> &operator<<(std::basic_ostream<Character, Traits> &out, SymbolicInt<T> x) {
+  if constexpr (std::is_same_v<Character, char>)
+    if (x.is_symbolic()) detail::made_stream(out, std::to_string(static_cast<long long>(value(x))), x.number());
   return out << value(x);
 }
 } // namespace types

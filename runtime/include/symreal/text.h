@@ -1,0 +1,271 @@
+// Text of symbolic values. It says what this run carries, so it may leave the program, and what is read back is an
+// error at its place: characters, strings, files, lengths. The rewriter puts Format in the place of the functions that
+// make text, and text(...) around what is read.
+#pragma once
+
+#include <symreal/real_number.h>
+
+#include <charconv>
+#include <cstdarg>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <istream>
+#include <string>
+#include <string_view>
+
+namespace symreal {
+
+namespace detail {
+
+extern __thread bool recording; // as in state.h
+// Whether the kernel has made text of a symbolic value where it could be read back.
+extern __thread bool has_text;
+
+// The number whose carried value was last taken as text, and the stack where that was; none: 0.
+struct Shown {
+  std::uint64_t number = 0;
+  std::uintptr_t frame = 0;
+};
+extern __thread Shown shown;
+
+// Text was made. `place`: its length is used there, or null.
+void made_text(char const *text, std::size_t size, Shown value, char const *used_at) noexcept;
+void made_file(std::FILE *file, Shown value) noexcept;
+void made_length(Shown value, char const *used_at) noexcept;
+// The value that the text, or a part of it, is of, if any.
+Shown value_in(char const *text, std::size_t size) noexcept;
+
+// Text of x, if that is symbolic, went into a string, or a stream.
+void made_string(std::string_view text, RealNumber x) noexcept;
+void made_stream(std::ios const &stream, std::string_view text, RealNumber x) noexcept;
+
+void read_character(char const *character, char const *name, char const *place) noexcept;
+void read_text(char const *text, std::size_t size, char const *name, char const *place) noexcept;
+void read_file(std::FILE *file, char const *name, char const *place) noexcept;
+void read_stream(std::ios const &stream, char const *name, char const *place) noexcept;
+
+template <class T> inline constexpr bool is_character =
+    std::is_integral_v<T> && sizeof(T) == 1 && !std::is_same_v<std::remove_cv_t<T>, bool>;
+
+template <class T> inline constexpr bool is_string = std::is_class_v<T> && std::is_convertible_v<T &, std::string_view>;
+
+template <class T> char const *characters(T *text) noexcept {
+  return reinterpret_cast<char const *>(const_cast<std::remove_cv_t<T> *>(text));
+}
+
+template <class T> Shown value_of(T const &object) noexcept {
+  if constexpr (std::is_pointer_v<T>)
+    if constexpr (is_character<std::remove_pointer_t<T>>)
+      if (has_text && object) return value_in(characters(object), std::strlen(characters(object)));
+  return {};
+}
+
+template <class T> void look_at(T &object, char const *name, char const *place) noexcept {
+  using Plain = std::remove_cv_t<T>;
+  if constexpr (std::is_array_v<T>) {
+    if constexpr (is_character<std::remove_extent_t<T>>)
+      read_text(characters(&object[0]), std::strlen(characters(&object[0])), name, place);
+  } else if constexpr (std::is_same_v<Plain, std::FILE *>) {
+    if (object) read_file(object, name, place);
+  } else if constexpr (std::is_pointer_v<Plain>) {
+    using Pointee = std::remove_pointer_t<Plain>;
+    if constexpr (is_character<Pointee>) {
+      if (object) read_text(characters(object), std::strlen(characters(object)), name, place);
+    } else if constexpr (is_string<Pointee> || std::is_convertible_v<Pointee *, std::ios const *>) {
+      if (object) look_at(*object, name, place);
+    }
+  } else if constexpr (is_character<Plain>) {
+    read_character(characters(&object), name, place);
+  } else if constexpr (std::is_convertible_v<T &, std::ios const &>) {
+    read_stream(object, name, place);
+  } else if constexpr (std::is_convertible_v<T &, std::string_view>) {
+    std::string_view const view = object;
+    read_text(view.data(), view.size(), name, place);
+  }
+}
+
+} // namespace detail
+
+// Something is read that may hold text. Without a name: characters of it may be read later.
+// A string that nobody else owns is handed on, lest it end before the loop that runs over it.
+template <class T>
+constexpr std::conditional_t<detail::is_string<T>, T, T &&> text(T &&object, char const *name, char const *place) {
+  if (!__builtin_is_constant_evaluated() && detail::recording && detail::has_text) detail::look_at(object, name, place);
+  return static_cast<T &&>(object);
+}
+
+// While a function of the program is given carried values as text, until the end of the whole expression.
+class Shows {
+public:
+  Shows() noexcept : before_(detail::shown) { detail::shown = {}; }
+  ~Shows() { detail::shown = before_; }
+  Shows(Shows const &) = delete;
+  Shows &operator=(Shows const &) = delete;
+
+private:
+  detail::Shown before_;
+};
+
+// In the place of a function that makes text or moves it.
+class Format {
+public:
+  Format(bool is_used, char const *place) noexcept : place_(is_used ? place : nullptr), before_(detail::shown) {
+    detail::shown = {};
+  }
+  ~Format() { detail::shown = before_; }
+  Format(Format const &) = delete;
+  Format &operator=(Format const &) = delete;
+
+  template <class... T> int print_sprintf(char *to, char const *format, T... values) const {
+    return made(to, std::sprintf(to, format, values...), value(values...));
+  }
+  template <class... T> int print_snprintf(char *to, std::size_t size, char const *format, T... values) const {
+    return made(to, size, std::snprintf(to, size, format, values...), value(values...));
+  }
+  int print_vsprintf(char *to, char const *format, std::va_list list) const {
+    return made(to, std::vsprintf(to, format, list), listed());
+  }
+  int print_vsnprintf(char *to, std::size_t size, char const *format, std::va_list list) const {
+    return made(to, size, std::vsnprintf(to, size, format, list), listed());
+  }
+#ifdef __GLIBC__
+  template <class... T> int print_asprintf(char **to, char const *format, T... values) const {
+    int const length = ::asprintf(to, format, values...);
+    return made(*to, length, value(values...));
+  }
+  int print_vasprintf(char **to, char const *format, std::va_list list) const {
+    int const length = ::vasprintf(to, format, list);
+    return made(*to, length, listed());
+  }
+  template <class... T> int print_dprintf(int file, char const *format, T... values) const {
+    return written(said(value(values...), format, values...), ::dprintf(file, format, values...));
+  }
+  int print_vdprintf(int file, char const *format, std::va_list list) const {
+    said_list(format, list);
+    return written(listed(), ::vdprintf(file, format, list));
+  }
+  char *print_gcvt(double number, int digits, char *to) const {
+    ::gcvt(number, digits, to);
+    return copied(to, to, detail::shown);
+  }
+#endif
+  template <class... T> std::to_chars_result print_to_chars(char *first, char *last, T... values) const {
+    std::to_chars_result const result = std::to_chars(first, last, values...);
+    made(first, static_cast<int>(result.ptr - first), detail::shown);
+    return result;
+  }
+
+  template <class... T> int print_printf(char const *format, T... values) const {
+    return written(value(values...), std::printf(format, values...));
+  }
+  int print_vprintf(char const *format, std::va_list list) const {
+    return written(listed(), std::vprintf(format, list));
+  }
+  template <class... T> int print_fprintf(std::FILE *file, char const *format, T... values) const {
+    if (is_file(file)) detail::made_file(file, said(value(values...), format, values...));
+    return written(value(values...), std::fprintf(file, format, values...));
+  }
+  int print_vfprintf(std::FILE *file, char const *format, std::va_list list) const {
+    if (is_file(file)) {
+      said_list(format, list);
+      detail::made_file(file, listed());
+    }
+    return written(listed(), std::vfprintf(file, format, list));
+  }
+  int print_fputs(char const *text, std::FILE *file) const {
+    if (is_file(file)) detail::made_file(file, value(text));
+    return std::fputs(text, file);
+  }
+  template <class T>
+  std::size_t print_fwrite(T const *from, std::size_t size, std::size_t count, std::FILE *file) const {
+    if constexpr (detail::is_character<T>)
+      if (is_file(file) && detail::has_text)
+        detail::made_file(file, detail::value_in(detail::characters(from), size * count));
+    return std::fwrite(from, size, count, file);
+  }
+
+  char *print_strcpy(char *to, char const *from) const { return copied(std::strcpy(to, from), to, value(from)); }
+  char *print_strncpy(char *to, char const *from, std::size_t size) const {
+    std::strncpy(to, from, size);
+    if (detail::recording && value(from).number) detail::made_text(to, size, value(from), nullptr);
+    return to;
+  }
+  char *print_strcat(char *to, char const *from) const { return copied(std::strcat(to, from), to, value(from)); }
+  char *print_strncat(char *to, char const *from, std::size_t size) const {
+    return copied(std::strncat(to, from, size), to, value(from));
+  }
+#ifdef __GLIBC__
+  char *print_stpcpy(char *to, char const *from) const {
+    char *const end = ::stpcpy(to, from);
+    copied(to, to, value(from));
+    return end;
+  }
+  char *print_strdup(char const *from) const {
+    char *const copy = ::strdup(from);
+    return copy ? copied(copy, copy, value(from)) : copy;
+  }
+#endif
+
+private:
+  // Of the arguments: a number that was taken as text, or text of one.
+  template <class... T> static detail::Shown value(T... values) noexcept {
+    detail::Shown found = detail::shown;
+    if (detail::recording && detail::has_text) ((found = found.number ? found : detail::value_of(values)), ...);
+    return found;
+  }
+  // The arguments were those of another call further out.
+  detail::Shown listed() const noexcept {
+    bool const is_outer = before_.frame > reinterpret_cast<std::uintptr_t>(this);
+    return is_outer ? before_ : detail::Shown{};
+  }
+
+  int made(char *to, int length, detail::Shown value) const noexcept {
+    if (detail::recording && value.number && length >= 0)
+      detail::made_text(to, static_cast<std::size_t>(length), value, place_);
+    return length;
+  }
+  int made(char *to, std::size_t size, int length, detail::Shown value) const noexcept {
+    if (!detail::recording || !value.number || length < 0) return length;
+    if (to && size > 0)
+      detail::made_text(to, std::strlen(to), value, place_);
+    else
+      detail::made_length(value, place_);
+    return length;
+  }
+  char *copied(char *result, char const *to, detail::Shown value) const noexcept {
+    if (detail::recording && value.number) detail::made_text(to, std::strlen(to), value, nullptr);
+    return result;
+  }
+  int written(detail::Shown value, int length) const noexcept {
+    if (detail::recording && value.number) detail::made_length(value, place_);
+    return length;
+  }
+
+  // What goes to a file: it may be read back by other means.
+  static bool is_file(std::FILE *file) noexcept { return detail::recording && file != stdout && file != stderr; }
+  template <class... T> static detail::Shown said(detail::Shown value, char const *format, T... values) {
+    if (!detail::recording || !value.number) return value;
+    std::string text(static_cast<std::size_t>(std::snprintf(nullptr, 0, format, values...)) + 1, '\0');
+    std::snprintf(text.data(), text.size(), format, values...);
+    detail::made_string(text.c_str(), RealNumber::from_bits(value.number));
+    return value;
+  }
+  void said_list(char const *format, std::va_list list) const {
+    if (!detail::recording || !listed().number) return;
+    std::va_list copy;
+    va_copy(copy, list);
+    std::string text(static_cast<std::size_t>(std::vsnprintf(nullptr, 0, format, copy)) + 1, '\0');
+    va_end(copy);
+    va_copy(copy, list);
+    std::vsnprintf(text.data(), text.size(), format, copy);
+    va_end(copy);
+    detail::made_string(text.c_str(), RealNumber::from_bits(listed().number));
+  }
+
+  char const *place_; // where the length is used
+  detail::Shown before_;
+};
+
+} // namespace symreal
