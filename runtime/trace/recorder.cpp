@@ -1,5 +1,6 @@
 // Recording: annotated numbers become nodes, and at the kernel's end the graph is checked, handed over, and every
 // annotated number becomes an ordinary one again.
+#include "support/number.h"
 #include "trace/deliver.h"
 #include "trace/events.h"
 #include "trace/externals.h"
@@ -38,6 +39,7 @@ public:
   void begin_object(Kind kind, std::string const &label, Place const &place) override {
     kind_ = kind;
     object_ = {label, {}, 0, 0, place, {}};
+    kept_.clear();
     for (Object const &met : objects(kind)) {
       if (met.label != label || met.place.line != place.line || met.place.column != place.column) continue;
       report({kind == Kind::output ? DiagnosticId::output_met_twice : DiagnosticId::input_met_twice, Severity::error,
@@ -54,8 +56,9 @@ public:
     case Kind::scratch: break;
     case Kind::output:
       graph_.results.push_back(pool.node(real));
-      if (!is_temporary) written_.push_back(&real);
-      detail::annotated_bytes(number, sizeof real);
+      if (is_temporary) break;
+      written_.push_back(&real);
+      if (!State::current().output(&real)) kept_.push_back({object_.count, real.plain()});
       break;
     case Kind::input:
     case Kind::parameter: {
@@ -66,8 +69,9 @@ public:
       auto slot = static_cast<std::uint32_t>(values.size());
       values.push_back(value);
       real = pool.leaf(is_input ? Node::input(slot) : Node::parameter(slot), value);
-      if (!is_temporary) written_.push_back(&real);
-      detail::annotated_bytes(number, sizeof real);
+      if (is_temporary) break;
+      written_.push_back(&real);
+      State::current().input(&real, object_.label, object_.place);
     }
     }
     ++object_.count;
@@ -78,6 +82,7 @@ public:
     if (product != object_.count) extents = {object_.count}; // ragged: one long row
     object_.extents = std::move(extents);
     if (kind_ == Kind::constant || kind_ == Kind::scratch) return;
+    if (!kept_.empty()) report_kept();
     std::vector<Object> &list = objects(kind_);
     object_.first = list.empty() ? 0 : list.back().first + list.back().count;
     list.push_back(object_);
@@ -115,6 +120,18 @@ public:
 private:
   std::vector<Object> &objects(Kind kind) {
     return kind == Kind::input ? graph_.inputs : kind == Kind::parameter ? graph_.parameters : graph_.outputs;
+  }
+
+  // Elements of the output that the kernel did not write hold what the caller had there.
+  void report_kept() const {
+    std::string elements = object_.count == 1 ? "" : kept_.size() == 1 ? " in element" : " in elements";
+    constexpr std::size_t most = 4;
+    for (std::size_t k = 0; object_.count > 1 && k < std::min(kept_.size(), most); ++k)
+      elements += (k ? ", " : " ") + std::to_string(kept_[k].element);
+    if (kept_.size() > most) elements += ", ...";
+    report({DiagnosticId::output_keeps_value, Severity::error, object_.place,
+            "output '" + object_.label + "' is not written by the kernel" + elements +
+                ", and holds what it held before (" + shortest(kept_[0].value) + (kept_.size() > 1 ? ", ...)" : ")")});
   }
 
   // An element is an input or a parameter once.
@@ -160,6 +177,11 @@ private:
   Graph graph_;
   Kind kind_ = Kind::input;
   Object object_;
+  struct Kept {
+    std::size_t element;
+    double value;
+  };
+  std::vector<Kept> kept_; // of this output
   OperationCounts executed_before_;
   std::map<void *, std::pair<std::string, Place>> declared_; // inputs and parameters by address
   std::vector<RealNumber *> written_;                        // what holds nodes and becomes ordinary again

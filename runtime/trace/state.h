@@ -34,8 +34,17 @@ public:
   void changed(void const *object, detail::Visit visit, char const *name, char const *place);
   void check_bits(void const *begin, std::size_t size, char const *name, char const *place);
   void const *other_range_end(void const *end, bool is_last, char const *place);
-  void annotated(void const *begin, std::size_t size);
+  void constant(void const *begin, std::size_t size);
+  void input(RealNumber const *number, std::string const &label, Place const &place);
+  // Whether the kernel wrote it, as far as is known, or it is an input. If not, it holds what it held before.
+  bool output(RealNumber const *number);
   void scratch(void const *object, std::size_t size, detail::Visit visit);
+  // For arms that are both executed (<symreal/branch.h>). Is it somewhere that outlives the kernel, and not met yet?
+  bool is_foreign(RealNumber const *number);
+  bool take_written(RealNumber const *number);
+  void was_written(RealNumber const *number) { shadow_.add(number, sizeof *number, mark::noted | mark::written); }
+  // The value that it had before it was written is part of the result.
+  void keep(RealNumber const *number, double value);
 
   // Told by the heap (heap_hooks.cpp).
   void allocated(void *block, std::size_t size);
@@ -61,6 +70,12 @@ private:
     std::size_t size;
     Site site;
   };
+  struct Input {
+    RealNumber const *number;
+    std::uint64_t bits;
+    std::string const *label;
+    Place place;
+  };
   struct Scratch {
     void const *object;
     std::size_t size;
@@ -78,12 +93,18 @@ private:
   };
 
   bool outlives(void const *address);
-  bool in_question(void const *address);
   Site site_of(void const *address, char const *name, char const *place) const;
   Read &read_at(Site const &site);
-  bool is_lost(RealNumber const *number);
+  void add_read(RealNumber const *number, double value, Site const &site);
+  // Marks it as written; whether it outlives the kernel, and that was news.
+  bool is_first_write(void const *address, std::size_t size);
+  bool may_be_left(void const *address) { return (shadow_.at(address) & mark::may_be_left) != 0; }
+  void make_plain(RealNumber const *number);
   void report_lost(Site const &site);
-  void forget_scratch();
+  void mark_scratch();
+  void judge_inputs();
+  void judge_reads(std::vector<Frozen> &frozen);
+  void judge_writes();
   void judge_integers();
   void warn_overlooked() const;
 
@@ -94,10 +115,13 @@ private:
   std::map<Site, Read> reads_;
   Integers integers_;
   std::vector<Written> written_;
+  std::vector<Input> inputs_;
+  std::set<std::string> labels_; // of inputs
   std::vector<Changed> changed_;
   std::vector<Scratch> scratch_;
   std::vector<RangeEnd> range_ends_;
   std::set<Site> reported_;
+  std::set<std::string const *> reported_inputs_;
   std::set<std::string> reported_bits_; // by place
   bool overlooked_ = false;             // something could not be judged
 };
