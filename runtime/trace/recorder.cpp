@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <set>
 #include <unordered_map>
 
 namespace symreal {
@@ -25,6 +26,7 @@ public:
   void begin(std::string const &name, void const *frame) override {
     graph_ = {};
     declared_.clear();
+    overlaps_.clear();
     written_.clear();
     event({"started", name});
     flush_events();
@@ -58,6 +60,7 @@ public:
       graph_.results.push_back(pool.node(real));
       if (is_temporary) break;
       written_.push_back(&real);
+      check_overlap(number);
       if (!State::current().output(&real)) kept_.push_back({object_.count, real.plain()});
       break;
     case Kind::input:
@@ -105,7 +108,7 @@ public:
     for (std::size_t op = 0; op < graph_.executed.by_op.size(); ++op)
       graph_.executed.by_op[op] = detail::executed[op] - executed_before_.by_op[op];
     check_outputs(place);
-    graph_.frozen = State::current().end();
+    graph_.frozen = State::current().end(place);
     for (RealNumber *number : written_)
       if (pool.owns(*number)) *number = pool.final_value(*number);
     Guards::current().end(graph_);
@@ -120,6 +123,23 @@ public:
 private:
   std::vector<Object> &objects(Kind kind) {
     return kind == Kind::input ? graph_.inputs : kind == Kind::parameter ? graph_.parameters : graph_.outputs;
+  }
+
+  // Whether the caller's objects overlap is up to the caller; one object under one name is no overlap.
+  void check_overlap(void *number) {
+    auto const input = declared_.find(number);
+    if (input == declared_.end() || first_name(input->second.first) == first_name(object_.label)) return;
+    if (!overlaps_.insert(object_.label).second) return;
+    report({DiagnosticId::input_met_twice, Severity::error, object_.place,
+            "output '" + object_.label + "' overlaps '" + input->second.first + "' (" +
+                to_string(input->second.second) + "), so the result would hold for calls with this overlap alone"});
+  }
+
+  // Of the object that an annotation is about: `x` of "*this->x[0:2].y".
+  static std::string first_name(std::string label) {
+    for (std::string const prefix : {"*", "&", "(", "this->", "*"})
+      if (label.starts_with(prefix)) label.erase(0, prefix.size());
+    return label.substr(0, label.find_first_of("[.-*&() "));
   }
 
   // Elements of the output that the kernel did not write hold what the caller had there.
@@ -181,7 +201,8 @@ private:
     std::size_t element;
     double value;
   };
-  std::vector<Kept> kept_; // of this output
+  std::vector<Kept> kept_;         // of this output
+  std::set<std::string> overlaps_; // that are reported
   OperationCounts executed_before_;
   std::map<void *, std::pair<std::string, Place>> declared_; // inputs and parameters by address
   std::vector<RealNumber *> written_;                        // what holds nodes and becomes ordinary again

@@ -33,6 +33,8 @@ Place parse_place(std::string_view place) {
 
 } // namespace
 
+Place State::place_of(Site const &site) { return parse_place(site.place); }
+
 State &State::current() {
   static constinit thread_local State *state = nullptr;
   if (!state) state = new State;
@@ -42,6 +44,7 @@ State &State::current() {
 void State::begin(void const *frame) {
   *this = {};
   find_own_stack(frame);
+  image_ = memory::MemoryImage::capture(frame);
   constant_memory_ = find_constant_memory();
   // Are we told of what is allocated?
   detail::recording = true;
@@ -163,8 +166,8 @@ void State::keep(RealNumber const *number, double value) {
   bool const is_read = (shadow_.at(number) & mark::read) != 0;
   was_written(number);
   if (is_read) return;
-  auto const site = std::find_if(written_.rbegin(), written_.rend(),
-                                 [number](Written const &each) { return each.begin == number; });
+  auto const site =
+      std::find_if(written_.rbegin(), written_.rend(), [number](Written const &each) { return each.begin == number; });
   if (site != written_.rend()) add_read(number, value, site->site);
 }
 
@@ -189,12 +192,18 @@ void State::input(RealNumber const *number, std::string const &label, Place cons
 bool State::output(RealNumber const *number) {
   Marks const before = shadow_.at(number);
   shadow_.add(number, sizeof *number, mark::output);
+  outputs_.push_back(number);
   return number->is_node() || (before & (mark::may_be_read | mark::written)) != 0 || detail::on_own_stack(number) ||
-         !outlives(number);
+         !outlives(number) || has_changed(number);
 }
 
 void State::scratch(void const *object, std::size_t size, detail::Visit visit) {
   scratch_.push_back({object, size, visit});
+}
+
+void State::outside(std::string const &name, std::vector<double> const &values) {
+  std::vector<double> &met = outside_[{name, call_stack()}];
+  met.insert(met.end(), values.begin(), values.end());
 }
 
 void State::allocated(void *block, std::size_t size) {
@@ -292,13 +301,13 @@ void State::judge_reads(std::vector<Frozen> &frozen) {
     for (std::size_t k = 0; k < read.numbers.size(); ++k) {
       RealNumber const *number = read.numbers[k];
       Marks const marks = shadow_.at(number);
-      bool const has_changed =
+      bool const changed_since =
           (marks & mark::freed) == 0 && number->to_bits() != RealNumber(read.values[k]).to_bits();
-      if (has_changed && (marks & mark::may_be_left) == 0)
+      if (changed_since && (marks & mark::may_be_left) == 0)
         report_lost(site);
       else if ((marks & mark::constant) == 0)
         ((marks & mark::output) != 0 ? kept : state.values).push_back(read.values[k]);
-      if (has_changed) make_plain(number);
+      if (changed_since) make_plain(number);
     }
     state.values.insert(state.values.end(), read.integers.begin(), read.integers.end());
     if (!kept.empty())
@@ -328,14 +337,17 @@ void State::judge_writes() {
   }
 }
 
-std::vector<Frozen> State::end() {
+std::vector<Frozen> State::end(Place const &kernel) {
   detail::recording = false;
   mark_scratch();
   judge_inputs();
   judge_integers();
   std::vector<Frozen> frozen;
   judge_reads(frozen);
+  for (auto &[function, values] : outside_) frozen.push_back({function.first, {}, std::move(values), function.second});
   judge_writes();
+  judge_memory(kernel);
+  image_.reset();
   // In which order operands are evaluated is the compiler's choice.
   std::sort(frozen.begin(), frozen.end(), [](Frozen const &a, Frozen const &b) {
     return std::tie(a.place.file, a.place.line, a.place.column, a.name) <

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "graph/graph.h"
+#include "memory/memory_image.h"
 #include "trace/integers.h"
 #include "trace/own_memory.h"
 #include "trace/shadow.h"
@@ -11,6 +12,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -46,13 +48,17 @@ public:
   // The value that it had before it was written is part of the result.
   void keep(RealNumber const *number, double value);
 
+  // A function gave this, which comes from outside of the program (outside_hooks.cpp).
+  void outside(std::string const &name, std::vector<double> const &values);
+
   // Told by the heap (heap_hooks.cpp).
   void allocated(void *block, std::size_t size);
   void released(void *block, std::size_t size);
   void moved(void *block, std::size_t size, void *to, std::size_t new_size);
 
   // What is baked in. Reports state that was written and is no output, and makes its numbers ordinary again.
-  std::vector<Frozen> end();
+  // `kernel`: its place.
+  std::vector<Frozen> end(Place const &kernel = {});
 
 private:
   struct Static {
@@ -105,7 +111,12 @@ private:
   void judge_inputs();
   void judge_reads(std::vector<Frozen> &frozen);
   void judge_writes();
+  // state_memory.cpp
+  std::vector<memory::Known> known_changes();
+  bool has_changed(RealNumber const *number) const;
+  void judge_memory(Place const &kernel);
   void judge_integers();
+  static Place place_of(Site const &site);
   void warn_overlooked() const;
 
   Shadow shadow_;
@@ -116,10 +127,13 @@ private:
   Integers integers_;
   std::vector<Written> written_;
   std::vector<Input> inputs_;
-  std::set<std::string> labels_; // of inputs
+  std::vector<RealNumber const *> outputs_;
+  std::optional<memory::MemoryImage> image_; // from when the kernel began
+  std::set<std::string> labels_;             // of inputs
   std::vector<Changed> changed_;
   std::vector<Scratch> scratch_;
   std::vector<RangeEnd> range_ends_;
+  std::map<std::pair<std::string, std::vector<std::uintptr_t>>, std::vector<double>> outside_; // by name and stack
   std::set<Site> reported_;
   std::set<std::string const *> reported_inputs_;
   std::set<std::string> reported_bits_; // by place

@@ -192,8 +192,8 @@ inline void generate(char const *file_name, SourcePlace place) noexcept {
   detail::end_region(detail::program, file_name, place);
 }
 
-// A private copy of pointer[0 .. low+count), so that the caller's data, which may be const, stays as it is. Memory
-// behind the copy cannot be accessed: what the annotation does not declare is not read by accident.
+// The pointer itself; where it points to memory that cannot be written, a private copy of pointer[0 .. low+count).
+// Memory behind the copy cannot be accessed: what the annotation does not declare is not read by accident.
 template <class T> T const *rebind(T const *pointer, std::size_t low, std::size_t count) noexcept {
   static_assert(std::is_trivially_copyable_v<T>);
   return static_cast<T const *>(detail::private_copy(pointer, low * sizeof(T), count * sizeof(T)));
