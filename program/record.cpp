@@ -10,6 +10,7 @@
 #include <cstring>
 #include <fmt/format.h>
 #include <map>
+#include <set>
 #include <sstream>
 
 namespace symreal::program {
@@ -68,11 +69,22 @@ std::vector<Note> read_notes(Frozen const &state, FrozenRead const &read, Symbol
   return notes;
 }
 
+// What comes from outside of the program is met where the program calls for it.
+Place own_place(FrozenRead const &read, Symbolizer &symbolizer) {
+  for (Frame const &frame : symbolizer.frames(read.addresses))
+    if (frame.rewritten) return frame.place;
+  return {};
+}
+
 void locate_frozen(Recorded &recorded, std::vector<FrozenRead> const &reads, Symbolizer &symbolizer) {
-  for (Frozen const &state : recorded.graph.frozen) {
+  std::set<FrozenRead const *> met;
+  for (Frozen &state : recorded.graph.frozen) {
     auto read = std::find_if(reads.begin(), reads.end(), [&](FrozenRead const &one) {
-      return one.kernel == recorded.graph.kernel && one.name == state.name && one.place == to_string(state.place);
+      return one.kernel == recorded.graph.kernel && one.name == state.name && one.place == to_string(state.place) &&
+             !met.contains(&one);
     });
+    if (read != reads.end()) met.insert(&*read);
+    if (read != reads.end() && state.place.file.empty()) state.place = own_place(*read, symbolizer);
     recorded.frozen_reads.push_back(read == reads.end() ? std::vector<Note>() : read_notes(state, *read, symbolizer));
   }
 }

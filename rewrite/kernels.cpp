@@ -24,12 +24,12 @@ void check_item(ClauseFact const &clause, ItemFact const &item, Result &result) 
   if (item.is_return) return;
   bool const is_pointer = item.base_kind == Base::pointer || item.base_kind == Base::pointer_to_const ||
                           item.base_kind == Base::const_pointer_to_const;
+  if (clause.name == "scratch") return; // whatever is left there, and wherever a pointer points to
   if (item.base_is_name && is_pointer && item.sections.empty())
     return wrong("is a pointer, which does not say how much it points to");
-  bool const declares = clause.name == "constant" || clause.name == "scratch";
-  if (declares && !item.carries_real && !item.holds_integer)
+  if (clause.name == "constant" && !item.carries_real && !item.holds_integer)
     return wrong("holds neither doubles nor integers: it is " + item.type);
-  if (!declares && !item.carries_real) return wrong("holds no double: it is " + item.type);
+  if (clause.name != "constant" && !item.carries_real) return wrong("holds no double: it is " + item.type);
   if (!writes) return;
   if (item.base_kind == Base::const_object) return wrong("is const: the compiler may have used its value already");
   if (item.base_kind == Base::const_pointer_to_const)

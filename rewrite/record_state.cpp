@@ -57,6 +57,15 @@ void Recorder::integer(Expr const *expression, Use use) {
          "whether '" + name + "' is hidden state is not looked at", Severity::warning);
 }
 
+static bool is_pointer(Expr const *expression) {
+  QualType const type = expression->getType();
+  return type->isPointerType() || type->isMemberPointerType();
+}
+
+void Recorder::pointer(Expr const *expression) {
+  if (may_outlive(expression) && IntegerState::has_address(expression)) note(expression, Use::written);
+}
+
 bool Recorder::may_outlive(Expr const *expression) const { return storage_.home(expression) == Home::elsewhere; }
 
 // An lvalue whose value is used.
@@ -89,6 +98,8 @@ void Recorder::assignment(BinaryOperator const *assignment) {
       judged_.insert(member);
   if (IntegerState::is_integer(left->getType()))
     integer(left, use);
+  else if (is_pointer(left))
+    pointer(left);
   else if (!Reals::is_double(left->getType()))
     object(left, use);
   else if (reals_.is_real(left) && may_outlive(left))
@@ -100,6 +111,8 @@ void Recorder::step(UnaryOperator const *step) {
   if (operand->isTypeDependent()) return;
   if (IntegerState::is_integer(operand->getType()))
     integer(operand, Use::read);
+  else if (is_pointer(operand))
+    pointer(operand);
   else if (Reals::is_double(operand->getType()) && may_outlive(operand))
     note(operand, Use::read);
 }
@@ -125,7 +138,8 @@ void Recorder::dependent_operands(BinaryOperator const *operation) {
     return;
   Expr const *left = operation->getLHS()->IgnoreParens(), *right = operation->getRHS()->IgnoreParens();
   if (names_object(right)) note(right, Use::read);
-  if (names_object(left)) note(left, operation->getOpcode() == BO_Assign ? Use::written : Use::read);
+  if (operation->getOpcode() == BO_Assign ? names_object(left) || isa<CallExpr>(left) : names_object(left))
+    note(left, operation->getOpcode() == BO_Assign ? Use::written : Use::read);
 }
 
 void Recorder::dependent_value(Expr const *value) {

@@ -158,6 +158,8 @@ private:
   void note(clang::Expr const *expression, Use use, clang::Expr const *named = nullptr);
   bool may_outlive(clang::Expr const *expression) const;
   void integer(clang::Expr const *expression, Use use);
+  // A pointer gets a new value.
+  void pointer(clang::Expr const *expression);
   bool holds_state(clang::QualType type) const { return reals_.carries_real(type) || integers_.holds(type); }
   void object(clang::Expr const *expression, Use use);
   void library_arguments(clang::FunctionDecl const *function, Arguments arguments);

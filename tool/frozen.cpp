@@ -1,8 +1,6 @@
 #include "tool/frozen.h"
 
-#include "tool/report.h"
-
-#include <fmt/format.h>
+#include "graph/frozen.h"
 
 namespace symreal::tool {
 
@@ -14,10 +12,7 @@ bool report_frozen(std::vector<program::Recorded> const &kernels, std::string co
     for (std::size_t i = 0; i < recorded.graph.frozen.size(); ++i) {
       Frozen const &state = recorded.graph.frozen[i];
       any = true;
-      std::string const is = state.values.size() == 1 ? "is" : "are";
-      console.report({DiagnosticId::frozen_state, severity, state.place,
-                      fmt::format("kernel '{}' reads '{}' ({}), which {} neither input nor parameter",
-                                  recorded.kernel.name, state.name, value_list(state.values), is),
+      console.report({DiagnosticId::frozen_state, severity, state.place, frozen_message(recorded.kernel.name, state),
                       i < recorded.frozen_reads.size() ? recorded.frozen_reads[i] : std::vector<Note>()});
     }
   return !any || severity != Severity::error;

@@ -1,6 +1,7 @@
 #include "tool/report.h"
 
 #include "emit/emit.h"
+#include "graph/frozen.h"
 #include "graph/statistics.h"
 #include "support/number.h"
 #include "tool/source_lines.h"
@@ -101,13 +102,6 @@ Json to_json(std::vector<Object> const &objects) {
 }
 
 } // namespace
-
-std::string value_list(std::vector<double> const &values) {
-  constexpr std::size_t most = 4;
-  std::string text;
-  for (std::size_t i = 0; i < values.size() && i < most; ++i) text += (i ? ", " : "") + shortest(values[i]);
-  return values.size() > most ? fmt::format("{}, ... ({} in all)", text, values.size()) : text;
-}
 
 void print_table(std::ostream &out, KernelReport const &report, bool details) {
   Graph const &recorded = *report.recorded, &optimised = *report.optimised;

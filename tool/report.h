@@ -26,9 +26,6 @@ struct KernelReport {
   std::vector<std::pair<std::string, double>> seconds; // by part of the run
 };
 
-// The first few of the values.
-std::string value_list(std::vector<double> const &values);
-
 // `details`: also every object and the effect of every pass.
 void print_table(std::ostream &out, KernelReport const &report, bool details);
 

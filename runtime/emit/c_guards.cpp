@@ -10,24 +10,6 @@ namespace {
 
 constexpr std::size_t most_places = 6;
 
-// A file outside of the project (Eigen, std) stands somewhere else on every machine.
-std::string portable(Place place) {
-  std::filesystem::path const file = place.file;
-  if (file.is_absolute()) place.file = file.filename().string();
-  return to_string(place);
-}
-
-// Neither the end of a comment nor its beginning.
-std::string in_comment(std::string const &text) {
-  std::string result;
-  for (char c : text) {
-    if (c == '\n') c = ' ';
-    if (!result.empty() && ((result.back() == '*' && c == '/') || (result.back() == '/' && c == '*'))) result += ' ';
-    result += c;
-  }
-  return result;
-}
-
 // Two question marks could begin a trigraph.
 std::string in_quotes(std::string const &text) {
   std::string result = "\"";
@@ -41,12 +23,28 @@ std::string in_quotes(std::string const &text) {
 
 } // namespace
 
+std::string portable_place(Place place) {
+  std::filesystem::path const file = place.file;
+  if (file.is_absolute()) place.file = file.filename().string();
+  return to_string(place);
+}
+
+std::string in_comment(std::string const &text) {
+  std::string result;
+  for (char c : text) {
+    if (c == '\n') c = ' ';
+    if (!result.empty() && ((result.back() == '*' && c == '/') || (result.back() == '/' && c == '*'))) result += ' ';
+    result += c;
+  }
+  return result;
+}
+
 std::string guard_text(Graph const &graph, Guard const &guard) {
   std::string places;
   if (guard.location != no_location) {
     std::vector<Place> const &known = graph.locations[guard.location].places;
     for (std::size_t i = 0; i < known.size() && i < most_places; ++i)
-      places += (i == 0 ? "" : ", ") + portable(known[i]);
+      places += (i == 0 ? "" : ", ") + portable_place(known[i]);
     if (known.size() > most_places) places += ", ...";
   }
   return places.empty() ? guard.text : guard.text + " (" + places + ")";

@@ -47,6 +47,7 @@ std::string c_header(Program const &program, EmitOptions const &options) {
   out += "/* The arrays may overlap: all inputs are read before an output is written. */\n";
   out += fmt::format("{} {}(double const *input, double const *constants, double *output);\n\n",
                      graph.guards.empty() ? "void" : "int", prefixed(options, "compute"));
+  out += c_frozen_list(graph);
   if (!graph.guards.empty()) out += c_guard_list(program, options);
   out += "#ifdef __cplusplus\n}\n#endif\n\n#endif\n";
   return out;

@@ -18,6 +18,15 @@ std::string c_mainline(Program const &program, EmitOptions const &options);
 std::string c_guard_list(Program const &program, EmitOptions const &options);
 std::string c_guard_text(Program const &program, EmitOptions const &options);
 
+// A comment for the header that lists the state that is baked in; empty where none is.
+std::string c_frozen_list(Graph const &graph);
+
+// Neither the end of a comment nor its beginning.
+std::string in_comment(std::string const &text);
+
+// A file outside of the project (Eigen, std) stands somewhere else on every machine.
+std::string portable_place(Place place);
+
 // "arm_" + name, or the bare name.
 std::string prefixed(EmitOptions const &options, std::string const &name);
 

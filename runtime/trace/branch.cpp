@@ -1,6 +1,8 @@
 // The parts of decisions that record nothing in the user's name.
 #include "trace/events.h"
+#include "trace/own_memory.h"
 #include "trace/pool.h"
+#include "trace/state.h"
 
 #include <symreal/branch.h>
 #include <symreal/extremes.h>
@@ -14,6 +16,36 @@ std::vector<RealNumber> Targets::values() const {
   values.reserve(numbers_.size());
   for (RealNumber const *number : numbers_) values.push_back(*number);
   return values;
+}
+
+std::vector<std::size_t> Targets::foreign() const {
+  std::vector<std::size_t> foreign;
+  if (!detail::recording) return foreign;
+  trace::Pause const pause;
+  for (std::size_t k = 0; k < numbers_.size(); ++k)
+    if (trace::State::current().is_foreign(numbers_[k])) foreign.push_back(k);
+  return foreign;
+}
+
+std::vector<bool> Targets::take_written(std::vector<std::size_t> const &foreign) const {
+  trace::Pause const pause;
+  std::vector<bool> written;
+  for (std::size_t k : foreign) written.push_back(trace::State::current().take_written(numbers_[k]));
+  return written;
+}
+
+void Targets::keep(std::vector<std::size_t> const &foreign, std::vector<bool> const &written_before,
+                   std::vector<RealNumber> const &values) const {
+  trace::Pause const pause;
+  trace::State &state = trace::State::current();
+  for (std::size_t k = 0; k < foreign.size(); ++k) {
+    RealNumber const *number = numbers_[foreign[k]];
+    bool const written = state.take_written(number);
+    if (written != written_before[k])
+      state.keep(number, values[foreign[k]].plain());
+    else if (written)
+      state.was_written(number);
+  }
 }
 
 void Targets::restore(std::vector<RealNumber> const &values) const {
@@ -65,12 +97,14 @@ SymbolicBool Branch::leave() {
 
 void Branch::begin_then() {
   before_ = targets_.values();
+  foreign_ = targets_.foreign();
   enter(condition_);
 }
 
 void Branch::begin_else() {
   then_returned_ = leave();
   then_values_ = targets_.values();
+  if (!foreign_.empty()) then_written_ = targets_.take_written(foreign_);
   targets_.restore(before_);
   enter(!condition_);
 }

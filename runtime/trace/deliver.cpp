@@ -1,6 +1,7 @@
 #include "trace/deliver.h"
 
 #include "emit/emit.h"
+#include "graph/frozen.h"
 #include "graph/graph_text.h"
 #include "passes/pass.h"
 #include "support/files.h"
@@ -39,7 +40,18 @@ static void hand_to_driver(Graph const &graph, std::string const &output_file) {
   }
 }
 
+// As --frozen would decide, which is $SYMREAL_FROZEN here.
+static void report_frozen(Graph const &graph) {
+  char const *wanted = std::getenv("SYMREAL_FROZEN");
+  std::string const policy = wanted ? wanted : "error";
+  if (policy == "allow") return;
+  Severity const severity = policy == "warn" ? Severity::warning : Severity::error;
+  for (Frozen const &state : graph.frozen)
+    report({DiagnosticId::frozen_state, severity, state.place, frozen_message(graph.kernel, state)});
+}
+
 static void generate_here(Graph const &graph, std::string const &output_file) {
+  report_frozen(graph);
   if (anything_wrong()) give_up(); // what is wrong is printed; nothing is generated
   std::vector<std::string> const passes = default_passes();
   std::filesystem::path const path = output_file.empty() ? graph.kernel + ".c" : output_file;

@@ -1,5 +1,6 @@
 // Recording: annotated numbers become nodes, and at the kernel's end the graph is checked, handed over, and every
 // annotated number becomes an ordinary one again.
+#include "support/number.h"
 #include "trace/deliver.h"
 #include "trace/environment.h"
 #include "trace/events.h"
@@ -13,6 +14,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <set>
 #include <unordered_map>
 
 namespace symreal {
@@ -26,6 +28,7 @@ public:
   void begin(std::string const &name, void const *frame) override {
     graph_ = {};
     declared_.clear();
+    overlaps_.clear();
     written_.clear();
     event({"started", name});
     flush_events();
@@ -43,6 +46,7 @@ public:
   void begin_object(Kind kind, std::string const &label, Place const &place) override {
     kind_ = kind;
     object_ = {label, {}, 0, 0, place, {}};
+    kept_.clear();
     for (Object const &met : objects(kind)) {
       if (met.label != label || met.place.line != place.line || met.place.column != place.column) continue;
       report({kind == Kind::output ? DiagnosticId::output_met_twice : DiagnosticId::input_met_twice, Severity::error,
@@ -59,8 +63,10 @@ public:
     case Kind::scratch: break;
     case Kind::output:
       graph_.results.push_back(pool.node(real));
-      if (!is_temporary) written_.push_back(&real);
-      detail::annotated_bytes(number, sizeof real);
+      if (is_temporary) break;
+      written_.push_back(&real);
+      check_overlap(number);
+      if (!State::current().output(&real)) kept_.push_back({object_.count, real.plain()});
       break;
     case Kind::input:
     case Kind::parameter: {
@@ -71,8 +77,9 @@ public:
       auto slot = static_cast<std::uint32_t>(values.size());
       values.push_back(value);
       real = pool.leaf(is_input ? Node::input(slot) : Node::parameter(slot), value);
-      if (!is_temporary) written_.push_back(&real);
-      detail::annotated_bytes(number, sizeof real);
+      if (is_temporary) break;
+      written_.push_back(&real);
+      State::current().input(&real, object_.label, object_.place);
     }
     }
     ++object_.count;
@@ -83,6 +90,7 @@ public:
     if (product != object_.count) extents = {object_.count}; // ragged: one long row
     object_.extents = std::move(extents);
     if (kind_ == Kind::constant || kind_ == Kind::scratch) return;
+    if (!kept_.empty()) report_kept();
     std::vector<Object> &list = objects(kind_);
     object_.first = list.empty() ? 0 : list.back().first + list.back().count;
     list.push_back(object_);
@@ -106,7 +114,7 @@ public:
     for (std::size_t op = 0; op < graph_.executed.by_op.size(); ++op)
       graph_.executed.by_op[op] = detail::executed[op] - executed_before_.by_op[op];
     check_outputs(place);
-    graph_.frozen = State::current().end();
+    graph_.frozen = State::current().end(place);
     TextMarks::current().end();
     for (RealNumber *number : written_)
       if (pool.owns(*number)) *number = pool.final_value(*number);
@@ -122,6 +130,35 @@ public:
 private:
   std::vector<Object> &objects(Kind kind) {
     return kind == Kind::input ? graph_.inputs : kind == Kind::parameter ? graph_.parameters : graph_.outputs;
+  }
+
+  // Whether the caller's objects overlap is up to the caller; one object under one name is no overlap.
+  void check_overlap(void *number) {
+    auto const input = declared_.find(number);
+    if (input == declared_.end() || first_name(input->second.first) == first_name(object_.label)) return;
+    if (!overlaps_.insert(object_.label).second) return;
+    report({DiagnosticId::input_met_twice, Severity::error, object_.place,
+            "output '" + object_.label + "' overlaps '" + input->second.first + "' (" +
+                to_string(input->second.second) + "), so the result would hold for calls with this overlap alone"});
+  }
+
+  // Of the object that an annotation is about: `x` of "*this->x[0:2].y".
+  static std::string first_name(std::string label) {
+    for (std::string const prefix : {"*", "&", "(", "this->", "*"})
+      if (label.starts_with(prefix)) label.erase(0, prefix.size());
+    return label.substr(0, label.find_first_of("[.-*&() "));
+  }
+
+  // Elements of the output that the kernel did not write hold what the caller had there.
+  void report_kept() const {
+    std::string elements = object_.count == 1 ? "" : kept_.size() == 1 ? " in element" : " in elements";
+    constexpr std::size_t most = 4;
+    for (std::size_t k = 0; object_.count > 1 && k < std::min(kept_.size(), most); ++k)
+      elements += (k ? ", " : " ") + std::to_string(kept_[k].element);
+    if (kept_.size() > most) elements += ", ...";
+    report({DiagnosticId::output_keeps_value, Severity::error, object_.place,
+            "output '" + object_.label + "' is not written by the kernel" + elements +
+                ", and holds what it held before (" + shortest(kept_[0].value) + (kept_.size() > 1 ? ", ...)" : ")")});
   }
 
   // An element is an input or a parameter once.
@@ -178,6 +215,12 @@ private:
   Graph graph_;
   Kind kind_ = Kind::input;
   Object object_;
+  struct Kept {
+    std::size_t element;
+    double value;
+  };
+  std::vector<Kept> kept_;         // of this output
+  std::set<std::string> overlaps_; // that are reported
   OperationCounts executed_before_;
   std::string modes_at_begin_;                               // of arithmetic, where it is not as promised
   std::map<void *, std::pair<std::string, Place>> declared_; // inputs and parameters by address

@@ -1,5 +1,5 @@
-// What is known about each word of memory while a kernel is recorded: a byte of marks for every eight bytes that were
-// met, in pages made on demand.
+// What is known about each word of memory while a kernel is recorded: marks for every eight bytes that were met, in
+// pages made on demand.
 #pragma once
 
 #include <array>
@@ -10,15 +10,21 @@
 
 namespace symreal::trace {
 
-using Marks = std::uint8_t;
+using Marks = std::uint16_t;
 namespace mark {
-constexpr Marks own = 1;       // the kernel's own memory, or known to be constant
-constexpr Marks annotated = 2; // input, parameter, output or constant
-constexpr Marks noted = 4;     // read or written by the kernel, and outlives it
-constexpr Marks freed = 8;     // was given back since the kernel began
-constexpr Marks named = 16;    // the first word of a static object whose name is known
-constexpr Marks changed = 32;  // ... of an object that is looked at again when the kernel ends
-constexpr Marks judged = own | annotated | noted;
+constexpr Marks own = 1;        // the kernel's own memory, or known to be constant
+constexpr Marks input = 2;      // input or parameter
+constexpr Marks constant = 4;   // declared to be baked in
+constexpr Marks output = 8;     // from its annotation on
+constexpr Marks scratch = 16;   // what is left there does not matter; known when the kernel ends
+constexpr Marks noted = 32;     // read or written by the kernel, and outlives it
+constexpr Marks read = 64;      // ... read before it was written
+constexpr Marks written = 128;  // ... written
+constexpr Marks freed = 256;    // was given back since the kernel began
+constexpr Marks named = 512;    // the first word of a static object whose name is known
+constexpr Marks changed = 1024; // ... of an object that is looked at again when the kernel ends
+constexpr Marks may_be_read = own | input | constant | output | noted;
+constexpr Marks may_be_left = output | scratch | freed;
 } // namespace mark
 
 class Shadow {

@@ -1,5 +1,6 @@
 #include "trace/state.h"
 
+#include "support/number.h"
 #include "trace/call_stack.h"
 #include "trace/events.h"
 #include "trace/own_memory.h"
@@ -15,6 +16,8 @@ namespace symreal {
 
 namespace trace {
 
+Place State::place_of(Site const &site) { return written_place(site.place); }
+
 State &State::current() {
   static constinit thread_local State *state = nullptr;
   if (!state) state = new State;
@@ -24,6 +27,7 @@ State &State::current() {
 void State::begin(void const *frame) {
   *this = {};
   find_own_stack(frame);
+  image_ = memory::MemoryImage::capture(frame);
   constant_memory_ = find_constant_memory();
   // Are we told of what is allocated?
   detail::recording = true;
@@ -52,13 +56,6 @@ bool State::outlives(void const *address) {
   return !constant && !unknown;
 }
 
-// Is this the first time that the kernel meets a number that is not its own? From then on it is noted.
-bool State::in_question(void const *address) {
-  if ((shadow_.at(address) & mark::judged) != 0 || !outlives(address)) return false;
-  shadow_.add(address, sizeof(RealNumber), mark::noted);
-  return true;
-}
-
 // Small objects share a word.
 void State::named(void const *object, std::size_t size, detail::Scope scope, char const *name, char const *place) {
   if ((shadow_.at(object) & mark::named) != 0 && names_.contains(object)) return;
@@ -73,15 +70,22 @@ State::Read &State::read_at(Site const &site) {
 }
 
 void State::read(RealNumber const *number, char const *name, char const *place) {
-  if (!in_question(number)) return;
+  if ((shadow_.at(number) & mark::may_be_read) != 0 || !outlives(number)) return;
+  shadow_.add(number, sizeof *number, mark::noted);
   Site const site = site_of(number, name, place);
   if (number->is_node()) { // code that is not rewritten has written it
+    shadow_.add(number, sizeof *number, mark::written);
     written_.push_back({number, sizeof *number, site});
     return;
   }
+  add_read(number, number->plain(), site);
+}
+
+void State::add_read(RealNumber const *number, double value, Site const &site) {
+  shadow_.add(number, sizeof *number, mark::read);
   Read &read = read_at(site);
   read.numbers.push_back(number);
-  read.values.push_back(number->plain());
+  read.values.push_back(value);
 }
 
 void State::read(IntegerObject integer, char const *name, char const *place) {
@@ -119,8 +123,35 @@ void const *State::other_range_end(void const *end, bool is_last, char const *pl
   return nullptr;
 }
 
+bool State::is_first_write(void const *address, std::size_t size) {
+  if ((shadow_.at(address) & (mark::own | mark::written)) != 0 || !outlives(address)) return false;
+  shadow_.add(address, size, mark::noted | mark::written);
+  return true;
+}
+
 void State::written(void const *begin, std::size_t size, char const *name, char const *place) {
-  if (in_question(begin)) written_.push_back({begin, size, site_of(begin, name, place)});
+  if (is_first_write(begin, size)) written_.push_back({begin, size, site_of(begin, name, place)});
+}
+
+bool State::is_foreign(RealNumber const *number) {
+  return !number->is_node() && !detail::on_own_stack(number) &&
+         (shadow_.at(number) & (mark::may_be_read | mark::written)) == 0 && outlives(number);
+}
+
+bool State::take_written(RealNumber const *number) {
+  Marks const before = shadow_.at(number);
+  if ((before & mark::written) == 0) return false;
+  shadow_.set(number, sizeof *number, before & static_cast<Marks>(~(mark::noted | mark::written)));
+  return true;
+}
+
+void State::keep(RealNumber const *number, double value) {
+  bool const is_read = (shadow_.at(number) & mark::read) != 0;
+  was_written(number);
+  if (is_read) return;
+  auto const site =
+      std::find_if(written_.rbegin(), written_.rend(), [number](Written const &each) { return each.begin == number; });
+  if (site != written_.rend()) add_read(number, value, site->site);
 }
 
 void State::changed(void const *object, detail::Visit visit, char const *name, char const *place) {
@@ -129,15 +160,33 @@ void State::changed(void const *object, detail::Visit visit, char const *name, c
   changed_.push_back({object, visit, site_of(object, name, place)});
 }
 
-void State::annotated(void const *begin, std::size_t size) {
+void State::constant(void const *begin, std::size_t size) {
   auto const at = reinterpret_cast<std::uintptr_t>(begin);
   std::uintptr_t const first = (at + 7) / 8 * 8, last = (at + size) / 8 * 8;
-  if (first < last) shadow_.add(static_cast<char const *>(begin) + (first - at), last - first, mark::annotated);
+  if (first < last) shadow_.add(static_cast<char const *>(begin) + (first - at), last - first, mark::constant);
   if (first != at || last != at + size) integers_.annotate(begin, size);
+}
+
+void State::input(RealNumber const *number, std::string const &label, Place const &place) {
+  shadow_.add(number, sizeof *number, mark::input);
+  inputs_.push_back({number, number->to_bits(), &*labels_.insert(label).first, place});
+}
+
+bool State::output(RealNumber const *number) {
+  Marks const before = shadow_.at(number);
+  shadow_.add(number, sizeof *number, mark::output);
+  outputs_.push_back(number);
+  return number->is_node() || (before & (mark::may_be_read | mark::written)) != 0 || detail::on_own_stack(number) ||
+         !outlives(number) || has_changed(number);
 }
 
 void State::scratch(void const *object, std::size_t size, detail::Visit visit) {
   scratch_.push_back({object, size, visit});
+}
+
+void State::outside(std::string const &name, std::vector<double> const &values) {
+  std::vector<double> &met = outside_[{name, call_stack()}];
+  met.insert(met.end(), values.begin(), values.end());
 }
 
 void State::allocated(void *block, std::size_t size) {
@@ -159,11 +208,9 @@ void State::moved(void *block, std::size_t size, void *to, std::size_t new_size)
   integers_.move(block, size, to);
 }
 
-// Does the number hold a node that nobody will read, now that the kernel ends? It becomes ordinary again.
-bool State::is_lost(RealNumber const *number) {
-  if ((shadow_.at(number) & (mark::annotated | mark::freed)) != 0 || !Pool::current().owns(*number)) return false;
-  *const_cast<RealNumber *>(number) = Pool::current().final_value(*number);
-  return true;
+// A number that holds a node is an ordinary one again.
+void State::make_plain(RealNumber const *number) {
+  if (Pool::current().owns(*number)) *const_cast<RealNumber *>(number) = Pool::current().final_value(*number);
 }
 
 void State::report_lost(Site const &site) {
@@ -173,32 +220,50 @@ void State::report_lost(Site const &site) {
 }
 
 // Nothing that a scratch object holds is lost.
-void State::forget_scratch() {
+void State::mark_scratch() {
   for (Scratch const &one : scratch_) {
     if ((shadow_.at(one.object) & mark::freed) != 0) continue;
-    auto forget = [this](RealNumber const *number) { (void)is_lost(number); };
-    for (std::size_t k = 0; k < one.size / sizeof(RealNumber); ++k)
-      forget(static_cast<RealNumber const *>(one.object) + k);
     struct {
       State &state;
-      void operator()(RealNumber const *number) const { (void)state.is_lost(number); }
+      void operator()(RealNumber const *number) const {
+        state.shadow_.add(number, sizeof *number, mark::scratch);
+        state.make_plain(number);
+      }
       void operator()(IntegerObject integer) const { state.integers_.forget(integer); }
-    } owned{*this};
-    Numbers numbers(owned);
+    } left{*this};
+    for (std::size_t k = 0; k < one.size / sizeof(RealNumber); ++k)
+      left(static_cast<RealNumber const *>(one.object) + k);
+    Numbers numbers(left);
     one.visit(one.object, numbers);
     integers_.forget(one.object, one.size);
+  }
+}
+
+// The caller sees what became of its inputs.
+void State::judge_inputs() {
+  for (Input const &one : inputs_) {
+    bool const is_own = detail::on_own_stack(one.number) || (shadow_.at(one.number) & mark::own) != 0;
+    if (is_own || may_be_left(one.number) || one.number->to_bits() == one.bits) continue;
+    auto const written = std::find_if(written_.begin(), written_.end(),
+                                      [&one](Written const &each) { return each.begin == one.number; });
+    if (written != written_.end())
+      report_lost(written->site);
+    else if (reported_inputs_.insert(one.label).second)
+      report({DiagnosticId::state_not_output, Severity::error, one.place,
+              "input '" + *one.label + "' is written by the kernel and is no output"});
   }
 }
 
 // An integer that was read keeps the value that it had then; one that has changed is lost.
 void State::judge_integers() {
   for (Integers::Noted const &one : integers_.noted()) {
-    if ((shadow_.at(one.integer.address) & (mark::freed | mark::annotated)) != 0) continue;
-    if (integers_.is_annotated(one.integer)) continue;
+    Marks const marks = shadow_.at(one.integer.address);
+    if ((marks & mark::freed) != 0) continue;
+    bool const is_constant = (marks & mark::constant) != 0 || integers_.is_annotated(one.integer);
     bool const private_scratch = !one.is_read && one.site.scope == detail::Scope::function;
     if (one.is_lost() && !private_scratch)
       report_lost(one.site);
-    else if (one.is_read)
+    else if (one.is_read && !is_constant)
       reads_[one.site].integers.push_back(one.value());
   }
 }
@@ -211,33 +276,61 @@ void State::warn_overlooked() const {
           "its own"});
 }
 
-std::vector<Frozen> State::end() {
-  detail::recording = false;
-  forget_scratch();
-  judge_integers();
-  std::vector<Frozen> frozen;
+// What was read keeps the value that it had then, unless it has changed.
+void State::judge_reads(std::vector<Frozen> &frozen) {
   for (auto &[site, read] : reads_) {
     Frozen state{std::string(site.name), written_place(site.place), {}, std::move(read.stack)};
+    std::vector<double> kept; // by outputs
     for (std::size_t k = 0; k < read.numbers.size(); ++k) {
-      if (is_lost(read.numbers[k]))
+      RealNumber const *number = read.numbers[k];
+      Marks const marks = shadow_.at(number);
+      bool const changed_since =
+          (marks & mark::freed) == 0 && number->to_bits() != RealNumber(read.values[k]).to_bits();
+      if (changed_since && (marks & mark::may_be_left) == 0)
         report_lost(site);
-      else if ((shadow_.at(read.numbers[k]) & mark::annotated) == 0)
-        state.values.push_back(read.values[k]);
+      else if ((marks & mark::constant) == 0)
+        ((marks & mark::output) != 0 ? kept : state.values).push_back(read.values[k]);
+      if (changed_since) make_plain(number);
     }
     state.values.insert(state.values.end(), read.integers.begin(), read.integers.end());
+    if (!kept.empty())
+      report({DiagnosticId::output_keeps_value, Severity::error, state.place,
+              "'" + state.name + "' is an output, and what it held before (" + shortest(kept[0]) +
+                  (kept.size() > 1 ? ", ...)" : ")") + " is part of a result"});
     if (!state.values.empty()) frozen.push_back(std::move(state));
   }
+}
+
+void State::judge_writes() {
   for (Written const &one : written_)
-    for (std::size_t k = 0; k < one.size / sizeof(RealNumber); ++k)
-      if (is_lost(static_cast<RealNumber const *>(one.begin) + k)) report_lost(one.site);
+    for (std::size_t k = 0; k < one.size / sizeof(RealNumber); ++k) {
+      auto const *number = static_cast<RealNumber const *>(one.begin) + k;
+      Marks const marks = shadow_.at(number);
+      if ((marks & (mark::may_be_left | mark::input)) == 0) report_lost(one.site);
+      if ((marks & mark::freed) == 0) make_plain(number);
+    }
   for (Changed const &one : changed_) {
     if ((shadow_.at(one.object) & mark::freed) != 0) continue;
     auto look = [&](RealNumber const *number) {
-      if (is_lost(number)) report_lost(one.site);
+      if (number->is_node() && (shadow_.at(number) & (mark::may_be_left | mark::input)) == 0) report_lost(one.site);
+      make_plain(number);
     };
     Numbers numbers(look);
     one.visit(one.object, numbers);
   }
+}
+
+std::vector<Frozen> State::end(Place const &kernel) {
+  detail::recording = false;
+  mark_scratch();
+  judge_inputs();
+  judge_integers();
+  std::vector<Frozen> frozen;
+  judge_reads(frozen);
+  for (auto &[function, values] : outside_) frozen.push_back({function.first, {}, std::move(values), function.second});
+  judge_writes();
+  judge_memory(kernel);
+  image_.reset();
   // In which order operands are evaluated is the compiler's choice.
   std::sort(frozen.begin(), frozen.end(), [](Frozen const &a, Frozen const &b) {
     return std::tie(a.place.file, a.place.line, a.place.column, a.name) <

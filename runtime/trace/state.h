@@ -3,6 +3,7 @@
 #pragma once
 
 #include "graph/graph.h"
+#include "memory/memory_image.h"
 #include "trace/integers.h"
 #include "trace/own_memory.h"
 #include "trace/shadow.h"
@@ -11,6 +12,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -34,8 +36,20 @@ public:
   void changed(void const *object, detail::Visit visit, char const *name, char const *place);
   void check_bits(void const *begin, std::size_t size, char const *name, char const *place);
   void const *other_range_end(void const *end, bool is_last, char const *place);
-  void annotated(void const *begin, std::size_t size);
+  void constant(void const *begin, std::size_t size);
+  void input(RealNumber const *number, std::string const &label, Place const &place);
+  // Whether the kernel wrote it, as far as is known, or it is an input. If not, it holds what it held before.
+  bool output(RealNumber const *number);
   void scratch(void const *object, std::size_t size, detail::Visit visit);
+  // For arms that are both executed (<symreal/branch.h>). Is it somewhere that outlives the kernel, and not met yet?
+  bool is_foreign(RealNumber const *number);
+  bool take_written(RealNumber const *number);
+  void was_written(RealNumber const *number) { shadow_.add(number, sizeof *number, mark::noted | mark::written); }
+  // The value that it had before it was written is part of the result.
+  void keep(RealNumber const *number, double value);
+
+  // A function gave this, which comes from outside of the program (outside_hooks.cpp).
+  void outside(std::string const &name, std::vector<double> const &values);
 
   // Told by the heap (heap_hooks.cpp).
   void allocated(void *block, std::size_t size);
@@ -43,7 +57,8 @@ public:
   void moved(void *block, std::size_t size, void *to, std::size_t new_size);
 
   // What is baked in. Reports state that was written and is no output, and makes its numbers ordinary again.
-  std::vector<Frozen> end();
+  // `kernel`: its place.
+  std::vector<Frozen> end(Place const &kernel = {});
 
 private:
   struct Static {
@@ -60,6 +75,12 @@ private:
     void const *begin;
     std::size_t size;
     Site site;
+  };
+  struct Input {
+    RealNumber const *number;
+    std::uint64_t bits;
+    std::string const *label;
+    Place place;
   };
   struct Scratch {
     void const *object;
@@ -78,13 +99,24 @@ private:
   };
 
   bool outlives(void const *address);
-  bool in_question(void const *address);
   Site site_of(void const *address, char const *name, char const *place) const;
   Read &read_at(Site const &site);
-  bool is_lost(RealNumber const *number);
+  void add_read(RealNumber const *number, double value, Site const &site);
+  // Marks it as written; whether it outlives the kernel, and that was news.
+  bool is_first_write(void const *address, std::size_t size);
+  bool may_be_left(void const *address) { return (shadow_.at(address) & mark::may_be_left) != 0; }
+  void make_plain(RealNumber const *number);
   void report_lost(Site const &site);
-  void forget_scratch();
+  void mark_scratch();
+  void judge_inputs();
+  void judge_reads(std::vector<Frozen> &frozen);
+  void judge_writes();
+  // state_memory.cpp
+  std::vector<memory::Known> known_changes();
+  bool has_changed(RealNumber const *number) const;
+  void judge_memory(Place const &kernel);
   void judge_integers();
+  static Place place_of(Site const &site);
   void warn_overlooked() const;
 
   Shadow shadow_;
@@ -94,10 +126,16 @@ private:
   std::map<Site, Read> reads_;
   Integers integers_;
   std::vector<Written> written_;
+  std::vector<Input> inputs_;
+  std::vector<RealNumber const *> outputs_;
+  std::optional<memory::MemoryImage> image_; // from when the kernel began
+  std::set<std::string> labels_;             // of inputs
   std::vector<Changed> changed_;
   std::vector<Scratch> scratch_;
   std::vector<RangeEnd> range_ends_;
+  std::map<std::pair<std::string, std::vector<std::uintptr_t>>, std::vector<double>> outside_; // by name and stack
   std::set<Site> reported_;
+  std::set<std::string const *> reported_inputs_;
   std::set<std::string> reported_bits_; // by place
   bool overlooked_ = false;             // something could not be judged
 };

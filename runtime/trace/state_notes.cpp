@@ -55,10 +55,10 @@ void scratch(void const *object, std::size_t size, Visit visit) noexcept {
   State::current().scratch(object, size, visit);
 }
 
-void annotated_bytes(void const *object, std::size_t size) noexcept {
+void constant_bytes(void const *object, std::size_t size) noexcept {
   if (!recording) return;
   Pause const pause;
-  State::current().annotated(object, size);
+  State::current().constant(object, size);
 }
 
 } // namespace detail

@@ -1,4 +1,4 @@
-// Scratch memory that a kernel writes before it reads it is no hidden state, wherever it is.
+// Memory that a kernel writes before it reads it is no hidden state, wherever it is; what is left there is scratch.
 // RUN: %symreal generate %s -o %t.c 2>&1 | FileCheck %s --implicit-check-not=SYM017 --implicit-check-not="baked in"
 // RUN: %symreal verify %s %t.c --samples=100
 // CHECK: kernel solve
@@ -29,7 +29,7 @@ struct Solver {
   }
 };
 
-#pragma symreal function input(x) output(return)
+#pragma symreal function input(x) scratch(work, solver, solver.buffer[0:2]) output(return)
 double solve(Solver &solver, double x) { return solver.solve(x); }
 
 int main() {

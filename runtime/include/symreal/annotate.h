@@ -31,8 +31,8 @@ bool begin_object(Program, Kind, char const *label, SourcePlace) noexcept;
 // Row by row. A temporary has no place to write back to.
 void element(void *number, bool is_temporary) noexcept;
 void end_object(std::size_t const *extents, std::size_t rank) noexcept;
-// These bytes are annotated, so they are no hidden state.
-void annotated_bytes(void const *object, std::size_t size) noexcept;
+// These bytes are known to be baked in.
+void constant_bytes(void const *object, std::size_t size) noexcept;
 void note_read(RealNumber const *number, char const *name, char const *place) noexcept;
 void note_integer_read(IntegerObject integer, char const *name, char const *place) noexcept;
 using Visit = void (*)(void const *object, Numbers &numbers);
@@ -118,7 +118,7 @@ struct Extents : std::vector<std::size_t> {
       variables.push_back(IntegerObject::of(count));
   }
   void declare() const {
-    for (IntegerObject const &variable : variables) detail::annotated_bytes(variable.address, variable.size);
+    for (IntegerObject const &variable : variables) detail::constant_bytes(variable.address, variable.size);
   }
 };
 
@@ -156,10 +156,10 @@ template <Kind kind, class T> void declare_object(T const &object) {
   if constexpr (kind == Kind::scratch) {
     detail::scratch(&object, sizeof object, detail::visit<T>);
   } else {
-    detail::annotated_bytes(&object, sizeof object);
+    detail::constant_bytes(&object, sizeof object);
     struct {
-      void operator()(RealNumber const *number) const { detail::annotated_bytes(number, sizeof *number); }
-      void operator()(IntegerObject integer) const { detail::annotated_bytes(integer.address, integer.size); }
+      void operator()(RealNumber const *number) const { detail::constant_bytes(number, sizeof *number); }
+      void operator()(IntegerObject integer) const { detail::constant_bytes(integer.address, integer.size); }
     } declare;
     Numbers(declare).visit(object);
   }
@@ -192,8 +192,8 @@ inline void generate(char const *file_name, SourcePlace place) noexcept {
   detail::end_region(detail::program, file_name, place);
 }
 
-// A private copy of pointer[0 .. low+count), so that the caller's data, which may be const, stays as it is. Memory
-// behind the copy cannot be accessed: what the annotation does not declare is not read by accident.
+// The pointer itself; where it points to memory that cannot be written, a private copy of pointer[0 .. low+count).
+// Memory behind the copy cannot be accessed: what the annotation does not declare is not read by accident.
 template <class T> T const *rebind(T const *pointer, std::size_t low, std::size_t count) noexcept {
   static_assert(std::is_trivially_copyable_v<T>);
   return static_cast<T const *>(detail::private_copy(pointer, low * sizeof(T), count * sizeof(T)));

@@ -65,6 +65,13 @@ public:
 
   bool has_others() const noexcept { return has_others_; }
   std::vector<RealNumber> values() const;
+  // Those that outlive the kernel and that it has not met yet: what they hold is not the kernel's.
+  std::vector<std::size_t> foreign() const;
+  // Which of these were written since; they count as not met again.
+  std::vector<bool> take_written(std::vector<std::size_t> const &foreign) const;
+  // One arm alone has written these, or they were written and may keep their former value: it is part of the result.
+  void keep(std::vector<std::size_t> const &foreign, std::vector<bool> const &written_before,
+            std::vector<RealNumber> const &values) const;
   void restore(std::vector<RealNumber> const &values) const;
   // Each becomes select(condition, yes, no).
   [[gnu::always_inline]] void merge(SymbolicBool condition, std::vector<RealNumber> const &yes,
@@ -217,7 +224,7 @@ public:
     else if (is_certain(else_returned_))
       targets_.restore(then_values_);
     else
-      targets_.merge(condition_, then_values_, targets_.values());
+      merge_arms();
     return false;
   }
   bool arm() const noexcept { return is_select_ ? stage_ == 1 : outcome_; }
@@ -227,6 +234,10 @@ private:
   void begin_then();
   void begin_else();
   void end_else();
+  [[gnu::always_inline]] void merge_arms() {
+    if (!foreign_.empty()) targets_.keep(foreign_, then_written_, before_);
+    targets_.merge(condition_, then_values_, targets_.values());
+  }
   void enter(SymbolicBool condition);
   SymbolicBool leave();
 
@@ -235,6 +246,8 @@ private:
   int stage_ = 0;
   Targets targets_;
   std::vector<RealNumber> before_, then_values_;
+  std::vector<std::size_t> foreign_;
+  std::vector<bool> then_written_;
   std::optional<PathScope> path_;
   Returns *returns_ = nullptr;
   Level *outer_ = nullptr;
@@ -249,7 +262,7 @@ public:
   // `late`: the condition is tested after the body.
   template <class Collect> Loop(unsigned limit, Collect collect, bool late = false) : limit_(limit), runs_(late) {
     collect(targets_);
-    saved_ = targets_.values();
+    save();
   }
   Loop(Loop const &) = delete;
   Loop &operator=(Loop const &) = delete;
@@ -273,8 +286,15 @@ public:
 
 private:
   [[gnu::always_inline]] void settle() {
-    if (active_.is_symbolic()) targets_.merge(active_, targets_.values(), saved_);
+    if (active_.is_symbolic()) {
+      if (!foreign_.empty()) targets_.keep(foreign_, std::vector<bool>(foreign_.size(), false), saved_);
+      targets_.merge(active_, targets_.values(), saved_);
+    }
+    save();
+  }
+  void save() {
     saved_ = targets_.values();
+    foreign_ = targets_.foreign();
   }
   void narrow(SymbolicBool condition);
   bool is_over() const noexcept { return !active_.is_symbolic() && !active_.holds(); }
@@ -284,6 +304,7 @@ private:
   unsigned limit_, runs_;
   Targets targets_;
   std::vector<RealNumber> saved_;
+  std::vector<std::size_t> foreign_;
   SymbolicBool active_{true};
   std::optional<PathScope> path_;
 };

@@ -38,6 +38,8 @@ void check_bits(void const *begin, std::size_t size, char const *name, char cons
 // The ends of a range come in any order; the second to come gets the other.
 void const *other_range_end(void const *end, bool is_last, char const *place) noexcept;
 
+inline void const *bytes_of(void const volatile *object) noexcept { return const_cast<void const *>(object); }
+
 // What to do with each part of an object that is read.
 struct ReadParts {
   char const *name, *place;
@@ -78,14 +80,14 @@ template <class T> void write_object(T &object, char const *name, char const *pl
     WrittenParts{name, place}(const_cast<Plain *>(&object));
   } else if constexpr (is_integer<Plain>) {
     WrittenParts{name, place}(IntegerObject::of(object));
+  } else if constexpr (std::is_pointer_v<Plain> || std::is_member_pointer_v<Plain>) { // a function or an object
+    WrittenParts{name, place}({bytes_of(&object), sizeof(void *), false});
   } else if constexpr (Numbers::may_hold<T>) {
     WrittenParts parts{name, place};
     Numbers(parts).visit(object);
     if (!on_own_stack(&object)) note_changed(&object, visit<T>, name, place);
   }
 }
-
-inline void const *bytes_of(void const volatile *object) noexcept { return const_cast<void const *>(object); }
 
 // Of a class that this source does not know yet, or never, only where it begins.
 template <class T> constexpr std::size_t size_here() noexcept {

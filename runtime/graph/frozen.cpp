@@ -1,0 +1,22 @@
+#include "graph/frozen.h"
+
+#include "support/number.h"
+
+#include <fmt/format.h>
+
+namespace symreal {
+
+std::string value_list(std::vector<double> const &values) {
+  constexpr std::size_t most = 4;
+  std::string text;
+  for (std::size_t i = 0; i < values.size() && i < most; ++i) text += (i ? ", " : "") + shortest(values[i]);
+  return values.size() > most ? fmt::format("{}, ... ({} in all)", text, values.size()) : text;
+}
+
+std::string frozen_message(std::string const &kernel, Frozen const &state) {
+  std::string const values = state.values.empty() ? "" : " (" + value_list(state.values) + ")";
+  return fmt::format("kernel '{}' reads '{}'{}, which {} neither input nor parameter", kernel, state.name, values,
+                     state.values.size() > 1 ? "are" : "is");
+}
+
+} // namespace symreal

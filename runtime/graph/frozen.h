@@ -1,0 +1,15 @@
+// What is told of state that is baked in.
+#pragma once
+
+#include "graph/graph.h"
+
+#include <string>
+
+namespace symreal {
+
+// The first few of them, and how many there are.
+std::string value_list(std::vector<double> const &values);
+
+std::string frozen_message(std::string const &kernel, Frozen const &state);
+
+} // namespace symreal

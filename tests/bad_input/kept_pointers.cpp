@@ -1,0 +1,52 @@
+// Pointers that the kernel changes and that outlive it: the next call would follow others.
+// RUN: rm -f %t.c
+// RUN: not %symreal generate %s -o %t.c 2>&1 | FileCheck %s --implicit-check-not="[SYM"
+// RUN: not ls %t.c
+// RUN: %symreal generate %s -o %t.c -- -DDECLARED 2>&1 | FileCheck %s --check-prefix=DECLARED --implicit-check-not="[SYM"
+// DECLARED: kernel step
+// RUN: %symreal verify %s %t.c --samples=100 -- -DDECLARED
+
+#include <cstdio>
+
+static double linear(double x) { return x; }
+static double square(double x) { return x * x; }
+static double (*law)(double) = linear;
+
+static double buffers[2][1] = {{1}, {2}};
+static double *current = buffers[0], *previous = buffers[1];
+
+struct Cursor {
+  double const *at;
+  double (Cursor::*next)(double) const;
+  double same(double x) const { return x; }
+};
+
+#ifdef DECLARED
+#pragma symreal function input(x) constant(buffers) scratch(law, current, previous, cursor.at, cursor.next) output(return)
+#else
+#pragma symreal function input(x) constant(buffers) output(return)
+#endif
+double step(Cursor &cursor, double x) {
+  double const y = law(x) + *current;
+  law = square;
+  double *kept = current;
+  current = previous;
+  previous = kept;
+  cursor.at++;
+  cursor.next = &Cursor::same;
+  double const *local = buffers[0]; // goes with the call
+  local = buffers[1];
+  return y + *local;
+}
+
+int main() {
+  Cursor cursor = {buffers[0], nullptr};
+  std::printf("%g\n", step(cursor, 0.5));
+}
+
+// CHECK-DAG: kept_pointers.cpp:31:3: error: 'law' is written by the kernel and is no output [SYM053]
+// CHECK-DAG: kept_pointers.cpp:33:3: error: 'current' is written by the kernel and is no output [SYM053]
+// CHECK-DAG: kept_pointers.cpp:34:3: error: 'previous' is written by the kernel and is no output [SYM053]
+// CHECK-DAG: kept_pointers.cpp:35:3: error: 'cursor.at' is written by the kernel and is no output [SYM053]
+// CHECK-DAG: kept_pointers.cpp:36:3: error: 'cursor.next' is written by the kernel and is no output [SYM053]
+// CHECK: way out:
