@@ -15,6 +15,7 @@ from concurrent.futures import ThreadPoolExecutor
 
 from kernels.features import OPEN, features
 from kernels.kernel import make_kernel
+from kernels.minimise import minimised
 from kernels.session import Outcome, Session
 
 
@@ -35,6 +36,8 @@ def arguments():
     parser.add_argument("--open", action="store_true", help="also the features that are known to be wrong yet")
     parser.add_argument("--verify", action="store_true", help="also run symreal verify, which must agree")
     parser.add_argument("--print", metavar="INDEX", type=int, help="print one kernel and end")
+    parser.add_argument("--index", type=int, help="only this kernel of each language, policy and mode")
+    parser.add_argument("--minimise", action="store_true", help="leave out statements of a kernel as long as its fault stays")
     parser.add_argument("--keep", metavar="DIR", help="keep the programs of all batches there")
     return parser.parse_args()
 
@@ -48,6 +51,10 @@ def batches(options):
     modes, number = options.fp.split(","), 0
     for language in options.language.split(","):
         for policy in options.decisions.split(","):
+            if options.index is not None:
+                for mode in sorted(set(modes)):
+                    yield language, policy, mode, range(options.index, options.index + 1)
+                continue
             for first in range(0, options.count, options.batch):
                 number += 1
                 if number % shards == shard % shards:
@@ -70,7 +77,11 @@ def execute(options, language, policy, mode, indices):
     os.makedirs(directory, exist_ok=True)
     try:
         session = Session(options.symreal, language, policy, mode, directory, options.samples, options.verify)
-        return language, policy, session.execute(made, options.seed + indices.start)
+        outcome = session.execute(made, options.seed + indices.start)
+        if options.minimise:
+            again = lambda directory: Session(options.symreal, language, policy, mode, directory, options.samples)
+            outcome.found = [minimised(found, again, options.seed + indices.start) for found in outcome.found]
+        return language, policy, outcome
     finally:
         if not options.keep:
             shutil.rmtree(directory)
