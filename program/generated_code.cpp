@@ -11,6 +11,7 @@
 #include <cstring>
 #include <dlfcn.h>
 #include <fmt/format.h>
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 namespace symreal::program {
@@ -23,6 +24,12 @@ constexpr std::string_view opening = "/* symreal ";
 }
 
 } // namespace
+
+bool is_generated(std::string const &path) {
+  std::ifstream file(path, std::ios::binary);
+  std::string start(opening.size(), '\0');
+  return file.read(start.data(), static_cast<std::streamsize>(start.size())) && start == opening;
+}
 
 Banner read_banner(std::string const &path) {
   std::string text = read_file(path);

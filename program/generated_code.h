@@ -19,6 +19,8 @@ struct Banner {
   std::size_t inputs = 0, parameters = 0, constants = 0, outputs = 0, guards = 0;
   std::string decisions = "error"; // the policy under which the kernel was recorded
 };
+// Does the file begin as a generated one?
+bool is_generated(std::string const &path);
 // Throws foreign_file for a file that this version of the tool did not generate.
 Banner read_banner(std::string const &path);
 

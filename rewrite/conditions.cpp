@@ -65,6 +65,12 @@ bool binds_tighter(Expr const *operand) {
   return !binary || !binary->isBitwiseOp();
 }
 
+// `&&` or `||` without parentheses around it.
+bool is_bare_joint(Expr const *operand) {
+  auto const *binary = dyn_cast<BinaryOperator>(operand->IgnoreImpCasts());
+  return binary && binary->isLogicalOp();
+}
+
 class Comparisons : public RecursiveASTVisitor<Comparisons> {
 public:
   explicit Comparisons(Reals const &reals) : reals_(reals) {}
@@ -185,6 +191,13 @@ Conditions::Kind Conditions::visit_joint(BinaryOperator const *joint, Condition 
   if (!harmless.ok) return block("the right side of " + name + ", which must not be evaluated early");
   std::optional<Span> const token = map_.token(joint->getOperatorLoc());
   if (!token) return block(name + " made by a macro");
+  // `&` and `|` bind tighter than the `&&` and `||` that stay in a plain operand.
+  for (auto const &[operand, kind] : {std::pair(left, a), std::pair(right, b)}) {
+    if (kind != Kind::plain || !is_bare_joint(operand)) continue;
+    std::optional<Span> const whole = map_.range(operand->getSourceRange());
+    if (!whole) return block(name + " of truth values that a macro joins");
+    result.joints.push_back({*whole, "SYMREAL_REAL_PLAIN(", ")"});
+  }
   result.joints.push_back({*token, joint->getOpcode() == BO_LAnd ? "SYMREAL_REAL_AND" : "SYMREAL_REAL_OR", "", true});
   return joined;
 }

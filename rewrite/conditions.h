@@ -21,7 +21,7 @@ struct Blocker {
 struct Condition {
   bool is_real = false;           // it depends on a comparison of REALs, or on a REAL's truth value
   std::optional<Blocker> blocker; // it is decided before the statement sees it
-  std::vector<Alteration> joints; // && and || become REAL_AND and REAL_OR
+  std::vector<Alteration> joints; // && and || become REAL_AND and REAL_OR, beside which plain ones need REAL_PLAIN
 };
 
 // A function of namespace std with one of these names.

@@ -7,13 +7,14 @@
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 namespace symreal::tool {
 namespace {
 
 struct Options {
   SourceOptions source;
-  std::vector<std::string> files; // sources, then the generated file
+  std::vector<std::string> files; // sources, then generated files
   program::VerificationOptions verification;
   CLI::Option *tolerance = nullptr;
   NumericOptions numeric;
@@ -29,40 +30,72 @@ int run_numeric(CLI::App &command, Options &options, Session &session) {
                         session);
 }
 
-int run(CLI::App &command, Options &options, Session &session) {
-  SourceOptions &source = options.source;
-  if (!options.files.empty()) source.project.request.sources.assign(options.files.begin(), options.files.end() - 1);
-  source.project.configure(command, session.configured);
-  if (options.files.size() < (source.project.build.empty() ? 2 : 1))
-    fail(DiagnosticId::bad_option, {}, "verify takes sources and the generated C file");
-  std::string const &generated = options.files.back();
+// The generated files end the list. The last one is taken for one in any case: what is wrong with it will be told.
+std::vector<std::string> take_generated(std::vector<std::string> &files) {
+  auto first = files.end();
+  while (first != files.begin() && program::is_generated(*(first - 1))) --first;
+  if (first == files.end() && first != files.begin()) --first;
+  std::vector<std::string> generated(first, files.end());
+  files.erase(first, files.end());
+  return generated;
+}
 
-  program::Banner banner = program::read_banner(generated);
-  if (options.tolerance->count() != 0 && banner.mode != FloatingPoint::fast)
-    fail(DiagnosticId::option_without_effect, {},
-         "--tol is for code of mode fast; this is of mode " + std::string(to_string(banner.mode)));
-  Console console;
-  program::FrontRequest request = source.request(session.flags);
+// The programs, recorded as a generated file was.
+std::optional<program::Front> make_front(Options const &options, Session &session, program::Banner const &banner,
+                                         program::RunOptions &run, Console &console) {
+  program::FrontRequest request = options.source.request(session.flags);
   if (!options.numeric.c_compiler.empty()) request.build.c_compiler = options.numeric.c_compiler;
   request.replay = true;
   request.run.decisions = banner.decisions;
   request.run.floating_point = to_string(banner.mode);
-  auto front = program::run_front(request, console.talk());
-  if (!front) return error;
-  if (request.keep) console.note("the build directory is " + front->workspace->path());
+  run = request.run;
+  std::optional<program::Front> front = program::run_front(request, console.talk());
+  if (front && request.keep) console.note("the build directory is " + front->workspace->path());
+  return front;
+}
 
-  console.stage("verifying");
-  program::Recorded const &recorded = program::require_match(front->kernels, banner, generated);
-  program::Verification verification =
-      program::verify(*front, request.run, recorded, generated, banner, options.verification);
-  console.clear();
-  print_verification(std::cerr, recorded.graph, verification);
-  if (options.json) std::cout << to_json(recorded.graph, verification).dump(2) << "\n";
-  if (auto failure = verification_failure(recorded.graph, verification, options.verification, generated)) {
-    console.report(*failure);
-    return verification_failed;
+int run(CLI::App &command, Options &options, Session &session) {
+  std::vector<std::string> sources = options.files;
+  std::vector<std::string> const generated = take_generated(sources);
+  if (!sources.empty()) options.source.project.request.sources = sources;
+  options.source.project.configure(command, session.configured);
+  if (generated.empty() || (sources.empty() && options.source.project.build.empty()))
+    fail(DiagnosticId::bad_option, {}, "verify takes sources and generated C files");
+  std::vector<program::Banner> banners;
+  for (std::string const &path : generated) {
+    banners.push_back(program::read_banner(path));
+    if (options.tolerance->count() != 0 && banners.back().mode != FloatingPoint::fast)
+      fail(DiagnosticId::option_without_effect, {},
+           "--tol is for code of mode fast; this is of mode " + std::string(to_string(banners.back().mode)));
   }
-  return clean;
+
+  Console console;
+  std::optional<program::Front> front;
+  program::RunOptions as;
+  int status = clean;
+  nlohmann::ordered_json json = nlohmann::ordered_json::array();
+  for (std::size_t k = 0; k < generated.size(); ++k) {
+    program::Banner const &banner = banners[k];
+    if (!front || banner.decisions != as.decisions || to_string(banner.mode) != as.floating_point) {
+      front.reset();
+      front = make_front(options, session, banner, as, console);
+      if (!front) return error;
+    }
+    console.stage("verifying");
+    program::Recorded const &recorded = program::require_match(front->kernels, banner, generated[k]);
+    program::Verification const verification =
+        program::verify(*front, as, recorded, generated[k], banner, options.verification);
+    console.clear();
+    print_verification(std::cerr, recorded.graph, verification);
+    if (options.json) json.push_back(to_json(recorded.graph, verification));
+    if (auto failure = verification_failure(recorded.graph, verification, options.verification, generated[k])) {
+      console.report(*failure);
+      status = verification_failed;
+    }
+  }
+  if (options.json)
+    std::cout << (json.size() == 1 ? json.front() : nlohmann::ordered_json{{"kernels", json}}).dump(2) << "\n";
+  return status;
 }
 
 } // namespace
@@ -70,7 +103,7 @@ int run(CLI::App &command, Options &options, Session &session) {
 void add_verify(CLI::App &app, Session &session) {
   CLI::App *command = app.add_subcommand("verify", "Compare the generated code with the original on many inputs");
   auto options = std::make_shared<Options>();
-  command->add_option("files", options->files, "The sources of the program, then the generated C file");
+  command->add_option("files", options->files, "The sources of the program, then generated C files");
   options->numeric.add_to(*command);
   options->source.add_to(*command, false);
   program::VerificationOptions &verification = options->verification;

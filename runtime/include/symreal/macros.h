@@ -261,6 +261,7 @@ public:                                                                         
   })
 #define SYMREAL_REAL_AND &
 #define SYMREAL_REAL_OR |
+#define SYMREAL_REAL_PLAIN(...) (__VA_ARGS__)
 #define SYMREAL_REAL_LOOP(limit, targets) if (::symreal::Loop symreal_loop(limit, SYMREAL_TARGETS(targets)); true)
 #define SYMREAL_REAL_LATE_LOOP(limit, targets)                                                                         \
   if (::symreal::Loop symreal_loop(limit, SYMREAL_TARGETS(targets), true); true)
@@ -286,6 +287,7 @@ public:                                                                         
 #define SYMREAL_REAL_END
 #define SYMREAL_REAL_AND &&
 #define SYMREAL_REAL_OR ||
+#define SYMREAL_REAL_PLAIN(...) __VA_ARGS__
 #define SYMREAL_REAL_LOOP(limit, targets)
 #define SYMREAL_REAL_LATE_LOOP(limit, targets)
 #define SYMREAL_REAL_TEST(...) __VA_ARGS__
