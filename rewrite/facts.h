@@ -95,8 +95,9 @@ struct Wrap {
   Use use;
   // conversion, cast, argument, of_c: the type; state: the declaration's place; returned, and the uses between literal
   // and state: the other arguments; value: the function of the program, if it is one, whose variadic argument the
-  // expression is; as_width, width: the bits, and whether they are signed; external, table, formatting: the other arguments;
-  // pasted: the text that the macro expands to; name: it; layout, padding: sizes and offsets; prototype: the parameters
+  // expression is; as_width, width: the bits, and whether they are signed; external, table, formatting: the other
+  // arguments; pasted: the text that the macro expands to; name: it; layout, padding: sizes and offsets; prototype: the
+  // parameters
   std::string detail;
   auto operator<=>(Wrap const &) const = default;
 };

@@ -200,9 +200,9 @@ private:
   llvm::SmallPtrSet<clang::Expr const *, 4> compared_pointers_; // conversions that C++ makes as well
   llvm::SmallPtrSet<clang::Expr const *, 8> promoted_;          // conversions of arguments that are written out
   llvm::DenseMap<clang::Expr const *, Width> widths_;
-  llvm::SmallPtrSet<clang::Expr const *, 32> callees_; // names of functions that are called there
-  std::optional<Note> instance_;                       // what is looked at belongs to it
-  llvm::SmallPtrSet<clang::Expr const *, 32> discarded_;        // calls whose value nobody uses
+  llvm::SmallPtrSet<clang::Expr const *, 32> callees_;   // names of functions that are called there
+  std::optional<Note> instance_;                         // what is looked at belongs to it
+  llvm::SmallPtrSet<clang::Expr const *, 32> discarded_; // calls whose value nobody uses
 };
 
 } // namespace symreal::rewrite

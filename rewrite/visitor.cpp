@@ -39,7 +39,9 @@ public:
     return Walk::TraverseDecltypeTypeLoc(type);
   }
   bool VisitUnaryExprOrTypeTraitExpr(UnaryExprOrTypeTraitExpr *expression) {
-    if (!expression->isArgumentType()) record_.looked_at(expression->getArgumentExpr()->IgnoreParens());
+    if (expression->isArgumentType()) return true;
+    record_.looked_at(expression->getArgumentExpr()->IgnoreParens());
+    record_.c_type_asked(expression->getArgumentExpr(), expression->getKind() == UETT_SizeOf);
     return true;
   }
   bool VisitCXXTypeidExpr(CXXTypeidExpr *expression) {
@@ -227,11 +229,6 @@ public:
   bool VisitWhileStmt(WhileStmt *statement) { return decide(statement->getCond()); }
   bool VisitDoStmt(DoStmt *statement) { return decide(statement->getCond()); }
   bool VisitForStmt(ForStmt *statement) { return decide(statement->getCond()); }
-  bool VisitUnaryExprOrTypeTraitExpr(UnaryExprOrTypeTraitExpr *expression) {
-    if (!expression->isArgumentType())
-      record_.c_type_asked(expression->getArgumentExpr(), expression->getKind() == UETT_SizeOf);
-    return true;
-  }
   bool VisitTypeOfExprTypeLoc(TypeOfExprTypeLoc type) {
     record_.c_type_asked(type.getUnderlyingExpr(), /*is_size=*/false);
     return true;

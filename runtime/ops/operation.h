@@ -32,7 +32,8 @@ struct OperationInfo {
 
 namespace flag {
 inline constexpr unsigned COMMUTATIVE = 1, ROUNDED = 2, ZERO_SIGN = 4, BOOLEAN = 8, LOGICAL = 16, QUIET = 32,
-                          OPAQUE = 64, STRUCTURE = 128, EFFECT = 256, MONOTONE = 512, WIDE = 1024, TAKES_WIDE = 2048, ERROR = 4096;
+                          OPAQUE = 64, STRUCTURE = 128, EFFECT = 256, MONOTONE = 512, WIDE = 1024, TAKES_WIDE = 2048,
+                          ERROR = 4096;
 }
 
 // All operations in the order of the table.

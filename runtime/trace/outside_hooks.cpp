@@ -12,6 +12,7 @@
 #include <cerrno>
 #include <cstdarg>
 #include <cstdio>
+#include <cstring>
 #include <ctime>
 #include <dlfcn.h>
 #include <sys/types.h>
@@ -34,6 +35,10 @@ template <class Result> void note(char const *name, [[maybe_unused]] Result resu
 
 } // namespace
 
+// What the runtime itself asks for while a kernel is recorded is no matter of the program's.
+static bool is_of_runtime(char const *name) { return std::strncmp(name, "SYMREAL_", 8) == 0; }
+template <class... Arguments> static bool is_of_runtime(Arguments...) { return false; }
+
 extern "C" {
 
 char symreal_outside_hooks = 0;
@@ -44,7 +49,7 @@ char symreal_outside_hooks = 0;
     using Function = result(*) parameters;                                                                             \
     static auto const original = reinterpret_cast<Function>(dlsym(RTLD_NEXT, #symbol));                                \
     result const value = original arguments;                                                                           \
-    note(name, value);                                                                                                 \
+    if (!is_of_runtime arguments) note(name, value);                                                                   \
     return value;                                                                                                      \
   }
 #include "trace/outside.def"

@@ -27,7 +27,6 @@ State &State::current() {
 void State::begin(void const *frame) {
   *this = {};
   find_own_stack(frame);
-  image_ = memory::MemoryImage::capture(frame);
   constant_memory_ = find_constant_memory();
   // Are we told of what is allocated?
   detail::recording = true;
@@ -35,6 +34,8 @@ void State::begin(void const *frame) {
   void *block = allocate(sizeof(double));
   heap_is_known_ = (shadow_.at(block) & mark::own) != 0;
   std::free(block);
+  // An allocator of the program's own keeps its blocks in its static objects, those of the bookkeeping among them.
+  if (heap_is_known_) image_ = memory::MemoryImage::capture(frame);
 }
 
 Site State::site_of(void const *address, char const *name, char const *place) const {

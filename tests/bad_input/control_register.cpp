@@ -11,7 +11,7 @@ double tiny(double x) {
   // CHECK: control_register.cpp:[[@LINE+1]]:3: error: the kernel uses {{.*}}, which {{.*}} [SYM144]
   _MM_SET_FLUSH_ZERO_MODE(_MM_FLUSH_ZERO_ON);
   double const y = x * 1e-300;
-  // CHECK: control_register.cpp:[[@LINE+1]]:3: error: the kernel uses _mm_setcsr, which sets the floating-point modes [SYM144]
+  // CHECK: control_register.cpp:[[@LINE+1]]:3: error: the kernel uses _mm_setcsr, which sets the floating-point flags and modes [SYM144]
   _mm_setcsr(0x1f80);
   return y;
 }

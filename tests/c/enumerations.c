@@ -11,7 +11,7 @@ enum mode { OFF, ON, AUTO };
 enum wide { LOW = 1, HIGH = 0x80000000 };
 enum sign { MINUS = -1, PLUS = 1 };
 struct part { enum mode mode : 2, all : 32; };
-// CHECK: #define BELOW(a, b) (REAL_COUNTED((a)) < (b))
+// CHECK: #define BELOW(a, b) (REAL_COUNTED((a)) < REAL_COUNTED((b)))
 #define BELOW(a, b) ((a) < (b))
 #define MODE(p) (p)->mode
 

@@ -46,7 +46,7 @@ void read_text(char const *text, std::size_t size, char const *name, char const 
 void read_file(std::FILE *file, char const *name, char const *place) noexcept;
 void read_stream(std::ios const &stream, char const *name, char const *place) noexcept;
 
-template <class T> inline constexpr bool is_character =
+template <class T> inline constexpr bool is_text_character =
     std::is_integral_v<T> && sizeof(T) == 1 && !std::is_same_v<std::remove_cv_t<T>, bool>;
 
 template <class T> inline constexpr bool is_string = std::is_class_v<T> && std::is_convertible_v<T &, std::string_view>;
@@ -57,7 +57,7 @@ template <class T> char const *characters(T *text) noexcept {
 
 template <class T> Shown value_of(T const &object) noexcept {
   if constexpr (std::is_pointer_v<T>)
-    if constexpr (is_character<std::remove_pointer_t<T>>)
+    if constexpr (is_text_character<std::remove_pointer_t<T>>)
       if (has_text && object) return value_in(characters(object), std::strlen(characters(object)));
   return {};
 }
@@ -65,18 +65,18 @@ template <class T> Shown value_of(T const &object) noexcept {
 template <class T> void look_at(T &object, char const *name, char const *place) noexcept {
   using Plain = std::remove_cv_t<T>;
   if constexpr (std::is_array_v<T>) {
-    if constexpr (is_character<std::remove_extent_t<T>>)
+    if constexpr (is_text_character<std::remove_extent_t<T>>)
       read_text(characters(&object[0]), std::strlen(characters(&object[0])), name, place);
   } else if constexpr (std::is_same_v<Plain, std::FILE *>) {
     if (object) read_file(object, name, place);
   } else if constexpr (std::is_pointer_v<Plain>) {
     using Pointee = std::remove_pointer_t<Plain>;
-    if constexpr (is_character<Pointee>) {
+    if constexpr (is_text_character<Pointee>) {
       if (object) read_text(characters(object), std::strlen(characters(object)), name, place);
     } else if constexpr (is_string<Pointee> || std::is_convertible_v<Pointee *, std::ios const *>) {
       if (object) look_at(*object, name, place);
     }
-  } else if constexpr (is_character<Plain>) {
+  } else if constexpr (is_text_character<Plain>) {
     read_character(characters(&object), name, place);
   } else if constexpr (std::is_convertible_v<T &, std::ios const &>) {
     read_stream(object, name, place);
@@ -180,7 +180,7 @@ public:
   }
   template <class T>
   std::size_t print_fwrite(T const *from, std::size_t size, std::size_t count, std::FILE *file) const {
-    if constexpr (detail::is_character<T>)
+    if constexpr (detail::is_text_character<T>)
       if (is_file(file) && detail::has_text)
         detail::made_file(file, detail::value_in(detail::characters(from), size * count));
     return std::fwrite(from, size, count, file);
