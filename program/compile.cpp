@@ -104,16 +104,16 @@ Words compile_command(BuildRequest const &request, Variant variant, Overlay cons
   return words;
 }
 
-// A source without annotations is compiled where it is.
 Words original_command(BuildRequest const &request, Variant variant, Overlay const &overlay,
                        rewrite::Compilation const &source, std::string const &object) {
-  bool const c = is_c(source), annotated = overlay.contains(rewrite::real_source(source));
+  bool const c = is_c(source);
   Words words = {c ? request.c_compiler : request.compiler};
   Words flags = original_flags(source.flags, variant);
   if (variant != Variant::own_flags) append(flags, reference_flags);
   append(words, overlay.search_flags(flags, source.directory));
+  if (c) append(words, {"-Dregister="}); // annotations take addresses
   append(words, {"-w", "-include", runtime_include() + "/symreal/original.h", "-x", c ? "c" : "c++", "-c"});
-  append(words, {annotated ? overlay.compiled_path(rewrite::real_source(source)) : source.source, "-o", object});
+  append(words, {overlay.compiled_path(rewrite::real_source(source)), "-o", object});
   return words;
 }
 

@@ -272,7 +272,6 @@ Result annotated_original(Result const &result) {
   Result original;
   original.include_dirs = result.include_dirs;
   for (File const &file : result.files) {
-    if (file.annotations.empty()) continue;
     File &annotated = original.files.emplace_back(file);
     annotated.edits = file.annotations;
     annotated.text = apply_edits(file.original, file.annotations);

@@ -99,7 +99,7 @@ public:
     if (!map_.in_roots(binary->getOperatorLoc()) || !conflict(left, right)) return true;
     std::optional<Span> const span = map_.range(right->getSourceRange());
     if (span) on_numbers_.emplace(*span, binary->getOperatorLoc());
-    if (gcc_begins_on_the_right(binary)) return true; // as with the operator of a class
+    if (is_told(right) || gcc_begins_on_the_right(binary)) return true; // as with the operator of a class
     if (!function_ || !span || map_.is_shared(right->getSourceRange()))
       refuse(binary->getOperatorLoc());
     else
@@ -132,6 +132,16 @@ public:
   }
 
 private:
+  // Is it said already, in a text that was rewritten before?
+  bool is_told(Expr const *operand) const {
+    SourceManager const &sources = map_.sources();
+    for (SourceLocation at = operand->getBeginLoc(); at.isMacroID(); at = sources.getImmediateMacroCallerLoc(at)) {
+      StringRef const name = Lexer::getImmediateMacroName(at, sources, map_.language());
+      if (name.ends_with("REAL_LATER") || name.ends_with("REAL_NOW")) return true;
+    }
+    return false;
+  }
+
   bool conflict(Expr const *left, Expr const *right) {
     Effects const one = effects_.of(left, function_), other = effects_.of(right, function_);
     return (one.changes && (other.changes || other.reads || other.talks)) ||
@@ -146,7 +156,7 @@ private:
     bool is_changed = false;
     for (std::size_t i = 0; i < all.size(); ++i)
       is_changed |= i != index && !isa<CXXDefaultArgExpr>(all[i]) && effects_.of(all[i], function_).changes;
-    if (!is_changed) return;
+    if (!is_changed || is_told(read)) return;
     if (std::optional<Span> const span = map_.range(read->getSourceRange()))
       facts_.wraps.insert({*span, Use::now, ""});
     else

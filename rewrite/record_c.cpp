@@ -73,9 +73,8 @@ void Recorder::c_arguments(CallExpr const *call) {
   bool const is_math = is_builtin ? Reals::is_math_name(function->getName()) : reals_.is_math(function);
   bool const is_integral = function->getName() == "abs" || function->getName() == "div";
   // The runtime's functions take a double beside a REAL.
-  bool const takes_real = std::any_of(call->arg_begin(), call->arg_end(), [&](Expr const *one) {
-    return reals_.is_real(one->IgnoreParenImpCasts());
-  });
+  bool const takes_real = std::any_of(call->arg_begin(), call->arg_end(),
+                                      [&](Expr const *one) { return reals_.is_real(one->IgnoreParenImpCasts()); });
   for (unsigned i = 0; i < std::min(call->getNumArgs(), function->getNumParams()); ++i) {
     auto const *cast = dyn_cast<ImplicitCastExpr>(call->getArg(i));
     if (!cast || reals_.is_real(cast->getSubExpr())) continue;

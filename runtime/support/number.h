@@ -7,7 +7,8 @@
 
 namespace symreal {
 
-// The shortest decimal text that reads back to the same double: "10", "-0", "0.1", "1e+300", "inf", "nan"; of a NaN the sign alone.
+// The shortest decimal text that reads back to the same double: "10", "-0", "0.1", "1e+300", "inf", "nan"; of a NaN the
+// sign alone.
 std::string shortest(double value);
 
 // The inverse; also hexadecimal floating point ("0x1.8p+1"). The whole text must be a number.

@@ -70,7 +70,7 @@ double keys(double x) {
   std::string const key = "key " + std::to_string(x);
   // KEYS: strings_read_back.cpp:[[@LINE+1]]:18: error: 'key' is read, which holds the text of x [SYM143]
   if (other.find(key) == other.end()) x += 1;
-  // KEYS: strings_read_back.cpp:[[@LINE+1]]:32: error: 'key' is read, which holds the text of x [SYM143]
+  // KEYS: strings_read_back.cpp:[[@LINE+1]]:35: error: 'key' is read, which holds the text of x [SYM143]
   return std::hash<std::string>{}(key) % 7 * x;
 }
 

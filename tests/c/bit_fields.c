@@ -13,7 +13,7 @@ double scaled(double x, struct fields f, int n)
 {
     // CHECK: REAL y = (REAL_WIDTH(40, false, f.b << 1)) * x;
     double y = (f.b << 1) * x;
-    // CHECK: y += (REAL_WIDTH(40, false, REAL_WIDTH(40, false, f.b * 2 ) + REAL_WIDTH(40, false, f.c))) + f.b / x;
+    // CHECK: y += (REAL_WIDTH(40, false, REAL_WIDTH(40, false, f.b * 2) + REAL_WIDTH(40, false, f.c))) + f.b / x;
     y += (f.b * 2 + f.c) + f.b / x;
     y += (-1 < f.b) * 1e3 + (-1L < f.b) * 1e4 + (n - f.c) + -f.b;
     y += (f.s + f.b) + (f.s - 1) + (f.small - 2000000 < 0) * 1e5;

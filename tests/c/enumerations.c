@@ -27,7 +27,7 @@ double scaled(double x, enum mode m, enum sign s, struct part *p)
     for (i = -1; i < m; i++) y += 1000;
     // CHECK: y += (n ? REAL_COUNTED(m) : n) + (n ? OFF : ON) + ~REAL_COUNTED(m);
     y += (n ? m : n) + (n ? OFF : ON) + ~m;
-    // CHECK: n /= REAL_COUNTED(m + 1);
+    // CHECK: n /= REAL_COUNTED(m) + 1;
     n /= m + 1;
     y += n + (s - 2) * 3.0 + (MODE(p) - 2) + (p->all - 2);
     // CHECK: y += x * REAL_TO(unsigned int, m) + BELOW(-1, m) + BELOW(m, -1) + BELOW(2.5, 3) * 7;

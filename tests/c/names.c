@@ -14,7 +14,7 @@ double hidden(double x)
     double y = sizeof(T) + sizeof(struct T);
     {
         struct number { double v; } one = {x};
-        // CHECK: names.c:[[#@LINE+1]]:14: error: 'number' is a tag here in C++
+        // CHECK: names.c:[[#@LINE+1]]:15: error: 'number' is a tag here in C++
         y += (number)one.v;
     }
     // CHECK: names.c:[[#@LINE+1]]:10: error: 'scale' is a tag here in C++

@@ -1,7 +1,7 @@
 // errno of what has nothing to do with the numbers is read as in the original.
 // RUN: %same %s
 // RUN: %symreal generate %s -o %t.c 2>&1 | FileCheck %s --implicit-check-not=error:
-// RUN: %symreal verify %s %t.c --samples=100
+// RUN: %symreal verify %s %t.c --samples=100 --min-samples=50
 // CHECK: kernel scaled
 #include <cerrno>
 #include <cmath>

@@ -7,7 +7,7 @@
 #include <stdlib.h>
 
 enum { count = 3 };
-// CHECK: #define TWICE(function, x) (2 * function(REAL_PROMOTED(x)))
+// CHECK: #define TWICE(function, x) (2 * function(x))
 #define TWICE(function, x) (2 * function(x))
 
 static double all(double x)

@@ -16,7 +16,7 @@
 #include <stdexcept>
 #include <string>
 
-static void log(char const *format, ...) {
+static void note_down(char const *format, ...) {
   char line[200];
   va_list list;
   va_start(list, format);
@@ -34,7 +34,7 @@ static std::ostream &operator<<(std::ostream &out, Point const &p) { return out 
 
 #pragma symreal function input(x[0:2]) output(return)
 double sum(double const *x) {
-  log("sum %g of %g and %g", x[0] + x[1], x[0], x[1]);
+  note_down("sum %g of %g and %g", x[0] + x[1], x[0], x[1]);
   char message[100];
   int length = std::sprintf(message, "[");
   for (int i = 0; i < 2; ++i)

@@ -4,7 +4,7 @@
 // RUN: %same %s
 // RUN: %symreal generate %s --decisions=select --fp=strict --mainline -o %t/k.c
 // RUN: %symreal verify %s %t/k.c --samples=500 2>&1 | FileCheck %s --check-prefix=SAME
-// SAME: y {{ *}}7 {{ *}}0 {{ *}}0{{$}}
+// SAME: y[0] {{ *}}7 {{ *}}0 {{ *}}0{{$}}
 // RUN: %cxx -w %s -o %t/original && %cc %t/k.c %t/k_main.c -lm -o %t/run
 // RUN: %t/original -0.5 > %t/expected && %t/run -0.5 | diff %t/expected -
 // RUN: FileCheck %s < %t/expected

@@ -23,7 +23,7 @@ enum side side_of(int n)
 double twice(double x) { return 2 * x; }
 double chosen(int n, enum side a, enum side b)
 {
-    // CHECK: return twice(REAL_TO(int, n ? a : b)) + twice(REAL_TO(int, right)) + (n ? REAL_TO(int, (1, b)) : 2.0) / REAL_TO(int, count);
+    // CHECK: return twice(REAL_TO(unsigned int, n ? REAL_COUNTED(a) : REAL_COUNTED(b))) + twice(REAL_TO(int, right)) + (n ? REAL_TO(unsigned int, (1, b)) : 2.0) / REAL_TO(int, count);
     return twice(n ? a : b) + twice(right) + (n ? (1, b) : 2.0) / count;
 }
 int sides(void)

@@ -4,7 +4,7 @@
 // RUN: %same %s %S/Inputs/second.cpp
 #include "Inputs/shared.h"
 // CHECK: #line 1 "Inputs/shared.h"
-// CHECK: inline REAL twice(REAL x) { return std::max(x, REAL_C(0.0)) + from_second(x); }
+// CHECK: inline REAL twice(REAL x) { return std::max(x, REAL_C(0.0)) + REAL_LATER(from_second(x)); }
 // PLAIN: #line 1 "Inputs/plain.h"
 // PLAIN-NEXT: #define PLAIN 1
 double first(double x) { return twice(x); }

@@ -39,7 +39,7 @@ double use(Table &table, Packed &packed, int k, double x) {
   count += global++ + table.p[k] + sizeof global;
   // CHECK: for (short kind : REAL_READ("table.kinds", {{.*}}, table.kinds)) x += kind;
   for (short kind : table.kinds) x += kind;
-  // CHECK: if (errno) x = 0;
+  // CHECK: if (REAL_ENVIRONMENT(error_read, "errno", {{.*}}, errno)) x = 0;
   if (errno) x = 0;
   // CHECK: auto const local = [k] { return REAL_READ("k", {{.*}}, k); };
   auto const local = [k] { return k; };

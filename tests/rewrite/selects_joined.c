@@ -22,7 +22,7 @@ void joined(const double *x, double *y, int n, int m) {
   if (n > 0 && m > 0 && a < 3 || m > 5 && n > 5 && n > 7) s += a;
   y[3] = s;
 }
-// SELECT: > 1.0 ? 1.0 : input[1]
+// SELECT: ? 1.0 : input[1]
 int main(void) {
   double x[3] = {2, 0.5, 1.5}, y[4];
   joined(x, y, 1, 2);

@@ -24,7 +24,7 @@ double noise(unsigned seed) {
   std::normal_distribution<double> normal(0.0, 1.0);
   // CHECK: std::chrono::duration<double> elapsed(0.5);
   std::chrono::duration<double> elapsed(0.5);
-  // CHECK: return std::max(REAL_C(normal(generator)), REAL_C(scale)) + elapsed.count();
+  // CHECK: return std::max(REAL_C(normal(generator)), REAL_C(scale)) + REAL_LATER(elapsed.count());
   return std::max(normal(generator), scale) + elapsed.count();
 }
 // CHECK: REAL clip(REAL x) { return std::min(x, REAL_C(scale)); }

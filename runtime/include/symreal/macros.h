@@ -73,6 +73,11 @@
 #include <symreal/annotate.h>
 #include <symreal/fit.h>
 
+/* A type of C, whose sources are compiled as C++ here. */
+#ifndef _Bool
+#define _Bool bool
+#endif
+
 #ifdef MBD_SYMBOLIC
 #include <symreal/symbolic.h>
 #define SYMREAL_REAL ::symreal::RealNumber

@@ -34,8 +34,8 @@ void symreal_original_generate(char const *name, char const *file, unsigned line
 void symreal_original_later(int active);
 void symreal_original_outputs(int *active);
 #ifdef __x86_64__
-/* The kernel is run several times in a row: from its end the program jumps back to here, with the function's frame as it
-   was, and all that outlives the function as the kernel left it. */
+/* The kernel is run several times in a row: from its end the program jumps back to here, with the function's frame as
+   it was, and all that outlives the function as the kernel left it. */
 void *symreal_original_point(void);
 int symreal_original_set_jump(void *point) __asm__("_setjmp") __attribute__((returns_twice));
 void symreal_original_keep(void const *frame);
@@ -118,20 +118,19 @@ template <class Reference, class T> void pass(T &&element, bool is_temporary) {
   walk(element, is_temporary || !IsLvalue<Reference>::value);
 }
 
-template <class T>
-auto look(T &object, bool is_temporary, Choice<7>)
+template <class T> auto look(T &object, bool is_temporary, Choice<7>)
     -> decltype(object.rows(), object.cols(), static_cast<void>(object(0, 0))) {
   for (decltype(object.rows() + 0) i = 0; i < object.rows(); ++i)
     for (decltype(object.cols() + 0) j = 0; j < object.cols(); ++j)
       pass<decltype(object(i, j))>(object(i, j), is_temporary);
 }
-template <class T>
-auto look(T &object, bool is_temporary, Choice<6>) -> decltype(object.size(), static_cast<void>(object[0])) {
+template <class T> auto look(T &object, bool is_temporary, Choice<6>)
+    -> decltype(object.size(), static_cast<void>(object[0])) {
   for (decltype(object.size() + 0) i = 0; i < object.size(); ++i) pass<decltype(object[i])>(object[i], is_temporary);
 }
 /* A complex number is an array of two. */
-template <class T>
-auto look(T &object, bool is_temporary, Choice<5>) -> decltype(object.real(), static_cast<void>(object.imag())) {
+template <class T> auto look(T &object, bool is_temporary, Choice<5>)
+    -> decltype(object.real(), static_cast<void>(object.imag())) {
   static_assert(sizeof(object) == 2 * sizeof(double), "symreal: this object cannot be annotated");
   symreal_original_bytes(&reinterpret_cast<char const volatile &>(object), sizeof object, is_temporary);
 }
@@ -166,9 +165,8 @@ public:
   Kernel(Kernel const &) = delete;
   ~Kernel() { symreal_original_function_end(active_); }
   int active() const { return active_; }
-  template <class Value>
-  typename Returned<Value>::Type returned(char const *label, char const *file, unsigned line, unsigned column,
-                                          Value &&value) {
+  template <class Value> typename Returned<Value>::Type returned(char const *label, char const *file, unsigned line,
+                                                                 unsigned column, Value &&value) {
     typename Returned<Value>::Type result(static_cast<Value &&>(value));
     if (symreal_original_leaving(active_) && symreal_original_object("output", label, file, line, column, 0)) {
       walk(result, false);
@@ -206,8 +204,7 @@ template <class Outputs> OnReturn<Outputs> on_return(int active, Outputs outputs
 #define SYMREAL_ORIGINAL_FUNCTION(name, file, line, column, call)                                                      \
   ::symreal_original::Kernel symreal_kernel(name, file, line, column, call, SYMREAL_ORIGINAL_FRAME);                   \
   SYMREAL_ORIGINAL_AGAIN(symreal_kernel.active())
-#define SYMREAL_RETURN(label, file, line, column, ...)                                                                 \
-  (symreal_kernel.returned(label, file, line, column, __VA_ARGS__))
+#define SYMREAL_RETURN(label, file, line, column, ...) (symreal_kernel.returned(label, file, line, column, __VA_ARGS__))
 #define SYMREAL_ORIGINAL_OUTPUTS(...)                                                                                  \
   auto symreal_outputs = ::symreal_original::on_return(symreal_kernel.active(), [&] { __VA_ARGS__ });                  \
   (void)symreal_outputs;

@@ -21,7 +21,7 @@ double lexed(double x)
 int main(void)
 {
     double x = 3, y;
-#pragma symreal input(x) constant(order)
+#pragma symreal input(x) constant(order) scratch(order)
     y = lexed(x);
 #pragma symreal output(y) generate("y.c")
     printf("%.17g\n", y);
