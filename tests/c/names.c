@@ -25,7 +25,7 @@ double hidden(double x)
 double left(double x)
 {
     struct part { enum { ON = 1, OFF } state; struct point { double v[3]; } at; };
-    // CHECK: names.c:[[#@LINE+1]]:27: error: 'point' is declared in a structure, and is another in C++
+    // CHECK: names.c:[[#@LINE+1]]:30: error: 'point' is declared in a structure, and is another in C++
     double y = sizeof(struct point);
     // CHECK: names.c:[[#@LINE+1]]:12: error: 'ON' is declared in a structure, and is another in C++
     y += x*ON;
