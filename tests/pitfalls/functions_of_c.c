@@ -24,8 +24,8 @@ static double all(double x)
     // Of integers C++ has templates, which the compiler folds otherwise than the library rounds.
     // CHECK: y += expm1(REAL_PROMOTED(1)) + cbrt(REAL_PROMOTED(10)) + log1p(REAL_PROMOTED('\2')) + erf(REAL_PROMOTED(2));
     y += expm1(1) + cbrt(10) + log1p('\2') + erf(2);
-    // CHECK: y += pow(REAL_PROMOTED(3), 0.3) + tgamma(REAL_PROMOTED(abs(-7))) + atan2(REAL_PROMOTED(count), REAL_PROMOTED(wide));
-    y += pow(3, 0.3) + tgamma(abs(-7)) + atan2(count, wide);
+    // CHECK: y += pow(REAL_PROMOTED(3), 0.3) + tgamma(REAL_PROMOTED(abs(-7)));
+    y += pow(3, 0.3) + tgamma(abs(-7));
     // CHECK: y += cbrt(REAL_PROMOTED(wide * 2)) + pow(x, 2) + TWICE(cosh, REAL_PROMOTED(3));
     y += cbrt(wide * 2) + pow(x, 2) + TWICE(cosh, 3);
     return y;
