@@ -50,8 +50,8 @@ QualType promoted_in_cpp(EnumDecl const *enumeration, ASTContext const &context)
   return context.UnsignedLongLongTy;
 }
 
-// What C++ has another type for, and of another size: 0 if for nothing.
-enum class Other { none, truth, character, enumeration, array };
+// What C++ has another type for, of another size, or none that has one: in C `?:` and `,` give values.
+enum class Other { none, truth, character, enumeration, array, bit_field };
 
 bool is_classification(Expr const *expression) { // isnan and its like, which give a bool there
   auto const *call = dyn_cast<CallExpr>(expression);
@@ -60,6 +60,27 @@ bool is_classification(Expr const *expression) { // isnan and its like, which gi
   llvm::StringRef name = function->getName();
   name.consume_front("__builtin_");
   return name.starts_with("is") && Reals::is_math_name(name);
+}
+
+// Where both arms are of one of these types `?:` is of that in C++, and an int in C.
+bool is_narrow(Expr const *expression) {
+  expression = operand_of(expression);
+  if (isa<CharacterLiteral>(expression)) return true;
+  if (auto const *binary = dyn_cast<BinaryOperator>(expression); binary && !binary->isAssignmentOp())
+    return binary->isComparisonOp() || binary->isLogicalOp();
+  if (auto const *unary = dyn_cast<UnaryOperator>(expression); unary && unary->getOpcode() == UO_LNot) return true;
+  auto const *type = expression->getType()->getAs<BuiltinType>();
+  if (!type) return false;
+  switch (type->getKind()) {
+  case BuiltinType::Bool:
+  case BuiltinType::Char_S:
+  case BuiltinType::Char_U:
+  case BuiltinType::SChar:
+  case BuiltinType::UChar:
+  case BuiltinType::Short:
+  case BuiltinType::UShort: return true;
+  default: return false;
+  }
 }
 
 Other other_type(Expr const *expression, SourceMap const &map) {
@@ -77,6 +98,8 @@ Other other_type(Expr const *expression, SourceMap const &map) {
   }
   if (auto const *choice = dyn_cast<AbstractConditionalOperator>(expression)) {
     Other const yes = other_type(choice->getTrueExpr(), map), no = other_type(choice->getFalseExpr(), map);
+    if (yes == Other::bit_field || no == Other::bit_field) return Other::bit_field;
+    if (is_narrow(choice->getTrueExpr()) && is_narrow(choice->getFalseExpr())) return Other::truth;
     return yes == no ? yes : Other::none;
   }
   if (auto const *literal = dyn_cast<IntegerLiteral>(expression); literal && literal->getLocation().isMacroID()) {
@@ -84,6 +107,7 @@ Other other_type(Expr const *expression, SourceMap const &map) {
     return macro == "true" || macro == "false" ? Other::truth : Other::none; // words of the language there
   }
   if (is_classification(expression)) return Other::truth;
+  if (isa<MemberExpr>(expression) && const_cast<Expr *>(expression)->getSourceBitField()) return Other::bit_field;
   auto const *name = dyn_cast<DeclRefExpr>(expression);
   return name && isa<EnumConstantDecl>(name->getDecl()) ? Other::enumeration : Other::none;
 }
@@ -143,6 +167,13 @@ void Recorder::c_type_asked(Expr const *operand, bool is_size) {
     if (!enumeration || !enumeration->getDefinition()) return;
     QualType const in_cpp = enumeration->getDefinition()->getIntegerType();
     if (is_size && context_.getTypeSize(in_cpp) == context_.getTypeSize(operand->getType())) return;
+  }
+  if (other == Other::bit_field) { // whose size C++ refuses to tell; Clang takes no width into account
+    Width const width = width_of(operand);
+    QualType const type = width.bits <= 32  ? (width.is_signed ? context_.IntTy : context_.UnsignedIntTy)
+                          : width.is_signed ? context_.LongLongTy
+                                            : context_.UnsignedLongLongTy;
+    return wrap(operand->IgnoreParens(), Use::cast, spelled(type));
   }
   // A type that is asked for takes part in more, and that of a comparison of REALs must stay theirs.
   if (auto const *comparison = dyn_cast<BinaryOperator>(operand->IgnoreParenImpCasts());

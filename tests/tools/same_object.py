@@ -34,7 +34,8 @@ def main():
                 before, after = (open(path, "rb").read() for path in objects)
                 if before != after:
                     sys.exit(f"{source}: object code differs at {level}")
-            run("g++", "-w", "-DMBD_SYMBOLIC", *flags, "-std=c++20", "-I", include, *header, "-x", "c++", "-fsyntax-only", rewritten)
+            language = ["-DSYMREAL_SOURCE_OF_C"] if rewritten.endswith(".c") else []
+            run("g++", "-w", "-DMBD_SYMBOLIC", *language, *flags, "-std=c++20", "-I", include, *header, "-x", "c++", "-fsyntax-only", rewritten)
 
 
 main()

@@ -9,9 +9,9 @@
 namespace symreal {
 namespace detail {
 
-template <class T> inline constexpr bool is_character = std::is_same_v<T, char> || std::is_same_v<T, wchar_t> ||
-                                                        std::is_same_v<T, char8_t> || std::is_same_v<T, char16_t> ||
-                                                        std::is_same_v<T, char32_t>;
+// A truth value, a character, a short integer.
+template <class T> inline constexpr bool is_narrow =
+    std::is_integral_v<T> && !is_class<T> && (sizeof(T) < sizeof(int) || std::is_same_v<T, wchar_t>);
 
 // What an operand becomes as an rvalue: an array a pointer.
 template <class T> using Value = std::remove_cv_t<std::decay_t<T const &>>;
@@ -27,12 +27,11 @@ template <class T> [[gnu::always_inline]] constexpr auto promoted(T const &value
     return value;
 }
 
-// A truth value, a character or an enumerator, of type C there; an array that is a pointer there; a comparison of
+// A narrow integer or an enumerator, of type C there; an array that is a pointer there; a comparison of
 // REALs, by a decision, unless only its size is asked for.
 template <class C, class T> [[gnu::always_inline]] constexpr auto of_c(T const &value) noexcept {
   using From = std::remove_cv_t<T>;
-  if constexpr (std::is_same_v<From, bool> || detail::is_character<From> || std::is_enum_v<From> ||
-                std::is_same_v<From, SymbolicBool>)
+  if constexpr (detail::is_narrow<From> || std::is_enum_v<From> || std::is_same_v<From, SymbolicBool>)
     return static_cast<C>(value);
   else
     return static_cast<detail::Value<T>>(value);
@@ -52,7 +51,7 @@ template <class T> [[gnu::always_inline]] constexpr decltype(auto) counted(T con
 // declared with.
 template <int bits, bool is_signed, class T> [[gnu::always_inline]] constexpr auto width(T const &value) noexcept {
   using Wide = std::conditional_t<is_signed, long long, unsigned long long>;
-  if constexpr (std::is_integral_v<T> && !detail::is_class<T>) {
+  if constexpr ((std::is_integral_v<T> || std::is_enum_v<T>) && !detail::is_class<T>) {
     constexpr int unused = 64 - bits;
     static_assert(unused >= 0);
     return static_cast<Wide>(static_cast<unsigned long long>(value) << unused) >> unused;
