@@ -25,7 +25,7 @@ Outside look(char const *file_name) {
   now.uniform = drand48();
   now.seconds = static_cast<double>(std::time(nullptr));
   now.ticks = static_cast<double>(std::chrono::steady_clock::now().time_since_epoch().count());
-  now.verbose = std::getenv("SYMREAL_TEST_VERBOSE") != nullptr;
+  now.verbose = std::getenv("SIMULATION_VERBOSE") != nullptr;
   std::FILE *file = std::fopen(file_name, "r");
   double gain = 0;
   if (std::fscanf(file, "%lf", &gain) != 1) std::abort();
