@@ -63,14 +63,15 @@ Command compiler_run(Words words, std::string const &directory) {
 
 Words evaluation_order(Words const &flags, bool is_c, std::string const &compiler) {
   if (compiler.find("clang") != compiler.npos) return {};
-  if (is_c) return {"-fno-strong-eval-order"};
+  constexpr char const *arguments_first = "-DSYMREAL_ARGUMENTS_FIRST"; // before what is called (text.h)
+  if (is_c) return {"-fno-strong-eval-order", arguments_first};
   bool is_older = false;
   for (std::string_view const flag : flags)
     if (flag.starts_with("-std=") || flag.starts_with("--std=")) {
       is_older = false;
       for (std::string_view older : {"++98", "++03", "++0x", "++11", "++1y", "++14"}) is_older |= flag.ends_with(older);
     }
-  if (is_older) return {"-fstrong-eval-order=some"};
+  if (is_older) return {"-fstrong-eval-order=some", arguments_first};
   return {};
 }
 

@@ -1,6 +1,4 @@
 /* Text of a symbolic value that the kernel reads again is that of one run. */
-// Fails: in C, atof of such text is not reported yet.
-// XFAIL: *
 // RUN: %same %s
 // RUN: not %symreal generate %s -o %t.c --kernel=parsed --run-args=parsed 2>&1 | FileCheck %s
 // RUN: not %symreal generate %s -o %t.c --kernel=looked --run-args=looked 2>&1 | FileCheck %s --check-prefix=LOOKED

@@ -123,9 +123,14 @@
 #define SYMREAL_REAL_BYTES(how, name, place, ...) ::symreal::Bytes(name, place).how
 #define SYMREAL_REAL_ENVIRONMENT(what, name, place, ...) (::symreal::what(name, place), __VA_ARGS__)
 /* Stands for a function that makes text, or moves it. */
-#define SYMREAL_REAL_FORMAT(how, is_used, place, ...) ::symreal::Format(is_used, place).how
+#define SYMREAL_REAL_FORMAT(how, is_used, place, ...) ::symreal::Format(is_used, place, SYMREAL_SHOWN_FIRST).how
+#ifdef SYMREAL_ARGUMENTS_FIRST
+#define SYMREAL_SHOWN_FIRST true
+#else
+#define SYMREAL_SHOWN_FIRST false
+#endif
 /* A function of the program that is given carried values. */
-#define SYMREAL_REAL_SHOWS(...) (::symreal::Shows(), __VA_ARGS__)
+#define SYMREAL_REAL_SHOWS(...) (::symreal::Shows(SYMREAL_SHOWN_FIRST), __VA_ARGS__)
 #define SYMREAL_REAL_TEXT(name, place, ...) (::symreal::text(__VA_ARGS__, name, place))
 /* What a class tells about itself: `access` is that of what follows. */
 #define SYMREAL_REAL_MEMBERS(access, ...)                                                                              \

@@ -96,13 +96,23 @@ constexpr std::conditional_t<detail::is_string<T>, T, T &&> text(T &&object, cha
   return static_cast<T &&>(object);
 }
 
-// While a function of the program is given carried values as text, until the end of the whole expression.
+// While a function is given carried values as text, until the end of the whole expression. `first`: the host compiler
+// computes arguments before it looks at what is called, as in C, so that they have been taken already.
 class Shows {
 public:
-  Shows() noexcept : before_(detail::shown) { detail::shown = {}; }
+  explicit Shows(bool first) noexcept : before_(detail::shown) {
+    if (first && !is_outer())
+      before_ = {};
+    else
+      detail::shown = {};
+  }
   ~Shows() { detail::shown = before_; }
   Shows(Shows const &) = delete;
   Shows &operator=(Shows const &) = delete;
+
+  // Whether what was shown before are arguments of a call further out.
+  bool is_outer() const noexcept { return before_.frame > reinterpret_cast<std::uintptr_t>(this); }
+  detail::Shown before() const noexcept { return before_; }
 
 private:
   detail::Shown before_;
@@ -111,12 +121,7 @@ private:
 // In the place of a function that makes text or moves it.
 class Format {
 public:
-  Format(bool is_used, char const *place) noexcept : place_(is_used ? place : nullptr), before_(detail::shown) {
-    detail::shown = {};
-  }
-  ~Format() { detail::shown = before_; }
-  Format(Format const &) = delete;
-  Format &operator=(Format const &) = delete;
+  Format(bool is_used, char const *place, bool first) noexcept : place_(is_used ? place : nullptr), shows_(first) {}
 
   template <class... T> int print_sprintf(char *to, char const *format, T... values) const {
     return made(to, std::sprintf(to, format, values...), value(values...));
@@ -216,10 +221,7 @@ private:
     return found;
   }
   // The arguments were those of another call further out.
-  detail::Shown listed() const noexcept {
-    bool const is_outer = before_.frame > reinterpret_cast<std::uintptr_t>(this);
-    return is_outer ? before_ : detail::Shown{};
-  }
+  detail::Shown listed() const noexcept { return shows_.is_outer() ? shows_.before() : detail::Shown{}; }
 
   int made(char *to, int length, detail::Shown value) const noexcept {
     if (detail::recording && value.number && length >= 0)
@@ -265,7 +267,7 @@ private:
   }
 
   char const *place_; // where the length is used
-  detail::Shown before_;
+  Shows shows_;
 };
 
 } // namespace symreal
