@@ -9,38 +9,32 @@ namespace {
 
 using namespace clang;
 
-// How gcc folds signs, after which it may begin with the other operand.
-UnaryOperator const *negation(Expr const *expression) {
-  auto const *unary = dyn_cast<UnaryOperator>(expression->IgnoreParens());
-  return unary && unary->getOpcode() == UO_Minus ? unary : nullptr;
-}
-
-// Can the sign be taken into it?
-bool takes_sign(Expr const *expression) {
-  if (negation(expression)) return true;
-  auto const *product = dyn_cast<BinaryOperator>(expression->IgnoreParens());
-  return product && product->isMultiplicativeOp() && (takes_sign(product->getLHS()) || takes_sign(product->getRHS()));
-}
-
-// What is left of two signs.
-Expr const *without_signs(Expr const *expression) {
-  while (UnaryOperator const *outer = negation(expression)) {
-    UnaryOperator const *inner = negation(outer->getSubExpr());
-    if (!inner) break;
-    expression = inner->getSubExpr();
+// Signs, choices and operations with 0, 1 and -1, which gcc moves, joins and drops; it may then begin with either
+// operand.
+class Movable : public RecursiveASTVisitor<Movable> {
+public:
+  static bool is_within(Expr const *expression, ASTContext const &context) {
+    return !Movable(context).TraverseStmt(const_cast<Expr *>(expression)); // ends at the first
   }
-  return expression->IgnoreParens();
-}
+  bool TraverseCallExpr(CallExpr *) { return true; } // what a function is given stays its argument
+  bool VisitUnaryOperator(UnaryOperator *unary) { return unary->getOpcode() != UO_Minus; }
+  bool VisitAbstractConditionalOperator(AbstractConditionalOperator *) { return false; }
+  bool VisitBinaryOperator(BinaryOperator *binary) { return !is_unit(binary->getLHS()) && !is_unit(binary->getRHS()); }
 
-bool stays_negation(Expr const *expression) {
-  UnaryOperator const *sign = negation(without_signs(expression));
-  if (!sign) return false;
-  Expr const *operand = sign->getSubExpr()->IgnoreParens();
-  return !takes_sign(operand) && !isa<FloatingLiteral>(operand) && !isa<AbstractConditionalOperator>(operand);
-}
+private:
+  explicit Movable(ASTContext const &context) : context_(context) {}
+
+  bool is_unit(Expr const *operand) const {
+    llvm::APFloat value(0.0);
+    return !operand->isValueDependent() && Reals::is_double(operand->getType()) &&
+           operand->EvaluateAsFloat(value, context_) && (value.isZero() || llvm::abs(value).isExactlyValue(1.0));
+  }
+
+  ASTContext const &context_;
+};
 
 bool is_variable(Expr const *expression) {
-  auto const *read = dyn_cast<ImplicitCastExpr>(without_signs(expression));
+  auto const *read = dyn_cast<ImplicitCastExpr>(expression->IgnoreParens());
   if (!read || read->getCastKind() != CK_LValueToRValue) return false;
   Expr const *object = read->getSubExpr()->IgnoreParens();
   ValueDecl const *declaration = nullptr;
@@ -49,29 +43,19 @@ bool is_variable(Expr const *expression) {
   return isa_and_nonnull<VarDecl>(declaration) && !declaration->getType()->isReferenceType();
 }
 
-// It begins with the left operand. But where the operands may be exchanged it puts a variable last, and of -a + b it
-// makes b - a.
+// It begins with the left operand, but puts a variable last where the operands may be exchanged.
 bool gcc_begins_on_the_right(BinaryOperator const *binary) {
-  Expr const *left = binary->getLHS(), *right = binary->getRHS();
-  bool commutes = binary->getOpcode() == BO_Mul || binary->isComparisonOp();
-  if (binary->getOpcode() == BO_Add) {
-    if (stays_negation(right)) return false; // a - b
-    if (stays_negation(left)) return true;
-    commutes = true;
-  }
-  if (binary->getOpcode() == BO_Sub && takes_sign(right)) { // a + b
-    if (stays_negation(left)) return true;
-    commutes = true;
-  }
-  return commutes && is_variable(left);
+  bool const commutes = binary->getOpcode() == BO_Add || binary->getOpcode() == BO_Mul || binary->isComparisonOp();
+  return commutes && is_variable(binary->getLHS());
 }
 
 class OperandOrder : public ContextWalk<OperandOrder> {
   using Walk = ContextWalk<OperandOrder>;
 
 public:
-  OperandOrder(SourceMap const &map, Reals const &reals, Facts &facts)
+  OperandOrder(ASTContext const &context, SourceMap const &map, Reals const &reals, Facts &facts)
       : ContextWalk(map, reals),
+        context_(context),
         effects_(reals),
         facts_(facts) {}
 
@@ -99,8 +83,10 @@ public:
     if (!map_.in_roots(binary->getOperatorLoc()) || !conflict(left, right)) return true;
     std::optional<Span> const span = map_.range(right->getSourceRange());
     if (span) on_numbers_.emplace(*span, binary->getOperatorLoc());
-    if (is_told(right) || gcc_begins_on_the_right(binary)) return true; // as with the operator of a class
-    if (!function_ || !span || map_.is_shared(right->getSourceRange()))
+    if (is_told(right)) return true;
+    bool const is_known = !Movable::is_within(left, context_) && !Movable::is_within(right, context_);
+    if (is_known && gcc_begins_on_the_right(binary)) return true; // as with the operator of a class
+    if (!is_known || !function_ || !span || map_.is_shared(right->getSourceRange()))
       refuse(binary->getOperatorLoc());
     else
       facts_.wraps.insert({*span, Use::later, ""});
@@ -134,12 +120,8 @@ public:
 private:
   // Is it said already, in a text that was rewritten before?
   bool is_told(Expr const *operand) const {
-    SourceManager const &sources = map_.sources();
-    for (SourceLocation at = operand->getBeginLoc(); at.isMacroID(); at = sources.getImmediateMacroCallerLoc(at)) {
-      StringRef const name = Lexer::getImmediateMacroName(at, sources, map_.language());
-      if (name.ends_with("REAL_LATER") || name.ends_with("REAL_NOW")) return true;
-    }
-    return false;
+    SourceLocation const begin = operand->getBeginLoc();
+    return map_.is_argument_of(begin, "REAL_LATER") || map_.is_argument_of(begin, "REAL_NOW");
   }
 
   bool conflict(Expr const *left, Expr const *right) {
@@ -168,6 +150,7 @@ private:
                    {DiagnosticId::evaluation_order, Severity::error, map_.place(location),
                     "one operand changes what the other reads, or both change the same", map_.expansions(location)});
   }
+  ASTContext const &context_;
   EffectAnalysis effects_;
   Facts &facts_;
   // Right operands of operators.
@@ -178,7 +161,7 @@ private:
 } // namespace
 
 void record_operand_order(ASTContext &context, SourceMap const &map, Reals const &reals, Facts &facts) {
-  OperandOrder order(map, reals, facts);
+  OperandOrder order(context, map, reals, facts);
   order.TraverseDecl(context.getTranslationUnitDecl());
   order.refuse_mixed();
 }

@@ -1,4 +1,5 @@
-// Where the order of operands cannot be kept: in one text for several types, in a macro's.
+// Where the order of operands cannot be kept: in one text for several types, in a macro's, and where gcc moves a sign,
+// drops a factor or joins two choices, and begins with another operand than without them.
 // RUN: not %symreal generate %s -o %t.c 2>&1 | FileCheck %s
 // RUN: not ls %t.c
 #include <complex>
@@ -17,6 +18,13 @@ int main() {
   // CHECK-DAG: evaluation_order.cpp:[[@LINE+1]]:{{[0-9]+}}: error: one operand changes what the other reads, or both change the same [SYM133]
   y = x * SQUARE(next());
   y += difference<double>(next) + std::real(difference<std::complex<double>>(turn));
+  int const choice = x > 3.0;
+  // CHECK-DAG: evaluation_order.cpp:[[@LINE+1]]:20: error: one operand changes what the other reads, or both change the same [SYM133]
+  y += state * 7.0 + -next();
+  // CHECK-DAG: evaluation_order.cpp:[[@LINE+1]]:22: error: one operand changes what the other reads, or both change the same [SYM133]
+  y += (state * 1.0) * (next() + x);
+  // CHECK-DAG: evaluation_order.cpp:[[@LINE+1]]:35: error: one operand changes what the other reads, or both change the same [SYM133]
+  y += (choice ? next() : next()) - next() * 2.0;
 #pragma symreal output(y) generate("y.c")
   std::printf("%g\n", y);
 }

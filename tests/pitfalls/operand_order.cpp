@@ -48,7 +48,7 @@ void compute(double const *x, double *y) {
   // CHECK: = weigh(next(), REAL_NOW(
   y[5] = weigh(next(), state);
   state = x[0];
-  y[6] = -next() + next();
+  y[6] = next() / next();
   state = x[0];
   y[7] = difference<double>(next);
   Generator g{x[1]}, h{x[0]};

@@ -1,6 +1,4 @@
 // Eigen's typedefs become their templates on REAL, spelled without a comma where Eigen has such a name.
-// Fails: the order of operands is told a second time in text that was rewritten before.
-// XFAIL: *
 // What a macro of a library does is the library's.
 // RUN: %rewrite %s -- -I/usr/include/eigen3 2>&1 | FileCheck %s --implicit-check-not='SYM{{040}}'
 // RUN: %same %s -- -I/usr/include/eigen3
