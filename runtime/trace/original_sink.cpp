@@ -163,6 +163,7 @@ void symreal_original_bytes(void const volatile *begin, std::size_t size, int is
 }
 
 void symreal_original_holder(void const volatile *begin, std::size_t size) {
+  OwnWork const own;
   if (!symreal::trace::is_later) Kernel::current().sink().holder(const_cast<void const *>(begin), size);
 }
 
@@ -178,11 +179,13 @@ int symreal_original_function(char const *name, char const *file, unsigned line,
 }
 
 int symreal_original_entered(int active) {
+  OwnWork const own;
   Kernel::current().accept_annotations();
   return active;
 }
 
 int symreal_original_leaving(int active) {
+  OwnWork const own;
   if (active) Kernel::current().begin_outputs();
   return active;
 }
