@@ -1,4 +1,5 @@
 """The source of a batch of kernels, and the program around the original text that lets the harness call it."""
+import re
 
 HEADERS = {
     "c": ["math.h", "stdbool.h", "stddef.h", "stdint.h", "stdio.h", "stdlib.h", "string.h"],
@@ -81,8 +82,10 @@ def probe(path, kernels, language):
 
 
 def glue(kernel, path, banner):
-    """The generated code of one kernel as a function of flat arrays, in a file with that of others."""
-    own = {name: f"{kernel.name}_{name}" for name in ("compute", "preprocess", "guard_text")}
+    """The generated code of one kernel, which lies at `path`, as a function of flat arrays, in a file with that of others."""
+    with open(path) as file:
+        helpers = re.findall(r"^static [\w ]*?(\w+)\(", file.read(), flags=re.M)
+    own = {name: f"{kernel.name}_{name}" for name in ["compute", "preprocess", "guard_text", *dict.fromkeys(helpers)]}
     lines = [f"#define {name} {other}" for name, other in own.items()]
     lines += [f"#define {kernel.name.upper()}_H", declarations(banner), f'#include "{path}"']
     lines += [f"int {kernel.name}_generated(double const *in, double *out);",

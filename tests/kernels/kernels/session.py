@@ -16,7 +16,7 @@ HERE = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 SUFFIX = {"c": ".c", "cxx": ".cpp"}
 # The reference build of docs/floating-point.md, and the flags that it gives for generated code.
 REFERENCE = ["-O1", "-ffp-contract=off", "-fno-builtin", "-fno-fast-math", "-w"]
-GENERATED = ["-std=c99", "-O2", "-ffp-contract=off", "-fno-builtin-pow", "-w"]
+GENERATED = ["-std=c99", "-O2", "-ffp-contract=off", "-fno-tree-slp-vectorize", "-fno-builtin-pow", "-w"]
 ERROR = re.compile(r"^(?:\S*/)?batch\.(?:c|cpp):(\d+):\d+: error: (.*?)(?: \[(SYM\d+)\])?$")
 
 
@@ -133,7 +133,7 @@ class Session:
         write = lambda name, text: open(os.path.join(self.directory, name), "w").write(text)
         probe_name = "probe" + SUFFIX[self.language]
         write(probe_name, probe(self.path, kernels, self.language))
-        write("generated.c", "".join(glue(k, f"out/{k.name}.c", self.banner(k)) for k in kernels))
+        write("generated.c", "".join(glue(k, os.path.join(self.directory, "out", k.name + ".c"), self.banner(k)) for k in kernels))
         compiler = ["g++", "-std=c++20"] if self.language == "cxx" else ["gcc"]
         include = ["-I", os.path.join(HERE, "Inputs")]
         for words in ([*compiler, *REFERENCE, *include, "-c", probe_name, "-o", "probe.o"],
