@@ -3,6 +3,7 @@
 #include "rewrite/context_walk.h"
 #include "rewrite/effects.h"
 #include "rewrite/merge.h"
+#include "rewrite/named_variables.h"
 
 namespace symreal::rewrite {
 namespace {
@@ -84,7 +85,8 @@ public:
     std::optional<Span> const span = map_.range(right->getSourceRange());
     if (span) on_numbers_.emplace(*span, binary->getOperatorLoc());
     if (is_told(right)) return true;
-    bool const is_known = !Movable::is_within(left, context_) && !Movable::is_within(right, context_);
+    bool const may_move = Movable::is_within(left, context_) || Movable::is_within(right, context_);
+    bool const is_known = !may_move || !named_.of(left).meet(named_.of(right));
     if (is_known && gcc_begins_on_the_right(binary)) return true; // as with the operator of a class
     if (!is_known || !function_ || !span || map_.is_shared(right->getSourceRange()))
       refuse(binary->getOperatorLoc());
@@ -152,6 +154,7 @@ private:
   }
   ASTContext const &context_;
   EffectAnalysis effects_;
+  NamedVariableAnalysis named_;
   Facts &facts_;
   // Right operands of operators.
   std::map<Span, SourceLocation> on_numbers_;

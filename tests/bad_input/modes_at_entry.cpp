@@ -1,7 +1,7 @@
 // A program that has changed how arithmetic rounds before its kernel begins, or that leaves it so: the promise is about
 // rounding to nearest, with subnormal numbers.
 // REQUIRES: x86_64-linux
-// RUN: %same %s
+// RUN: %same %s && rm -f %t.c
 // RUN: not %symreal generate %s -o %t.c --run-args=up 2>&1 | FileCheck %s --check-prefix=UP
 // RUN: not %symreal generate %s -o %t.c --run-args=flush 2>&1 | FileCheck %s --check-prefix=FLUSH
 // RUN: not %symreal generate %s -o %t.c --run-args=sse 2>&1 | FileCheck %s --check-prefix=UP

@@ -1,5 +1,5 @@
 /* Text of a symbolic value that the kernel reads again is that of one run. */
-// RUN: %same %s
+// RUN: %same %s && rm -f %t.c
 // RUN: not %symreal generate %s -o %t.c --kernel=parsed --run-args=parsed 2>&1 | FileCheck %s
 // RUN: not %symreal generate %s -o %t.c --kernel=looked --run-args=looked 2>&1 | FileCheck %s --check-prefix=LOOKED
 // RUN: not %symreal generate %s -o %t.c --kernel=filed --run-args=filed 2>&1 | FileCheck %s --check-prefix=FILED
