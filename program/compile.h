@@ -61,8 +61,8 @@ bool brings_allocator(std::vector<std::string> const &flags);
 // What is left of the user's flags for a source that is compiled as it is.
 std::vector<std::string> unchanged_flags(std::vector<std::string> const &flags);
 
-// Whether a build with these flags may give other numbers than the reference build.
-bool change_numbers(std::vector<std::string> const &flags);
+// Those with which a build may give other numbers than the reference build.
+std::vector<std::string> flags_of_numbers(std::vector<std::string> const &flags);
 
 // Builds the program in each of the variants, two compilations at a time, and returns the paths of the executables in
 // the same order. Throws compiler_missing, build_failed or link_failed with places in the user's sources.

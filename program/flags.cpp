@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <string_view>
 
 namespace symreal::program {
@@ -82,11 +83,13 @@ std::string with_annotations(std::string const &flag) {
 
 } // namespace
 
-bool change_numbers(std::vector<std::string> const &flags) {
-  return std::any_of(flags.begin(), flags.end(), [](std::string const &flag) {
+std::vector<std::string> flags_of_numbers(std::vector<std::string> const &flags) {
+  std::vector<std::string> found;
+  std::copy_if(flags.begin(), flags.end(), std::back_inserter(found), [](std::string const &flag) {
     Dropped const *row = find_dropped(flag);
     return (row && row->why == Why::numbers) || flag.starts_with("-m");
   });
+  return found;
 }
 
 std::vector<std::string> unchanged_flags(std::vector<std::string> const &flags) {

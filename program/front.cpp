@@ -75,9 +75,12 @@ void build(FrontRequest const &request, rewrite::Result const &rewritten, BuildR
   if (request.replay) wanted.emplace_back(Variant::replay, &Front::replay_program);
   if (request.replay && !is_by_hand(rewritten)) {
     wanted.emplace_back(Variant::original, &Front::original_program);
-    if (std::any_of(parts.sources.begin(), parts.sources.end(),
-                    [](auto const &one) { return change_numbers(one.flags); }))
-      wanted.emplace_back(Variant::own_flags, &Front::own_flags_program);
+    for (rewrite::Compilation const &one : parts.sources)
+      for (std::string const &flag : flags_of_numbers(one.flags))
+        if (std::find(front.own_flags.begin(), front.own_flags.end(), flag) == front.own_flags.end())
+          front.own_flags.push_back(flag);
+    front.c_compiler = parts.c_compiler;
+    if (!front.own_flags.empty()) wanted.emplace_back(Variant::own_flags, &Front::own_flags_program);
   }
   Overlay annotated;
   if (request.replay)

@@ -34,10 +34,12 @@ struct Front {
   std::unique_ptr<Workspace> workspace; // holds the executables
   std::unique_ptr<Overlay> overlay;
   std::string symbolic_program, replay_program;
-  std::string original_program;  // empty for a main that was written by hand with REAL: the replay is its original
-  std::string own_flags_program; // empty when the user's flags do not change the numbers
-  std::vector<Recorded> kernels; // at least one, names distinct
-  std::vector<std::string> read; // the files that it was made from
+  std::string original_program; // empty for a main that was written by hand with REAL: the replay is its original
+  std::string c_compiler;
+  std::vector<std::string> own_flags; // those of the user that may change the numbers
+  std::string own_flags_program;      // empty when there are none
+  std::vector<Recorded> kernels;      // at least one, names distinct
+  std::vector<std::string> read;      // the files that it was made from
   double rewrite_seconds = 0, build_seconds = 0, run_seconds = 0;
 };
 

@@ -58,14 +58,15 @@ Banner read_banner(std::string const &path) {
   }
 }
 
-GeneratedCode::GeneratedCode(std::string const &path, Banner const &banner, Graph const &graph,
+GeneratedCode::GeneratedCode(std::string const &path, Banner const &banner, Graph const &graph, CodeBuild const &build,
                              Workspace const &workspace)
     : banner_(banner),
-      object_(workspace.file("generated.so")),
+      object_(workspace.file(build.object)),
       needs_program_(std::any_of(graph.externals.begin(), graph.externals.end(),
                                  [](External const &external) { return !find_complex_function(external); })) {
-  std::vector<std::string> command = {"cc",      "-std=c99", "-O1", "-ffp-contract=off", "-fno-builtin", "-w",
-                                      "-shared", "-fPIC",    path};
+  std::vector<std::string> command = {build.compiler, "-std=c99", "-w", "-shared", "-fPIC"};
+  command.insert(command.end(), build.flags.begin(), build.flags.end());
+  command.push_back(path);
   if (needs_program_) { // the functions are looked for when they are called, which here none is
     std::string const calls = workspace.file("external_calls.c");
     write_if_changed(calls, c_external_calls(graph));
@@ -75,7 +76,7 @@ GeneratedCode::GeneratedCode(std::string const &path, Banner const &banner, Grap
   Captured compiled = capture({.arguments = command, .environment = {"LC_ALL=C", "GCC_COLORS="}});
   if (compiled.outcome.ending == Ending::not_started)
     fail(DiagnosticId::compiler_missing, {},
-         "the compiler 'cc' cannot be run: " + std::string(std::strerror(compiled.outcome.status)));
+         "the compiler '" + build.compiler + "' cannot be run: " + std::string(std::strerror(compiled.outcome.status)));
   if (!compiled.outcome.success())
     fail(DiagnosticId::generated_code_broken, {path}, "the file does not compile",
          {{{}, compiled.output.substr(0, compiled.output.find("\n\n"))}});

@@ -1,4 +1,4 @@
-// A generated C file, compiled as its header comment asks and loaded, so that it can be called.
+// A generated C file, compiled and loaded, so that it can be called.
 #pragma once
 
 #include "diagnostics/diagnostic.h"
@@ -6,6 +6,7 @@
 #include "passes/floating_point.h"
 #include "program/workspace.h"
 
+#include <array>
 #include <span>
 #include <string>
 #include <vector>
@@ -24,12 +25,24 @@ bool is_generated(std::string const &path);
 // Throws foreign_file for a file that this version of the tool did not generate.
 Banner read_banner(std::string const &path);
 
+// How the manual says that a generated file is compiled.
+inline constexpr std::array documented_flags = {"-O2", "-ffp-contract=off", "-fno-tree-slp-vectorize",
+                                                "-fno-builtin-pow"};
+
+// By what it is compiled, and to which file of the workspace.
+struct CodeBuild {
+  std::string compiler = "cc";
+  std::span<char const *const> flags = documented_flags;
+  char const *object = "generated.so";
+};
+
 class GeneratedCode {
 public:
   // Throws compiler_missing and generated_code_broken.
   // `graph`: what the code was generated from. Code with external functions cannot be run here, where these are not;
   // the replay program runs it (object).
-  GeneratedCode(std::string const &path, Banner const &banner, Graph const &graph, Workspace const &workspace);
+  GeneratedCode(std::string const &path, Banner const &banner, Graph const &graph, CodeBuild const &build,
+                Workspace const &workspace);
   ~GeneratedCode();
   GeneratedCode(GeneratedCode const &) = delete;
   GeneratedCode &operator=(GeneratedCode const &) = delete;

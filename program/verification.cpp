@@ -49,7 +49,7 @@ public:
       : options_(options),
         graph_(recorded.graph),
         banner_(banner),
-        code_(path, banner, graph_, *front.workspace),
+        code_(path, banner, graph_, {}, *front.workspace),
         source_(graph_, options.seed) {
     bool const by_hand = front.original_program.empty();
     auto const start = [&](std::optional<Replay> &program, char const *what, std::string const &executable,
@@ -68,6 +68,7 @@ public:
     for (std::size_t number = 1; number <= banner.guards; ++number)
       result_.guards.push_back({code_.guard_text(number), 0, {}});
     if (own_flags_) result_.own_flags_ulp.resize(graph_.output_count());
+    if (own_flags_ && !code_.needs_program()) compile_with_own_flags(front, path);
   }
 
   Verification run() {
@@ -76,6 +77,15 @@ public:
   }
 
 private:
+  // The generated code as the user's project would compile it.
+  void compile_with_own_flags(Front const &front, std::string const &path) {
+    std::vector<char const *> words;
+    for (std::string const &flag : front.own_flags) words.push_back(flag.c_str());
+    own_code_.emplace(path, banner_, graph_, CodeBuild{front.c_compiler, words, "generated-own-flags.so"},
+                      *front.workspace);
+    result_.own_code_ulp.resize(graph_.output_count());
+  }
+
   void try_sample(std::size_t k, Sample const &sample) {
     bool const in_program = code_.needs_program();
     Evaluation const evaluated =
@@ -121,6 +131,11 @@ private:
       for (std::size_t slot = 0; slot < own.size(); ++slot)
         result_.own_flags_ulp[slot] = std::max(result_.own_flags_ulp[slot], ulp_distance(own[slot], generated[slot]));
     }
+    if (own_code_) {
+      std::vector<double> const own = own_code_->run(sample.inputs, sample.parameters).outputs;
+      for (std::size_t slot = 0; slot < own.size(); ++slot)
+        result_.own_code_ulp[slot] = std::max(result_.own_code_ulp[slot], ulp_distance(original[slot], own[slot]));
+    }
   }
 
   // Called again and again on the state that it leaves, the generated code must stay with the original. It stops where
@@ -157,6 +172,7 @@ private:
   Graph const &graph_;
   Banner const &banner_;
   GeneratedCode code_;
+  std::optional<GeneratedCode> own_code_;
   SampleSource source_;
   std::optional<Replay> original_, rewritten_, own_flags_;
   std::vector<replay::LeftBehind> left_by_generated_;

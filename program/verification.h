@@ -39,7 +39,9 @@ struct Verification {
   std::size_t not_finite = 0, zero_sign = 0; // and those that do not, by premise
   std::size_t undefined = 0;                 // samples on which the original has no meaning, in no mode
   std::vector<OutputComparison> outputs;     // per slot, over the samples inside
-  std::vector<std::uint64_t> own_flags_ulp;  // per slot, against the original with the user's own flags; may be empty
+  // With the user's own flags, where these may change the numbers, per slot: the generated code against the original
+  // that has them, and the code that has them against the original. Else empty.
+  std::vector<std::uint64_t> own_flags_ulp, own_code_ulp;
   std::size_t outside_different = 0;         // samples outside that differ in some output, not an error
   std::size_t graph_different = 0; // samples inside on which the recorded graph itself differs from the original
   std::vector<Sample> samples;     // all that were drawn

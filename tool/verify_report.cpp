@@ -36,10 +36,11 @@ std::size_t different_elements(Object const &object, std::vector<OutputCompariso
       std::count_if(first, first + object.count, [](OutputComparison const &output) { return output.different != 0; }));
 }
 
-// The worst of an object against the original in the user's own build.
-std::string own_flags_ulp(Object const &object, program::Verification const &verification) {
-  auto first = verification.own_flags_ulp.begin() + object.first;
-  return ulp_text(*std::max_element(first, first + object.count));
+// The worst of an object, in a column; nothing where there is none.
+std::string ulp_column(Object const &object, std::vector<std::uint64_t> const &ulp) {
+  if (ulp.empty()) return "";
+  auto const first = ulp.begin() + object.first;
+  return fmt::format("{:>22}", ulp_text(*std::max_element(first, first + object.count)));
 }
 
 std::string list(std::vector<double> const &values) {
@@ -132,18 +133,18 @@ void print_verification(std::ostream &out, Graph const &graph, program::Verifica
                "differ\n",
                verification.not_finite, verification.zero_sign, verification.outside_different);
   if (!verification.guards.empty()) print_guards(out, verification);
-  bool own_flags = !verification.own_flags_ulp.empty();
-  fmt::print(out, "  {:<28}{:>10}{:>22}{:>12}{}\n", "output", "elements", "worst ULP", "different",
-             own_flags ? fmt::format("{:>22}", "ULP, own flags") : "");
+  fmt::print(out, "  {:<28}{:>10}{:>22}{:>12}{}{}\n", "output", "elements", "worst ULP", "different",
+             verification.own_flags_ulp.empty() ? "" : fmt::format("{:>22}", "ULP, own flags"),
+             verification.own_code_ulp.empty() ? "" : fmt::format("{:>22}", "code with own flags"));
   std::vector<std::string> names = identifiers(graph.outputs);
   for (std::size_t i = 0; i < graph.outputs.size(); ++i) {
     Object const &object = graph.outputs[i];
     if (object.count == 0) continue;
     std::uint32_t element = worst_element(object, verification.outputs);
-    fmt::print(out, "  {:<28}{:>10}{:>22}{:>12}{}\n", element_name(names[i], object, element), object.count,
+    fmt::print(out, "  {:<28}{:>10}{:>22}{:>12}{}{}\n", element_name(names[i], object, element), object.count,
                ulp_text(verification.outputs[object.first + element].worst_ulp),
-               different_elements(object, verification.outputs),
-               own_flags ? fmt::format("{:>22}", own_flags_ulp(object, verification)) : "");
+               different_elements(object, verification.outputs), ulp_column(object, verification.own_flags_ulp),
+               ulp_column(object, verification.own_code_ulp));
   }
 }
 
@@ -165,6 +166,8 @@ Json to_json(Graph const &graph, program::Verification const &verification) {
                                  {"different", output.different}});
       if (!verification.own_flags_ulp.empty())
         json["outputs"].back()["own_flags_ulp"] = verification.own_flags_ulp[object.first + element];
+      if (!verification.own_code_ulp.empty())
+        json["outputs"].back()["own_code_ulp"] = verification.own_code_ulp[object.first + element];
     }
   if (!verification.guards.empty()) json["refused"] = verification.refused;
   json["rewritten_different"] = program::count_different(verification.rewritten);
