@@ -150,7 +150,8 @@ struct PragmaFact {
   bool is_function = false;
   std::optional<std::size_t> configured; // it stands in no file: which of the request's kernels it is
   std::vector<ClauseFact> clauses;
-  std::vector<FunctionFact> function; // at most one
+  std::vector<FunctionFact> function;      // at most one
+  std::vector<FunctionFact::Value> around; // locals of the function around the block that begins here
   // Of `loop(N)`, once its loop is known to be one that can be bounded.
   std::optional<std::string> loop_targets; // (x)(y)
   bool tests_late = false;                 // after the body

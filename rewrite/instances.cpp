@@ -11,9 +11,10 @@ class Instances : public RecursiveASTVisitor<Instances> {
   using Walk = RecursiveASTVisitor<Instances>;
 
 public:
-  Instances(ASTContext &context, SourceMap const &map, Reals const &reals, IntegerState const &integers, Facts &facts)
+  Instances(ASTContext &context, SourceMap const &map, Reals const &reals, IntegerState const &integers,
+            Surroundings const &surroundings, Facts &facts)
       : map_(map),
-        record_(context, map, reals, integers, facts) {}
+        record_(context, map, reals, integers, surroundings, facts) {}
 
   bool shouldVisitTemplateInstantiations() const { return true; }
 
@@ -133,8 +134,8 @@ private:
 } // namespace
 
 void record_instances(ASTContext &context, SourceMap const &map, Reals const &reals, IntegerState const &integers,
-                      Facts &facts) {
-  Instances(context, map, reals, integers, facts).TraverseDecl(context.getTranslationUnitDecl());
+                      Surroundings const &surroundings, Facts &facts) {
+  Instances(context, map, reals, integers, surroundings, facts).TraverseDecl(context.getTranslationUnitDecl());
 }
 
 } // namespace symreal::rewrite

@@ -6,10 +6,11 @@
 #include "rewrite/integer_state.h"
 #include "rewrite/reals.h"
 #include "rewrite/source_map.h"
+#include "rewrite/surroundings.h"
 
 namespace symreal::rewrite {
 
 void record_instances(clang::ASTContext &context, SourceMap const &map, Reals const &reals,
-                      IntegerState const &integers, Facts &facts);
+                      IntegerState const &integers, Surroundings const &surroundings, Facts &facts);
 
 } // namespace symreal::rewrite

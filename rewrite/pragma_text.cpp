@@ -3,6 +3,7 @@
 #include "rewrite/scan_text.h"
 
 #include <cctype>
+#include <utility>
 
 namespace symreal::rewrite {
 namespace {
@@ -137,8 +138,14 @@ std::string with_real(std::string const &source) {
 }
 
 std::string region_text(PragmaFact const &pragma) {
-  std::string text;
-  for (ClauseFact const &clause : pragma.clauses) text += clause_text(pragma, clause);
+  std::string text, around;
+  for (FunctionFact::Value const &value : pragma.around)
+    around.append("SYMREAL_AROUND(" + quoted(value.name) + ", " + quoted(to_string(value.place)) + ", " + value.name)
+        .append(") ");
+  for (ClauseFact const &clause : pragma.clauses) {
+    text += clause_text(pragma, clause);
+    if (!clause.items.empty()) text += std::exchange(around, ""); // the kernel has begun
+  }
   return trimmed(text);
 }
 

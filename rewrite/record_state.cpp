@@ -66,7 +66,13 @@ void Recorder::pointer(Expr const *expression) {
   if (may_outlive(expression) && IntegerState::has_address(expression)) note(expression, Use::written);
 }
 
-bool Recorder::may_outlive(Expr const *expression) const { return storage_.home(expression) == Home::elsewhere; }
+bool Recorder::may_outlive(Expr const *expression) const {
+  Home const home = storage_.home(expression);
+  if (home != Home::local) return home == Home::elsewhere;
+  auto const *base = dyn_cast_or_null<DeclRefExpr>(Storage::base(expression));
+  auto const *variable = base ? dyn_cast<VarDecl>(base->getDecl()) : nullptr;
+  return variable && surroundings_.contain(variable, base->getLocation());
+}
 
 // An lvalue whose value is used.
 void Recorder::read(Expr const *value) {

@@ -7,17 +7,19 @@
 #include "rewrite/reals.h"
 #include "rewrite/source_map.h"
 #include "rewrite/storage.h"
+#include "rewrite/surroundings.h"
 
 namespace symreal::rewrite {
 
 class Recorder {
 public:
   Recorder(clang::ASTContext &context, SourceMap const &map, Reals const &reals, IntegerState const &integers,
-           Facts &facts)
+           Surroundings const &surroundings, Facts &facts)
       : context_(context),
         map_(map),
         reals_(reals),
         integers_(integers),
+        surroundings_(surroundings),
         storage_(reals),
         facts_(facts) {}
 
@@ -192,6 +194,7 @@ private:
   SourceMap const &map_;
   Reals const &reals_;
   IntegerState const &integers_;
+  Surroundings const &surroundings_;
   Storage const storage_;
   Facts &facts_;
   llvm::SmallPtrSet<clang::Expr const *, 32> judged_;           // names whose use is noted already

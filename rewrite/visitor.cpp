@@ -11,6 +11,7 @@
 #include "rewrite/pragma_items.h"
 #include "rewrite/recorder.h"
 #include "rewrite/selects.h"
+#include "rewrite/surroundings.h"
 #include "rewrite/symbolic_ints.h"
 
 namespace symreal::rewrite {
@@ -23,12 +24,12 @@ class Visitor : public ContextWalk<Visitor> {
 
 public:
   Visitor(ASTContext &context, SourceMap const &map, Reals const &reals, IntegerState const &integers,
-          PragmaIndex const &index, Facts &facts)
+          Surroundings const &surroundings, PragmaIndex const &index, Facts &facts)
       : ContextWalk(map, reals),
         integers_(integers),
         index_(index),
         facts_(facts),
-        record_(context, map, reals, integers, facts) {}
+        record_(context, map, reals, integers, surroundings, facts) {}
 
   std::vector<FunctionDecl const *> definitions;
 
@@ -298,9 +299,10 @@ void record_tree(ASTContext &context, SourceMap const &map, PragmaIndex const &i
   record_externals(context, map, index, facts, reals);
   record_symbolic_ints(context, map, facts, reals);
   IntegerState const integers(context, map);
-  Visitor visitor(context, map, reals, integers, index, facts);
+  Surroundings const surroundings(context, map, reals, integers, facts);
+  Visitor visitor(context, map, reals, integers, surroundings, index, facts);
   visitor.TraverseDecl(context.getTranslationUnitDecl());
-  record_instances(context, map, reals, integers, facts);
+  record_instances(context, map, reals, integers, surroundings, facts);
   record_operand_order(context, map, reals, facts);
   record_layouts(context, map, reals, facts);
   attach_function_pragmas(visitor.definitions, map, reals, integers, index, facts);

@@ -32,6 +32,7 @@ struct Frozen {
   std::string name;
   Place place;
   std::vector<double> values;
+  bool is_around = false;                 // a local of the function around a block kernel
   std::vector<std::uintptr_t> stack = {}; // return addresses of the first read, which the text does not keep
 };
 

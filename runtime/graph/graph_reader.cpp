@@ -100,6 +100,7 @@ private:
 
   void read_frozen(Line &line) {
     Frozen frozen{line.string("the name"), line.optional_place(), {}};
+    frozen.is_around = line.accept("around");
     if (line.accept("="))
       while (!line.done()) frozen.values.push_back(line.number("a value"));
     graph_.frozen.push_back(std::move(frozen));

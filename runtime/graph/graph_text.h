@@ -6,6 +6,7 @@
 //   parameter "m" = 2                                                    place, range, the values while recording
 //   output "tau" [2]
 //   frozen "g" at "arm.cpp" 3 1 = 9.81                                   state that is baked in
+//   frozen "p" at "arm.cpp" 9 3 around = 2                               a local of the function around a block kernel
 //   executed mul 36                                                      what the program did, for reports
 //   location 0 at "arm.cpp" 12 9 at "LLT.h" 300 7                        the user's place, then those further in
 //   location 1 stack 4711 815                                            not resolved yet: return addresses

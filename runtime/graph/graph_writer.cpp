@@ -51,6 +51,7 @@ void write_graph(std::ostream &out, Graph const &graph) {
   for (Frozen const &frozen : graph.frozen) {
     out << "frozen " << quoted(frozen.name);
     write_place(out, frozen.place);
+    if (frozen.is_around) out << " around";
     out << " =";
     for (double value : frozen.values) out << ' ' << shortest(value);
     out << '\n';

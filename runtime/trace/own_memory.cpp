@@ -2,6 +2,7 @@
 
 #include "diagnostics/diagnostic.h"
 
+#include <algorithm>
 #include <link.h>
 #include <pthread.h>
 
@@ -9,6 +10,7 @@ namespace symreal {
 
 __thread bool detail::recording = false;
 __thread std::uintptr_t detail::own_stack = 0, detail::own_stack_size = 0;
+__thread std::uintptr_t detail::around_begin = 0, detail::around_size = 0;
 
 namespace trace {
 
@@ -19,9 +21,18 @@ void find_own_stack(void const *frame) {
   std::size_t size = 0;
   pthread_attr_getstack(&attributes, &begin, &size);
   pthread_attr_destroy(&attributes);
+  detail::around_begin = detail::around_size = 0;
   auto const at = reinterpret_cast<std::uintptr_t>(frame);
   detail::own_stack = reinterpret_cast<std::uintptr_t>(begin);
   detail::own_stack_size = at - detail::own_stack < size ? at - detail::own_stack : size;
+}
+
+void widen_around(void const *begin, std::size_t size) {
+  auto const at = reinterpret_cast<std::uintptr_t>(begin), end = at + size;
+  bool const is_first = detail::around_size == 0;
+  std::uintptr_t const last = is_first ? end : std::max(end, detail::around_begin + detail::around_size);
+  detail::around_begin = is_first ? at : std::min(at, detail::around_begin);
+  detail::around_size = last - detail::around_begin;
 }
 
 std::vector<MemoryRange> find_constant_memory() {

@@ -20,6 +20,8 @@ struct MemoryRange {
 
 // The stack of this thread from its far end to the frame (all of it where no frame is given) is the kernel's own.
 void find_own_stack(void const *frame);
+// A local of the function around the kernel lies there.
+void widen_around(void const *begin, std::size_t size);
 
 // Read-only memory of the program and its libraries.
 std::vector<MemoryRange> find_constant_memory();

@@ -64,6 +64,11 @@ void State::named(void const *object, std::size_t size, detail::Scope scope, cha
   names_[object] = {size, {name, place, scope}};
 }
 
+void State::around(void const *object, std::size_t size, char const *name, char const *place) {
+  named(object, size, detail::Scope::around, name, place);
+  widen_around(object, size);
+}
+
 State::Read &State::read_at(Site const &site) {
   auto [found, is_new] = reads_.try_emplace(site);
   if (is_new) found->second.stack = call_stack();
@@ -135,7 +140,7 @@ void State::written(void const *begin, std::size_t size, char const *name, char 
 }
 
 bool State::is_foreign(RealNumber const *number) {
-  return !number->is_node() && !detail::on_own_stack(number) &&
+  return !number->is_node() && !detail::is_own(number) &&
          (shadow_.at(number) & (mark::may_be_read | mark::written)) == 0 && outlives(number);
 }
 
@@ -215,7 +220,7 @@ void State::make_plain(RealNumber const *number) {
 }
 
 void State::report_lost(Site const &site) {
-  if (!reported_.insert(site).second) return;
+  if (site.scope == detail::Scope::around || !reported_.insert(site).second) return;
   report({DiagnosticId::state_not_output, Severity::error, written_place(site.place),
           "'" + std::string(site.name) + "' is written by the kernel and is no output"});
 }
@@ -261,8 +266,9 @@ void State::judge_integers() {
     Marks const marks = shadow_.at(one.integer.address);
     if ((marks & mark::freed) != 0) continue;
     bool const is_constant = (marks & mark::constant) != 0 || integers_.is_annotated(one.integer);
+    bool const is_around = one.site.scope == detail::Scope::around;
     bool const private_scratch = !one.is_read && one.site.scope == detail::Scope::function;
-    if (one.is_lost() && !private_scratch)
+    if (one.is_lost() && !private_scratch && !is_around)
       report_lost(one.site);
     else if (one.is_read && !is_constant)
       reads_[one.site].integers.push_back(one.value());
@@ -280,17 +286,18 @@ void State::warn_overlooked() const {
 // What was read keeps the value that it had then, unless it has changed.
 void State::judge_reads(std::vector<Frozen> &frozen) {
   for (auto &[site, read] : reads_) {
-    Frozen state{std::string(site.name), written_place(site.place), {}, std::move(read.stack)};
+    bool const is_around = site.scope == detail::Scope::around;
+    Frozen state{std::string(site.name), written_place(site.place), {}, is_around, std::move(read.stack)};
     std::vector<double> kept; // by outputs
     for (std::size_t k = 0; k < read.numbers.size(); ++k) {
       RealNumber const *number = read.numbers[k];
       Marks const marks = shadow_.at(number);
       bool const changed_since =
           (marks & mark::freed) == 0 && number->to_bits() != RealNumber(read.values[k]).to_bits();
-      if (changed_since && (marks & mark::may_be_left) == 0)
+      if (changed_since && (marks & mark::may_be_left) == 0 && !is_around)
         report_lost(site);
       else if ((marks & mark::constant) == 0)
-        ((marks & mark::output) != 0 ? kept : state.values).push_back(read.values[k]);
+        ((marks & mark::output) != 0 && !is_around ? kept : state.values).push_back(read.values[k]);
       if (changed_since) make_plain(number);
     }
     state.values.insert(state.values.end(), read.integers.begin(), read.integers.end());
@@ -328,7 +335,8 @@ std::vector<Frozen> State::end(Place const &kernel) {
   judge_integers();
   std::vector<Frozen> frozen;
   judge_reads(frozen);
-  for (auto &[function, values] : outside_) frozen.push_back({function.first, {}, std::move(values), function.second});
+  for (auto &[function, values] : outside_)
+    frozen.push_back({function.first, {}, std::move(values), false, function.second});
   judge_writes();
   judge_memory(kernel);
   image_.reset();

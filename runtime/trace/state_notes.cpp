@@ -14,6 +14,13 @@ void note_static(void const *object, std::size_t size, Scope scope, char const *
   State::current().named(object, size, scope, name, place);
 }
 
+void note_around(void const *object, std::size_t size, char const *name, char const *place) noexcept {
+  Pause const pause;
+  State::current().around(object, size, name, place);
+}
+
+bool is_around(void const *address) noexcept { return State::current().is_around(address); }
+
 void note_read(RealNumber const *number, char const *name, char const *place) noexcept {
   Pause const pause;
   State::current().read(number, name, place);

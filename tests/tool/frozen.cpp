@@ -13,7 +13,7 @@
 // RUN: %symreal generate %s -o %t/a.c --frozen=allow 2>&1 | FileCheck %s --check-prefixes=LISTED,ALLOWED
 // ALLOWED-NOT: SYM017
 // RUN: not %symreal generate %s -o %t/a.c --frozen=maybe 2>&1 | FileCheck %s --check-prefix=VALUE
-// VALUE: error: --frozen takes error|warn|allow, not 'maybe' [SYM003]
+// VALUE: error: --frozen takes state|error|warn|allow, not 'maybe' [SYM003]
 #include <cstdio>
 
 double gravity = 9.81;

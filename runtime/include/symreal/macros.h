@@ -54,6 +54,7 @@
 #define SYMREAL_REAL_MEMBERS(...)
 #define SYMREAL_REAL_LAYOUT(...)
 #define SYMREAL_REAL_PADDING(...)
+#define SYMREAL_AROUND(...)
 #define SYMREAL_OBJECT(...)
 #define SYMREAL_DECLARE(...)
 #define SYMREAL_DECLARE_SECTION(...)
@@ -132,6 +133,7 @@
 /* A function of the program that is given carried values. */
 #define SYMREAL_REAL_SHOWS(...) (::symreal::Shows(SYMREAL_SHOWN_FIRST), __VA_ARGS__)
 #define SYMREAL_REAL_TEXT(name, place, ...) (::symreal::text(__VA_ARGS__, name, place))
+#define SYMREAL_AROUND(name, place, ...) ::symreal::around(__VA_ARGS__, name, place);
 /* What a class tells about itself: `access` is that of what follows. */
 #define SYMREAL_REAL_MEMBERS(access, ...)                                                                              \
 public:                                                                                                                \
@@ -176,6 +178,7 @@ public:                                                                         
 #define SYMREAL_REAL_MEMBERS(...)
 #define SYMREAL_REAL_LAYOUT(...)
 #define SYMREAL_REAL_PADDING(...)
+#define SYMREAL_AROUND(...)
 #endif
 /* A conversion by what its context expects; an enumerator as the integer that it is in C. */
 #define SYMREAL_REAL_FIT(...) (::symreal::fit(__VA_ARGS__))

@@ -26,9 +26,19 @@ inline bool on_own_stack(void const *address) noexcept {
   return reinterpret_cast<std::uintptr_t>(address) - own_stack < own_stack_size;
 }
 
-enum class Scope { any, function };
-// `scope`: function where nobody but one function can name the object.
+// The locals of the function in which a block kernel begins, or none: they lie on this stack and outlive the kernel.
+extern __thread std::uintptr_t around_begin, around_size;
+bool is_around(void const *address) noexcept;
+
+inline bool is_own(void const *address) noexcept {
+  bool const may_be_around = reinterpret_cast<std::uintptr_t>(address) - around_begin < around_size;
+  return on_own_stack(address) && !(may_be_around && is_around(address));
+}
+
+// Who can name the object: anybody; one function; the one around a block kernel, whose locals may be changed.
+enum class Scope { any, function, around };
 void note_static(void const *object, std::size_t size, Scope scope, char const *name, char const *place) noexcept;
+void note_around(void const *object, std::size_t size, char const *name, char const *place) noexcept;
 void note_integer_written(IntegerObject integer, char const *name, char const *place) noexcept;
 void note_written(void const *begin, std::size_t size, char const *name, char const *place) noexcept;
 // The object outlives this statement: if it still exists when the kernel ends, its numbers are looked at again.
@@ -44,19 +54,19 @@ inline void const *bytes_of(void const volatile *object) noexcept { return const
 struct ReadParts {
   char const *name, *place;
   void operator()(RealNumber const *number) const noexcept {
-    if (!on_own_stack(number)) note_read(number, name, place);
+    if (!is_own(number)) note_read(number, name, place);
   }
   void operator()(IntegerObject integer) const noexcept {
-    if (!on_own_stack(integer.address)) note_integer_read(integer, name, place);
+    if (!is_own(integer.address)) note_integer_read(integer, name, place);
   }
 };
 struct WrittenParts {
   char const *name, *place;
   void operator()(RealNumber const *number) const noexcept {
-    if (!on_own_stack(number)) note_written(number, sizeof *number, name, place);
+    if (!is_own(number)) note_written(number, sizeof *number, name, place);
   }
   void operator()(IntegerObject integer) const noexcept {
-    if (!on_own_stack(integer.address)) note_integer_written(integer, name, place);
+    if (!is_own(integer.address)) note_integer_written(integer, name, place);
   }
 };
 
@@ -70,7 +80,7 @@ template <class T> void read_object(T &object, char const *name, char const *pla
     ReadParts parts{name, place};
     Numbers(parts).visit(object);
     if constexpr (!std::is_const_v<T>)
-      if (!on_own_stack(&object)) note_changed(&object, visit<Plain>, name, place);
+      if (!is_own(&object)) note_changed(&object, visit<Plain>, name, place);
   }
 }
 
@@ -85,7 +95,7 @@ template <class T> void write_object(T &object, char const *name, char const *pl
   } else if constexpr (Numbers::may_hold<T>) {
     WrittenParts parts{name, place};
     Numbers(parts).visit(object);
-    if (!on_own_stack(&object)) note_changed(&object, visit<T>, name, place);
+    if (!is_own(&object)) note_changed(&object, visit<T>, name, place);
   }
 }
 
@@ -113,6 +123,13 @@ template <class T> constexpr T &local_state(T &object, char const *name, char co
   return object;
 }
 
+// A local of the function around a block kernel. An integer among them was looked at by the rewriter: it is read.
+template <class T> void around(T const &object, char const *name, char const *place) noexcept {
+  if (!detail::recording) return;
+  detail::note_around(&object, sizeof object, name, place);
+  if constexpr (detail::is_integer<T>) detail::note_integer_read(IntegerObject::of(object), name, place);
+}
+
 // The value of the object is used. What holds no number, and what a macro makes of the same words elsewhere, passes.
 template <class T> constexpr T &&read(T &&object, char const *name, char const *place) noexcept {
   if (!__builtin_is_constant_evaluated() && detail::recording) detail::read_object(object, name, place);
@@ -127,7 +144,7 @@ template <class T> constexpr T &&written(T &&object, char const *name, char cons
 
 // Code that is not rewritten changes the object, as push_back does.
 template <class T> T &changed(T &object, char const *name, char const *place) noexcept {
-  if (detail::recording && !detail::on_own_stack(&object))
+  if (detail::recording && !detail::is_own(&object))
     if constexpr (Numbers::may_hold<T>) detail::note_changed(&object, detail::visit<T>, name, place);
   return object;
 }
