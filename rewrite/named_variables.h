@@ -16,11 +16,9 @@ struct NamedVariables {
 class NamedVariableAnalysis {
 public:
   NamedVariables of(clang::Expr const *expression);
-
-private:
-  friend class NamedUses;
   NamedVariables const &of(clang::FunctionDecl const *function);
 
+private:
   std::map<clang::FunctionDecl const *, NamedVariables> functions_;
 };
 

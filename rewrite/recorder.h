@@ -90,6 +90,8 @@ public:
   void environment_of_call(clang::CallExpr const *call);
   void error_read(clang::Expr const *value);
   void error_assigned(clang::BinaryOperator const *assignment);
+  // What functions of libraries give (record_outside.cpp).
+  void call_outside(clang::CallExpr const *call);
 
   // Text that is made of REALs, and text that is read (record_text.cpp).
   void discarded(clang::Stmt const *statement, clang::FunctionDecl const *function);

@@ -91,6 +91,7 @@ public:
     record_.dependent_variadic_call(call);
     if (no_state_) return true;
     record_.environment_of_call(call);
+    record_.call_outside(call);
     record_.text_of_call(call);
     record_.state_of_call(call);
     record_.dependent_call(call);

@@ -2,6 +2,8 @@
 #include "trace/own_memory.h"
 #include "trace/state.h"
 
+#include <symreal/environment.h>
+
 namespace symreal {
 
 namespace detail {
@@ -39,6 +41,11 @@ void note_integer_read(IntegerObject integer, char const *name, char const *plac
 void note_integer_written(IntegerObject integer, char const *name, char const *place) noexcept {
   Pause const pause;
   State::current().written(integer, name, place);
+}
+
+void given_from_outside(char const *function, double value) noexcept {
+  Pause const pause;
+  State::current().outside(function, {value});
 }
 
 void note_changed(void const *object, Visit visit, char const *name, char const *place) noexcept {

@@ -1,6 +1,6 @@
-// What a kernel asks or tells beside its numbers: errno, the flags and modes of floating-point arithmetic. Generated
-// code has none of it. The rewriter puts these before the expressions that do so; while a kernel is recorded they are
-// errors at their place.
+// What a kernel asks or tells beside its numbers: errno, the flags and modes of floating-point arithmetic, functions of
+// libraries. Generated code has none of it. The rewriter puts these before the expressions that do so; while a kernel
+// is recorded they are errors at their place, or told as state that is baked in.
 #pragma once
 
 namespace symreal {
@@ -11,6 +11,7 @@ extern __thread bool recording; // as in state.h
 void error_read(char const *place) noexcept;
 void error_written() noexcept;
 void environment_used(char const *what, char const *place) noexcept;
+void given_from_outside(char const *function, double value) noexcept;
 
 } // namespace detail
 
@@ -25,5 +26,16 @@ constexpr void error_written(char const *, char const *) noexcept {
 constexpr void environment(char const *what, char const *place) noexcept {
   if (!__builtin_is_constant_evaluated() && detail::recording) detail::environment_used(what, place);
 }
+
+// What a function gives that is compiled elsewhere: the right operand of the comma.
+struct Outside {
+  char const *function;
+  template <class T> constexpr T operator,(T value) const noexcept {
+    if (!__builtin_is_constant_evaluated() && detail::recording)
+      detail::given_from_outside(function, static_cast<double>(value));
+    return value;
+  }
+};
+constexpr Outside outside(char const *function, char const *) noexcept { return {function}; }
 
 } // namespace symreal
