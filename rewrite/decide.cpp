@@ -6,6 +6,9 @@
 #include "rewrite/scan_text.h"
 #include "rewrite/text_calls.h"
 #include "rewrite/type_name.h"
+#ifdef SYMREAL_MUTATION
+#include "rewrite/mutation/drop_rule.h"
+#endif
 
 #include <algorithm>
 
@@ -280,6 +283,9 @@ Result annotated_original(Result const &result) {
 }
 
 Result decide(Facts facts, Request const &request) {
+#ifdef SYMREAL_MUTATION
+  drop_rule(facts);
+#endif
   Result result;
   result.include_dirs = std::move(facts.include_dirs);
   result.diagnostics = std::move(facts.diagnostics);

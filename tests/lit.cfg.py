@@ -39,3 +39,6 @@ config.substitutions += [
 ]
 # FileCheck and count; `not` is built into lit. At the end of PATH: the compilers are the system's.
 config.environment["PATH"] = os.pathsep.join([os.environ["PATH"], os.path.join(config.llvm_tools, "bin")])
+# Of the mutation test: the rule that a build for it leaves out.
+if "SYMREAL_DROP_RULE" in os.environ:
+    config.environment["SYMREAL_DROP_RULE"] = os.environ["SYMREAL_DROP_RULE"]

@@ -1,6 +1,6 @@
 // Integers that the kernel changes and that outlive it: generated code would not change them.
 // RUN: rm -f %t.c
-// RUN: not %symreal generate %s -o %t.c 2>&1 | FileCheck %s
+// RUN: not %symreal generate %s -o %t.c > %t.log 2>&1 && FileCheck %s < %t.log && not grep -E "'(i|phase)'" %t.log
 // RUN: not ls %t.c
 
 #include <cstdio>
@@ -47,6 +47,4 @@ int main() {
 // CHECK-DAG: kept_integers.cpp:14:10: error: 'i_' is written by the kernel and is no output [SYM053]
 // CHECK-DAG: kept_integers.cpp:15:5: error: 'started_' is written by the kernel and is no output [SYM053]
 // CHECK-DAG: kept_integers.cpp:36:3: error: '*status' is written by the kernel and is no output [SYM053]
-// CHECK-NOT: 'i'
-// CHECK-NOT: 'phase'
 // CHECK: way out:

@@ -1,0 +1,5 @@
+struct Spring {
+  double stiffness;
+  bool is_stiff() const;
+};
+bool Spring::is_stiff() const { return stiffness > 5; }

@@ -1,0 +1,1 @@
+double contact_force(double x) { return x * x; }

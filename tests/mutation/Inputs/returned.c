@@ -1,0 +1,4 @@
+#include <stdio.h>
+#pragma symreal function input(x) output(return)
+double kernel(double x) { return 2 * x + 1; }
+int main(void) { printf("%g\n", kernel(5.3)); return 0; }
