@@ -3,6 +3,7 @@
 #include <charconv>
 #include <fstream>
 #include <string_view>
+#include <utility>
 
 namespace symreal::program {
 namespace {
@@ -41,7 +42,9 @@ void add(Events &events, std::vector<std::string> const &field) {
   auto has = [&field](std::size_t count) { return field.size() >= count; };
   if (kind == "started" && has(2)) events.started.push_back(field[1]);
   if (kind == "kernel" && has(4))
-    events.kernels.push_back({field[1], field[2], field[3], events.started.empty() ? "" : events.started.back()});
+    events.kernels.push_back({field[1], field[2], field[3], events.started.empty() ? "" : events.started.back(),
+                              std::exchange(events.scratch, {})});
+  if (kind == "scratch" && has(2)) events.scratch.push_back(field[1]);
   if ((kind == "diagnostic" || kind == "warning") && has(6)) {
     Place place{field[2], number<unsigned>(field[3]), number<unsigned>(field[4])};
     Severity const severity = kind == "warning" ? Severity::warning : Severity::error;

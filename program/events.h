@@ -6,6 +6,7 @@
 //   warning     SYM0nn  file  line  column  message
 //   located     SYM0nn  message  address,address,...
 //   frozen      kernel  name  place  values  address,address,...
+//   scratch     name
 //   decision    count  condition  address,address,...   hexadecimal, relative to the load base, innermost first
 //   carried     count  condition  address,address,...
 //   settled     count  condition  address,address,...
@@ -23,7 +24,8 @@ namespace symreal::program {
 
 struct RecordedKernel {
   std::string name, graph_file, output_file;
-  std::string begun_as; // a kernel in a block learns its name at its end
+  std::string begun_as;             // a kernel in a block learns its name at its end
+  std::vector<std::string> scratch; // static integers of functions in which nobody reads what is left
 };
 
 // A diagnostic whose place is where the program stood.
@@ -52,6 +54,7 @@ struct Events {
   std::vector<Decision> decisions, carried, settled;
   std::vector<Located> located;
   std::vector<FrozenRead> frozen;
+  std::vector<std::string> scratch; // of the kernel that has not ended yet
 };
 
 // A file that does not exist holds no events.

@@ -236,6 +236,7 @@ Recording record(std::string const &executable, RunOptions const &options, rewri
       graph.decisions = options.decisions;
       name_nodes(graph, rewritten.names);
       recording.kernels.push_back({std::move(graph), kernel, found->output_file, found->begun_as});
+      recording.kernels.back().scratch = found->scratch;
       if (!events.frozen.empty()) locate_frozen(recording.kernels.back(), events.frozen, symbolizer);
     } else if (!explained) {
       bool begun = is_begun(kernel, events.started);

@@ -30,6 +30,7 @@ struct Recorded {
   std::string output_file;                          // the name in generate, else empty
   std::string begun_as;                             // for replay: the name under which it begins
   std::vector<std::vector<Note>> frozen_reads = {}; // parallel to graph.frozen: where each was first read
+  std::vector<std::string> scratch = {};            // static integers of functions, as in RecordedKernel
 };
 
 struct Recording {

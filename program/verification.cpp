@@ -42,12 +42,26 @@ std::string describe(replay::LeftBehind const &left) {
   return {};
 }
 
+// What a static variable of a function is called in the source; empty if the linker's name is not that of one.
+std::string local_name(std::string const &linker_name) {
+  if (linker_name.starts_with("_ZZ")) {
+    std::string const name = llvm::demangle(linker_name);
+    std::size_t const scope = name.rfind("::");
+    return scope == name.npos ? "" : name.substr(scope + 2);
+  }
+  std::size_t const dot = linker_name.find('.'); // name.1 of gcc's C, function.name of Clang's
+  if (dot == linker_name.npos) return "";
+  bool const is_number = linker_name.find_first_not_of("0123456789", dot + 1) == linker_name.npos;
+  return is_number ? linker_name.substr(0, dot) : linker_name.substr(dot + 1);
+}
+
 class Verifier {
 public:
   Verifier(Front const &front, RunOptions const &run, Recorded const &recorded, std::string const &path,
            Banner const &banner, VerificationOptions const &options)
       : options_(options),
         graph_(recorded.graph),
+        scratch_(recorded.scratch),
         banner_(banner),
         code_(path, banner, graph_, {}, *front.workspace),
         source_(graph_, options.seed) {
@@ -115,7 +129,8 @@ private:
   void compare(std::size_t k, Sample const &sample, std::vector<double> const &original,
                std::vector<double> const &generated, std::vector<double> const &recorded) {
     for (replay::LeftBehind const &left : original_->left_behind())
-      if (std::find(left_by_generated_.begin(), left_by_generated_.end(), left) == left_by_generated_.end())
+      if (std::find(left_by_generated_.begin(), left_by_generated_.end(), left) == left_by_generated_.end() &&
+          !is_scratch(left))
         add_left(describe(left));
     for (std::size_t slot = 0; slot < original.size(); ++slot)
       result_.outputs[slot].add(k, original[slot], generated[slot], banner_.mode, options_.tolerance);
@@ -162,6 +177,11 @@ private:
                       [](double a, double b) { return same(a, b, FloatingPoint::strict, 0); });
   }
 
+  bool is_scratch(replay::LeftBehind const &left) const {
+    return left.region == memory::Region::static_object &&
+           std::find(scratch_.begin(), scratch_.end(), local_name(left.name)) != scratch_.end();
+  }
+
   void add_left(std::string const &name) {
     for (LeftState &one : result_.left)
       if (one.name == name) return void(++one.samples);
@@ -170,6 +190,7 @@ private:
 
   VerificationOptions const &options_;
   Graph const &graph_;
+  std::vector<std::string> const &scratch_;
   Banner const &banner_;
   GeneratedCode code_;
   std::optional<GeneratedCode> own_code_;

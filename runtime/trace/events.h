@@ -11,6 +11,7 @@
 //   carried     count  condition  address,address,...   a decision that a pragma answers for
 //   settled     count  condition  address,address,...   a condition that a premise of the floating-point mode settles
 //   frozen      kernel  name  place  values  address,address,...
+//   scratch     name    a static integer of a function that the kernel, which ends here, writes before it reads it
 #pragma once
 
 #include "diagnostics/diagnostic.h"

@@ -268,7 +268,9 @@ void State::judge_integers() {
     bool const is_constant = (marks & mark::constant) != 0 || integers_.is_annotated(one.integer);
     bool const is_around = one.site.scope == detail::Scope::around;
     bool const private_scratch = !one.is_read && one.site.scope == detail::Scope::function;
-    if (one.is_lost() && !private_scratch && !is_around)
+    if (one.is_lost() && private_scratch)
+      event({"scratch", std::string(one.site.name)});
+    else if (one.is_lost() && !is_around)
       report_lost(one.site);
     else if (one.is_read && !is_constant)
       reads_[one.site].integers.push_back(one.value());
