@@ -51,7 +51,7 @@ public:
     }
   }
   void bytes(void const *begin, std::size_t size) override {
-    if (kind_ == Kind::scratch) scratch_.push_back({static_cast<char const *>(begin), size});
+    (kind_ == Kind::scratch ? scratch_ : constant_).push_back({static_cast<char const *>(begin), size});
   }
   void holder(void const *begin, std::size_t size) override {
     if (kind_ == Kind::output) holders_.push_back({static_cast<char const *>(begin), size});
@@ -67,6 +67,7 @@ public:
     }
     if (!is_function || !replay::replay_again()) replay::replay_end();
     is_again_ = true;
+    spoil_outputs();
     Kernel::current().begin_again();
     run_again();
     replay::replay_end(); // this machine cannot
@@ -88,6 +89,21 @@ private:
     give(number, replay::replay_input);
   }
 
+  // What the next call does not write shows: a caller may have anything there.
+  void spoil_outputs() {
+    constexpr double unlikely = -7654.321;
+    for (double *one : outputs_) {
+      auto const *at = reinterpret_cast<char const *>(one);
+      auto const holds = [at](Known const &part) { return part.begin <= at && at < part.begin + part.size; };
+      bool const is_state = std::find(inputs_.begin(), inputs_.end(), one) != inputs_.end() ||
+                            std::any_of(scratch_.begin(), scratch_.end(), holds) ||
+                            std::any_of(constant_.begin(), constant_.end(), holds);
+      if (is_state || !image_.before(one)) continue; // or a local variable, which is gone
+      make_writable(one);
+      *one = unlikely;
+    }
+  }
+
   // Which output the number is as well, or -1.
   int output_at(double const *number) const {
     auto const found = std::find(outputs_.begin(), outputs_.end(), number);
@@ -105,8 +121,9 @@ private:
   bool is_wanted_ = false, is_again_ = false;
   Kind kind_ = Kind::input;
   MemoryImage image_;
-  std::vector<double const *> inputs_, outputs_;
-  std::vector<Known> holders_, scratch_;
+  std::vector<double const *> inputs_;
+  std::vector<double *> outputs_;
+  std::vector<Known> holders_, scratch_, constant_;
   Graph interface_;
 };
 
