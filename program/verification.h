@@ -42,9 +42,9 @@ struct Verification {
   // With the user's own flags, where these may change the numbers, per slot: the generated code against the original
   // that has them, and the code that has them against the original. Else empty.
   std::vector<std::uint64_t> own_flags_ulp, own_code_ulp;
-  std::size_t outside_different = 0;         // samples outside that differ in some output, not an error
-  std::size_t graph_different = 0; // samples inside on which the recorded graph itself differs from the original
-  std::vector<Sample> samples;     // all that were drawn
+  std::size_t outside_different = 0; // samples outside that differ in some output, not an error
+  std::size_t graph_different = 0;   // samples inside on which the recorded graph itself differs from the original
+  std::vector<Sample> samples;       // all that were drawn
   std::vector<OutputComparison> rewritten; // per slot, the rewritten text against the original: equal to the last bit
   std::vector<OutputComparison> called_again; // per slot, over the second and third of three calls in a row
   std::vector<LeftState> left;
