@@ -1,4 +1,5 @@
-# What stands in RUN lines: %symreal the tool, %rewrite prints rewritten text, %same compares object code,
+# What stands in RUN lines: %symreal the tool (what it generates is compiled as well), %tool the executable itself,
+# %rewrite prints rewritten text, %same compares object code,
 # %source the repository, %inputs the example programs, %runtime_include the public headers, %runtime the directory of the runtime,
 # %tools helper scripts, %version the tool's version, %cxx %cc %clang compilers.
 import os
@@ -19,7 +20,9 @@ if platform.system() == "Linux" and platform.machine() == "x86_64":
     config.available_features.add("x86_64-linux")
 
 config.substitutions += [
-    (r"%symreal\b", os.path.join(config.binary_dir, "tool", "symreal")),
+    (r"%symreal(?=-)", os.path.join(config.binary_dir, "tool", "symreal")),
+    (r"%symreal\b", os.path.join(config.source_dir, "tests", "tools", "symreal")),
+    (r"%tool\b", os.path.join(config.binary_dir, "tool", "symreal")),
     (r"%build\b", config.binary_dir),
     (r"%rewrite\b", os.path.join(config.binary_dir, "rewrite", "symreal-rewrite-dump") + " --text"),
     (r"%same\b", "python3 " + os.path.join(config.source_dir, "tests", "tools", "same_object.py") + " "
@@ -37,6 +40,7 @@ config.substitutions += [
     (r"%cxx\b", "g++"),
     (r"%cc\b", "gcc"),
 ]
+config.environment["SYMREAL_UNDER_TEST"] = os.path.join(config.binary_dir, "tool", "symreal")
 # FileCheck and count; `not` is built into lit. At the end of PATH: the compilers are the system's.
 config.environment["PATH"] = os.pathsep.join([os.environ["PATH"], os.path.join(config.llvm_tools, "bin")])
 # Of the mutation test: the rule that a build for it leaves out.
