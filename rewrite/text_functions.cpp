@@ -35,14 +35,7 @@ TextUse text_use(FunctionDecl const *function) {
 #define MEMORY(name) {#name, TextUse::memory},
 #define OUTSIDE(name) {#name, TextUse::outside},
 #define READER(name) {#name, TextUse::reader},
-#define MEMBER(name)
-#define KEYED(name)
 #include "rewrite/text_functions.def"
-#undef MEMORY
-#undef OUTSIDE
-#undef READER
-#undef MEMBER
-#undef KEYED
   };
   if (isa<CXXMethodDecl>(function)) return TextUse::none;
   llvm::StringRef name = name_of(function);
@@ -53,17 +46,8 @@ TextUse text_use(FunctionDecl const *function) {
 
 bool reads_its_text(CXXMethodDecl const *method) {
   static llvm::StringSet<> const names = {
-#define MEMORY(name)
-#define OUTSIDE(name)
-#define READER(name)
 #define MEMBER(name) #name,
-#define KEYED(name)
 #include "rewrite/text_functions.def"
-#undef MEMORY
-#undef OUTSIDE
-#undef READER
-#undef MEMBER
-#undef KEYED
   };
   return names.contains(name_of(method)) &&
          is_standard(method->getParent(), {"basic_string", "basic_string_view", "basic_istream", "basic_ostream"});
@@ -71,17 +55,8 @@ bool reads_its_text(CXXMethodDecl const *method) {
 
 bool compares_keys(CXXMethodDecl const *method) {
   static llvm::StringSet<> const names = {
-#define MEMORY(name)
-#define OUTSIDE(name)
-#define READER(name)
-#define MEMBER(name)
 #define KEYED(name) #name,
 #include "rewrite/text_functions.def"
-#undef MEMORY
-#undef OUTSIDE
-#undef READER
-#undef MEMBER
-#undef KEYED
   };
   if (!names.contains(name_of(method)) && method->getOverloadedOperator() != OO_Subscript) return false;
   return is_standard(method->getParent(), {"map", "multimap", "set", "multiset", "unordered_map", "unordered_multimap",
