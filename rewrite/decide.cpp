@@ -181,10 +181,14 @@ void add_members(Facts const &facts, ByFile &rewordings) {
     std::string_view const behind = std::string_view(facts.files.at(brace.file).text).substr(brace.end);
     if (behind.starts_with(" REAL_MEMBERS(") || behind.starts_with(" SYMREAL_REAL_MEMBERS(")) continue;
     std::string list;
+    bool has_state = false;
     for (auto const &[base, holds] : members.bases)
       if (holds) list += ", static_cast<" + type_text(facts, base) + " const &>(*this)";
-    for (auto const &[field, holds] : members.fields)
-      if (holds) list += ", " + field;
+    for (auto const &[field, holds] : members.fields) {
+      has_state = has_state || holds;
+      if (holds && !field.empty()) list += ", " + field; // bit-fields have no address, and no name here
+    }
+    if (has_state && list.empty()) list = ", ";
     if (!list.empty())
       rewordings[brace.file].push_back(
           {brace.begin, brace.end, "", " SYMREAL_REAL_MEMBERS(" + members.access + list + ")"});

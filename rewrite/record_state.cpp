@@ -182,7 +182,7 @@ void Recorder::state(VarDecl const *variable, Expr const *reference, bool is_dep
 }
 
 // Lets a class tell its members, so that a whole object can be looked through, the private ones included.
-void Recorder::members(CXXRecordDecl const *record) {
+void Recorder::members(RecordDecl const *record) {
   if (!record->isThisDeclarationADefinition() || record->isImplicit() || record->isUnion() || record->isLambda())
     return;
   if (!record->getIdentifier() || record->isAnonymousStructOrUnion() || !map_.in_roots(record->getLocation())) return;
@@ -191,14 +191,16 @@ void Recorder::members(CXXRecordDecl const *record) {
       !isa<ClassTemplatePartialSpecializationDecl>(record))
     return;
   ClassFact fact{record->isClass() ? "private" : "public"};
-  for (CXXBaseSpecifier const &base : record->bases()) {
-    std::optional<Span> const span = map_.range(base.getTypeSourceInfo()->getTypeLoc().getSourceRange());
-    if (span) fact.bases.push_back({*span, base.getType()->isDependentType() || holds_state(base.getType())});
-  }
+  if (auto const *derived = dyn_cast<CXXRecordDecl>(record))
+    for (CXXBaseSpecifier const &base : derived->bases()) {
+      std::optional<Span> const span = map_.range(base.getTypeSourceInfo()->getTypeLoc().getSourceRange());
+      if (span) fact.bases.push_back({*span, base.getType()->isDependentType() || holds_state(base.getType())});
+    }
   for (FieldDecl const *field : record->fields()) {
     QualType const type = field->getType();
     if (!field->getIdentifier()) continue;
-    bool const is_looked_at = !field->isBitField() && !type->isReferenceType() && !type->isPointerType() &&
+    if (field->isBitField()) fact.fields.push_back({"", true}); // which has no address
+    bool const is_looked_at = !field->isBitField() && !type->isIncompleteType() && !type->isReferenceType() && !type->isPointerType() &&
                               (!IntegerState::is_integer(type) || IntegerState::has_address(field));
     bool const holds = is_looked_at && (type->isDependentType() || holds_state(type));
     fact.fields.push_back({field->getNameAsString(), holds});

@@ -118,7 +118,7 @@ public:
   void dependent_value(clang::Expr const *value);
   void dependent_call(clang::CallExpr const *call);
   void copied_elements(clang::CXXForRangeStmt const *loop);
-  void members(clang::CXXRecordDecl const *record);
+  void members(clang::RecordDecl const *record);
   // Bytes of a REAL that are used as something else (record_bits.cpp).
   void union_member(clang::MemberExpr const *member);
   void pointer_cast(clang::CastExpr const *cast);

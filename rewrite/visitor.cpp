@@ -142,7 +142,7 @@ public:
     }
     return true;
   }
-  bool VisitCXXRecordDecl(CXXRecordDecl *record) {
+  bool VisitRecordDecl(RecordDecl *record) {
     record_.members(record);
     return true;
   }

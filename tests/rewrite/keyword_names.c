@@ -8,7 +8,7 @@
 
 // CHECK: typedef enum { REAL_NAME(false), REAL_NAME(true) } REAL_NAME(bool);
 typedef enum { false, true } bool;
-// CHECK: struct REAL_NAME(class) { REAL REAL_NAME(this), REAL_NAME(new)[2]; };
+// CHECK: struct REAL_NAME(class) { REAL_MEMBERS(public, REAL_NAME(this), REAL_NAME(new)) REAL REAL_NAME(this), REAL_NAME(new)[2]; };
 struct class { double this, new[2]; };
 // CHECK: #define NEW(x) (REAL_READ("(x)->new[0]", {{.*}}, (x)->REAL_NAME(new)[0]))
 #define NEW(x) ((x)->new[0])
