@@ -18,6 +18,7 @@ std::string_view name(Variant variant) {
   case Variant::replay: return "replay";
   case Variant::original: return "original";
   case Variant::own_flags: return "own-flags";
+  case Variant::wrapped: return "wrapped";
   }
   return "";
 }
@@ -146,7 +147,8 @@ Words link_command(BuildRequest const &request, Variant variant, Words const &ob
   Words words = {request.compiler};
   Words const own = linker_flags(request);
   if (variant != Variant::replay && !brings_allocator(own)) words.emplace_back("-Wl,-u,symreal_heap_hooks");
-  if (variant == Variant::original) words.push_back("-rdynamic"); // generated code in it calls its external functions
+  if (variant == Variant::original || variant == Variant::wrapped)
+    words.push_back("-rdynamic"); // generated code in it calls its external functions
   append(words, objects);
   append(words, own);
   append(words, {runtime_library(), "-o", executable});

@@ -15,10 +15,11 @@
 namespace symreal::program {
 
 enum class Variant {
-  symbolic, // REAL is a RealNumber: running the program records its kernels
-  replay,   // the rewritten text, REAL is double and the annotations are live: shows what rewriting has changed
-  original, // the user's text with its annotations, in its own language and standard: the reference of verification
-  own_flags // the original with the user's own flags instead of those of the reference build
+  symbolic,  // REAL is a RealNumber: running the program records its kernels
+  replay,    // the rewritten text, REAL is double and the annotations are live: shows what rewriting has changed
+  original,  // the user's text with its annotations, in its own language and standard: the reference of verification
+  own_flags, // the original with the user's own flags instead of those of the reference build
+  wrapped    // the original with the statements of a kernel's wrapper before those of the kernel
 };
 
 struct BuildRequest {

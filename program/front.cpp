@@ -79,12 +79,14 @@ void build(FrontRequest const &request, rewrite::Result const &rewritten, BuildR
       for (std::string const &flag : flags_of_numbers(one.flags))
         if (std::find(front.own_flags.begin(), front.own_flags.end(), flag) == front.own_flags.end())
           front.own_flags.push_back(flag);
-    front.c_compiler = parts.c_compiler;
     if (!front.own_flags.empty()) wanted.emplace_back(Variant::own_flags, &Front::own_flags_program);
   }
   Overlay annotated;
-  if (request.replay)
-    annotated = Overlay(rewrite::annotated_original(rewritten), front.workspace->directory("annotated"));
+  front.build = parts;
+  if (request.replay) {
+    front.annotated = rewrite::annotated_original(rewritten);
+    annotated = Overlay(front.annotated, front.workspace->directory("annotated"));
+  }
   std::vector<Variant> variants;
   for (auto const &[variant, program] : wanted) variants.push_back(variant);
   std::vector<std::string> const executables =

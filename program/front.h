@@ -33,9 +33,10 @@ struct Talk {
 struct Front {
   std::unique_ptr<Workspace> workspace; // holds the executables
   std::unique_ptr<Overlay> overlay;
+  BuildRequest build;
+  rewrite::Result annotated; // the original's text with its annotations, for verification
   std::string symbolic_program, replay_program;
-  std::string original_program; // empty for a main that was written by hand with REAL: the replay is its original
-  std::string c_compiler;
+  std::string original_program;       // empty for a main that was written by hand with REAL: the replay is its original
   std::vector<std::string> own_flags; // those of the user that may change the numbers
   std::string own_flags_program;      // empty when there are none
   std::vector<Recorded> kernels;      // at least one, names distinct

@@ -3,6 +3,7 @@
 #include "graph/evaluate.h"
 #include "program/guard_verification.h"
 #include "program/replay.h"
+#include "program/wrapped_original.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -75,6 +76,10 @@ public:
     if (!by_hand) start(rewritten_, "the rewritten program", front.replay_program, nullptr);
     if (!front.own_flags_program.empty())
       start(own_flags_, "the original with its own flags", front.own_flags_program, nullptr);
+    if (options.wrapper) {
+      start(wrapped_, "the original with its wrapper", build_wrapped(front, recorded), &code_);
+      result_.wrapped.resize(graph_.output_count());
+    }
     result_.mode = banner.mode;
     result_.outputs.resize(graph_.output_count());
     result_.rewritten.resize(graph_.output_count());
@@ -95,7 +100,7 @@ private:
   void compile_with_own_flags(Front const &front, std::string const &path) {
     std::vector<char const *> words;
     for (std::string const &flag : front.own_flags) words.push_back(flag.c_str());
-    own_code_.emplace(path, banner_, graph_, CodeBuild{front.c_compiler, words, "generated-own-flags.so"},
+    own_code_.emplace(path, banner_, graph_, CodeBuild{front.build.c_compiler, words, "generated-own-flags.so"},
                       *front.workspace);
     result_.own_code_ulp.resize(graph_.output_count());
   }
@@ -129,9 +134,7 @@ private:
   void compare(std::size_t k, Sample const &sample, std::vector<double> const &original,
                std::vector<double> const &generated, std::vector<double> const &recorded) {
     for (replay::LeftBehind const &left : original_->left_behind())
-      if (std::find(left_by_generated_.begin(), left_by_generated_.end(), left) == left_by_generated_.end() &&
-          !is_scratch(left))
-        add_left(describe(left));
+      if (!is_left_by_generated(left) && !is_scratch(left)) add_left(result_.left, describe(left));
     for (std::size_t slot = 0; slot < original.size(); ++slot)
       result_.outputs[slot].add(k, original[slot], generated[slot], banner_.mode, options_.tolerance);
     if (!code_.needs_program()) compare_calls(k, sample, generated);
@@ -146,6 +149,7 @@ private:
       for (std::size_t slot = 0; slot < own.size(); ++slot)
         result_.own_flags_ulp[slot] = std::max(result_.own_flags_ulp[slot], ulp_distance(own[slot], generated[slot]));
     }
+    if (wrapped_) compare_wrapper(k, sample, generated);
     if (own_code_) {
       std::vector<double> const own = own_code_->run(sample.inputs, sample.parameters).outputs;
       for (std::size_t slot = 0; slot < own.size(); ++slot)
@@ -177,15 +181,28 @@ private:
                       [](double a, double b) { return same(a, b, FloatingPoint::strict, 0); });
   }
 
+  bool is_left_by_generated(replay::LeftBehind const &left) const {
+    return std::find(left_by_generated_.begin(), left_by_generated_.end(), left) != left_by_generated_.end();
+  }
+
   bool is_scratch(replay::LeftBehind const &left) const {
     return left.region == memory::Region::static_object &&
            std::find(scratch_.begin(), scratch_.end(), local_name(left.name)) != scratch_.end();
   }
 
-  void add_left(std::string const &name) {
-    for (LeftState &one : result_.left)
+  // The wrapper hands over what the code computes, and touches nothing else.
+  void compare_wrapper(std::size_t k, Sample const &sample, std::vector<double> const &generated) {
+    std::vector<double> const wrapped = wrapped_->run(sample);
+    for (std::size_t slot = 0; slot < wrapped.size(); ++slot)
+      result_.wrapped[slot].add(k, generated[slot], wrapped[slot], FloatingPoint::strict, 0);
+    for (replay::LeftBehind const &left : wrapped_->left_behind())
+      if (!is_left_by_generated(left)) add_left(result_.left_by_wrapper, describe(left));
+  }
+
+  static void add_left(std::vector<LeftState> &all, std::string const &name) {
+    for (LeftState &one : all)
       if (one.name == name) return void(++one.samples);
-    result_.left.push_back({name, 1});
+    all.push_back({name, 1});
   }
 
   VerificationOptions const &options_;
@@ -195,7 +212,7 @@ private:
   GeneratedCode code_;
   std::optional<GeneratedCode> own_code_;
   SampleSource source_;
-  std::optional<Replay> original_, rewritten_, own_flags_;
+  std::optional<Replay> original_, rewritten_, own_flags_, wrapped_;
   std::vector<replay::LeftBehind> left_by_generated_;
   Verification result_;
 };

@@ -12,6 +12,7 @@ struct VerificationOptions {
   std::size_t samples = 1000, min_samples = 100;
   std::uint64_t seed = 1;
   double tolerance = 1e-9; // mode fast
+  bool wrapper = false;    // also what its wrapper does
 };
 
 // A guard of the generated code.
@@ -47,7 +48,8 @@ struct Verification {
   std::vector<Sample> samples;       // all that were drawn
   std::vector<OutputComparison> rewritten; // per slot, the rewritten text against the original: equal to the last bit
   std::vector<OutputComparison> called_again; // per slot, over the second and third of three calls in a row
-  std::vector<LeftState> left;
+  std::vector<OutputComparison> wrapped; // per slot, the generated code behind its wrapper against itself; or empty
+  std::vector<LeftState> left, left_by_wrapper;
 
   std::vector<GuardCheck> guards;              // of the generated code, in order
   std::size_t refused = 0;                     // samples within the premises on which one does not hold

@@ -1,9 +1,12 @@
 #include "program/verification.h"
+#include "program/wrapped_original.h"
+#include "support/files.h"
 #include "tool/console.h"
 #include "tool/subcommands.h"
 #include "tool/verify_numeric.h"
 #include "tool/verify_report.h"
 
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -11,6 +14,8 @@
 
 namespace symreal::tool {
 namespace {
+
+namespace fs = std::filesystem;
 
 struct Options {
   SourceOptions source;
@@ -54,6 +59,20 @@ std::optional<program::Front> make_front(Options const &options, Session &sessio
   return front;
 }
 
+// Does the wrapper lie beside the generated file?
+bool has_wrapper(std::string const &generated, program::Recorded const &recorded) {
+  fs::path const stem = fs::path(generated).replace_extension();
+  for (char const *suffix : {"_wrapper.c", "_wrapper.cpp"}) {
+    std::string const path = stem.string() + suffix;
+    if (!recorded.kernel.is_function || !fs::exists(path)) continue;
+    if (!program::is_wrapper_of(read_file(path), recorded))
+      fail(DiagnosticId::foreign_file, {path, 1, 1},
+           "this wrapper was not generated for kernel '" + recorded.kernel.name + "' as it is now");
+    return true;
+  }
+  return false;
+}
+
 int run(CLI::App &command, Options &options, Session &session) {
   std::vector<std::string> sources = options.files;
   std::vector<std::string> const generated = take_generated(sources);
@@ -83,6 +102,7 @@ int run(CLI::App &command, Options &options, Session &session) {
     }
     console.stage("verifying");
     program::Recorded const &recorded = program::require_match(front->kernels, banner, generated[k]);
+    options.verification.wrapper = has_wrapper(generated[k], recorded);
     program::Verification const verification =
         program::verify(*front, as, recorded, generated[k], banner, options.verification);
     console.clear();

@@ -78,11 +78,12 @@ std::optional<Diagnostic> rewriting_failure(Graph const &graph, program::Verific
                     {{{}, first_difference(graph, verification, verification.rewritten, "rewritten")}}};
 }
 
-std::optional<Diagnostic> state_failure(Graph const &graph, program::Verification const &verification) {
-  if (verification.left.empty()) return {};
+std::optional<Diagnostic> state_failure(Graph const &graph, std::vector<program::LeftState> const &all,
+                                        std::string_view who) {
+  if (all.empty()) return {};
   Diagnostic diagnostic{DiagnosticId::state_left_behind, Severity::error, graph.outputs.front().place, ""};
-  for (program::LeftState const &left : verification.left) {
-    std::string const text = fmt::format("the original leaves {} changed, on {} sample{}", left.name, left.samples,
+  for (program::LeftState const &left : all) {
+    std::string const text = fmt::format("the {} leaves {} changed, on {} sample{}", who, left.name, left.samples,
                                          left.samples == 1 ? "" : "s");
     if (diagnostic.message.empty())
       diagnostic.message = fmt::format("kernel '{}': {}", graph.kernel, text);
@@ -133,6 +134,7 @@ void print_verification(std::ostream &out, Graph const &graph, program::Verifica
                "differ\n",
                verification.not_finite, verification.zero_sign, verification.outside_different);
   if (!verification.guards.empty()) print_guards(out, verification);
+  if (!verification.wrapped.empty()) fmt::print(out, "  the wrapper was tried as well\n");
   fmt::print(out, "  {:<28}{:>10}{:>22}{:>12}{}{}\n", "output", "elements", "worst ULP", "different",
              verification.own_flags_ulp.empty() ? "" : fmt::format("{:>22}", "ULP, own flags"),
              verification.own_code_ulp.empty() ? "" : fmt::format("{:>22}", "code with own flags"));
@@ -209,7 +211,15 @@ std::optional<Diagnostic> verification_failure(Graph const &graph, program::Veri
                       fmt::format("on {} samples the code does not return the guard that does not hold",
                                   verification.guards_different),
                       {{{}, guard_difference(verification)}}};
-  if (auto failure = state_failure(graph, verification)) return failure;
+  if (auto failure = state_failure(graph, verification.left, "original")) return failure;
+  if (std::size_t count = program::count_different(verification.wrapped))
+    return Diagnostic{DiagnosticId::verification_mismatch,
+                      Severity::error,
+                      {file},
+                      fmt::format("{} of {} outputs of the wrapper differ from the generated code's", count,
+                                  verification.outputs.size()),
+                      {{{}, first_difference(graph, verification, verification.wrapped, "wrapper's")}}};
+  if (auto failure = state_failure(graph, verification.left_by_wrapper, "wrapper")) return failure;
   if (verification.inside < std::min(options.min_samples, options.samples))
     return Diagnostic{DiagnosticId::too_few_samples,
                       Severity::error,

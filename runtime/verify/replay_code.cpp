@@ -31,19 +31,18 @@ template <class Function> static Function *find(void *library, std::string const
   return std::bit_cast<Function *>(function);
 }
 
-void ReplayCode::run_generated(Head &head) const {
-  auto *preprocess = find<void(double const *, double *)>(library_, prefix_ + "preprocess");
+int ReplayCode::compute(Head const &head, double const *inputs, double const *parameters, double *outputs) const {
   std::string const name = prefix_ + "compute";
   std::vector<double> constants(head.constant_count + 1);
-  double const *inputs = shared_inputs(&head), *parameters = shared_parameters(&head);
-  preprocess(parameters, constants.data());
-  head.failed = 0;
-  if (head.guard_count == 0)
-    find<void(double const *, double const *, double *)>(library_, name)(inputs, constants.data(),
-                                                                         shared_outputs(&head));
-  else
-    head.failed = find<int(double const *, double const *, double *)>(library_, name)(inputs, constants.data(),
-                                                                                      shared_outputs(&head));
+  find<void(double const *, double *)>(library_, prefix_ + "preprocess")(parameters, constants.data());
+  if (head.guard_count != 0)
+    return find<int(double const *, double const *, double *)>(library_, name)(inputs, constants.data(), outputs);
+  find<void(double const *, double const *, double *)>(library_, name)(inputs, constants.data(), outputs);
+  return 0;
+}
+
+void ReplayCode::run_generated(Head &head) const {
+  head.failed = compute(head, shared_inputs(&head), shared_parameters(&head), shared_outputs(&head));
 }
 
 void ReplayCode::run_graph(Head &head) const {

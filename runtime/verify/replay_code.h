@@ -11,6 +11,8 @@ public:
   // Loads what the environment names; nothing if it names nothing. Ends the process if it cannot be loaded.
   ReplayCode();
   void run_generated(Head &head) const;
+  // 0, or the number of the guard that does not hold.
+  int compute(Head const &head, double const *inputs, double const *parameters, double *outputs) const;
   void run_graph(Head &head) const;
 
 private:

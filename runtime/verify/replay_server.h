@@ -26,6 +26,9 @@ void replay_input(double *number);
 void replay_parameter(double *number);
 void replay_output(double value);
 
+// The kernel's generated code, in the program of the original: 0, or the guard that does not hold.
+int replay_compute(double const *inputs, double const *parameters, double *outputs);
+
 // What the kernel has left in memory.
 void replay_left(std::vector<memory::Change> const &changes);
 
