@@ -174,8 +174,7 @@ void report_configured(Request const &request, Facts &facts) {
     std::vector<Note> found;
     for (auto const &[span, pragma] : facts.pragmas)
       if (pragma.configured == i && !pragma.function.empty()) {
-        std::string const &signature = pragma.function[0].signature;
-        found.push_back({place_in(facts.files.at(span.file), span.begin), signature.substr(0, signature.find('\n'))});
+        found.push_back({place_in(facts.files.at(span.file), span.begin), pragma.function[0].signature.declaration});
       }
     if (found.size() > 1)
       report(facts, DiagnosticId::configured_function, function.place,

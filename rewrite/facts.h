@@ -132,14 +132,14 @@ struct ClauseFact {
 // The function that a function pragma stands before.
 struct FunctionFact {
   std::string name;
-  std::string signature;
+  Signature signature;
   Span brace;
-  bool returns_value = false;
   struct Value {
     std::string name;
     Place place;
   };
-  std::vector<Value> values; // its parameters by value that hold numbers, and the integers among them that it uses
+  std::vector<Value> values;     // its parameters by value that hold numbers, and the integers among them that it uses
+  std::vector<Value> parameters; // those by value that may lie on the stack of the caller
 };
 
 struct PragmaFact {

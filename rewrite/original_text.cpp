@@ -64,8 +64,13 @@ std::string original_function_text(PragmaFact const &pragma) {
       (clause.name == "output" ? exit : entry) += clause_text(clause);
   }
   if (!is_kernel) return "";
-  return fmt::format("SYMREAL_ORIGINAL_FUNCTION({}, {}) {}SYMREAL_ORIGINAL_OUTPUTS({})",
-                     place_arguments(pragma.function[0].name, pragma.place), call, entry, exit);
+  std::string own;
+  for (FunctionFact::Value const &one : pragma.function[0].parameters)
+    own += fmt::format("SYMREAL_ORIGINAL_OWN({}) ", one.name);
+  std::string const place = place_arguments(pragma.function[0].name, pragma.place);
+  return fmt::format("SYMREAL_ORIGINAL_FUNCTION({0}, {1}) {2}{3}SYMREAL_ORIGINAL_OUTPUTS({4}) "
+                     "SYMREAL_ORIGINAL_WRAPPER({0})",
+                     place, call, own, entry, exit);
 }
 
 std::vector<Edit> original_edits(Facts const &facts, std::string const &path) {

@@ -10,7 +10,7 @@ static std::string declared(QualType type, std::string name, PrintingPolicy cons
   return name;
 }
 
-std::string plain_declaration(FunctionDecl const *function, LangOptions const &language) {
+std::optional<Signature> plain_declaration(FunctionDecl const *function, LangOptions const &language) {
   bool const is_global = function->getDeclContext()->getRedeclContext()->isTranslationUnit();
   if (!is_global || function->isVariadic() || function->isTemplated() || function->getPrimaryTemplate() ||
       !function->getDeclName().isIdentifier())
@@ -27,10 +27,12 @@ std::string plain_declaration(FunctionDecl const *function, LangOptions const &l
   }
   if (parameters.empty() && !language.CPlusPlus) parameters = "void";
   std::string text = declared(function->getReturnType(), function->getNameAsString() + "(" + parameters + ")", policy);
-  if (!language.CPlusPlus) return text + "\n" + arguments;
+  Signature signature{text, arguments, !function->getReturnType()->isVoidType()};
+  if (!language.CPlusPlus) return signature;
   auto const *type = function->getType()->getAs<FunctionProtoType>();
-  if (type && type->getExceptionSpecType() == EST_BasicNoexcept) text += " noexcept";
-  return (function->isExternC() ? "extern \"C\" " : "") + text + "\n" + arguments;
+  if (type && type->getExceptionSpecType() == EST_BasicNoexcept) signature.declaration += " noexcept";
+  if (function->isExternC()) signature.declaration.insert(0, "extern \"C\" ");
+  return signature;
 }
 
 } // namespace symreal::rewrite

@@ -169,20 +169,25 @@ private:
       report(DiagnosticId::pragma_unattached, function->getLocation(), "the function's body is made by a macro");
       return;
     }
-    FunctionFact fact{.name = function->getNameAsString(), .signature = {}, .brace = *brace, .values = {}};
+    FunctionFact fact{
+        .name = function->getNameAsString(), .signature = {}, .brace = *brace, .values = {}, .parameters = {}};
     unsigned end = map_.sources().getFileOffset(map_.sources().getExpansionLoc(function->getBody()->getBeginLoc()));
     if (auto const *constructor = dyn_cast<CXXConstructorDecl>(function))
       for (CXXCtorInitializer const *initializer : constructor->inits())
         if (initializer->isWritten())
           end = std::min(
               end, map_.sources().getFileOffset(map_.sources().getExpansionLoc(initializer->getSourceLocation())));
-    fact.signature = normalised(text.substr(begin, end - begin).str());
-    if (std::string const plain = plain_declaration(function, map_.language()); !plain.empty()) fact.signature = plain;
-    fact.returns_value = !function->getReturnType()->isVoidType();
+    fact.signature = {normalised(text.substr(begin, end - begin).str()), {}, !function->getReturnType()->isVoidType()};
+    if (std::optional<Signature> const plain = plain_declaration(function, map_.language())) fact.signature = *plain;
     for (ParmVarDecl const *parameter : function->parameters())
       if (parameter->getIdentifier() && (reals_.carries_real(parameter->getType()) ||
                                          (parameter->isReferenced() && integers_.holds(parameter->getType()))))
         fact.values.push_back({parameter->getName().str(), map_.place(parameter->getLocation())});
+    constexpr unsigned in_registers = 6; // at least, of the calling conventions in use
+    for (ParmVarDecl const *parameter : function->parameters())
+      if (parameter->getIdentifier() && !parameter->getType()->isReferenceType() &&
+          (function->getNumParams() > in_registers || parameter->getType()->isRecordType()))
+        fact.parameters.push_back({parameter->getName().str(), map_.place(parameter->getLocation())});
     pragma.function = {fact};
   }
 

@@ -161,6 +161,9 @@ std::string function_text(PragmaFact const &pragma) {
   }
   if (!is_kernel) return trimmed(entry);
   std::string text = "SYMREAL_FUNCTION(" + place_arguments(pragma.function[0].name, pragma.place) + call + ") " + entry;
+  for (FunctionFact::Value const &value : pragma.function[0].parameters)
+    text.append("SYMREAL_PARAMETER(" + quoted(value.name) + ", " + quoted(to_string(value.place)) + ", " + value.name)
+        .append(") ");
   for (FunctionFact::Value const &value : pragma.function[0].values)
     if (!is_annotated(pragma, value.name))
       text.append("SYMREAL_ARGUMENT(" + quoted(value.name) + ", " + quoted(to_string(value.place)) + ", " + value.name)

@@ -10,6 +10,7 @@
 #include "diagnostics/diagnostic.h"
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -136,15 +137,21 @@ struct Annotation {
 };
 
 // What `generate`, or a function with a pragma, asks for.
+// Of the function of a kernel.
+struct Signature {
+  std::string declaration; // without its `;`
+  // What passes its parameters on, where it can be declared again under another name (plain_declaration.h).
+  std::optional<std::string> arguments;
+  bool returns_value = false;
+};
+
 struct Kernel {
   std::string name;
   bool is_function = false;
   bool by_hand = false; // by calls of <symreal/symbolic_main.h>
   Place place;
   std::string output_file; // the name in generate("..."), else empty
-  // Of the function: its declaration, and on a second line what passes its parameters on (plain_declaration.h). Of a
-  // member and the like one line, in the source's own words.
-  std::string signature;
+  Signature signature;
   std::vector<Annotation> annotations;
   std::string source; // display path of the file that holds the pragma
 };

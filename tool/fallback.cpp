@@ -17,18 +17,15 @@ static std::size_t name_in(std::string const &declaration, std::string const &na
 }
 
 Fallback fallback(rewrite::Kernel const &kernel, std::string const &name) {
-  std::size_t const line = kernel.signature.find('\n');
-  std::string declaration = kernel.signature.substr(0, line);
+  std::string declaration = kernel.signature.declaration;
   std::size_t const at = name_in(declaration, kernel.name);
-  if (line == kernel.signature.npos || at == declaration.npos)
+  if (!kernel.signature.arguments || at == declaration.npos)
     fail(DiagnosticId::option_without_effect, kernel.place,
          "--wrapper calls the original where a guard does not hold, but '" + kernel.name + "' is no plain function");
-  bool const is_void =
-      declaration.starts_with("void " + kernel.name) || declaration.starts_with("extern \"C\" void " + kernel.name);
   declaration.replace(at, kernel.name.size(), name);
-  std::string const call = fmt::format("{}({})", name, kernel.signature.substr(line + 1));
-  return {declaration + ";\n",
-          is_void ? fmt::format("{{\n    {};\n    return;\n  }}\n", call) : fmt::format("return {};\n", call)};
+  std::string const call = fmt::format("{}({})", name, *kernel.signature.arguments);
+  return {declaration + ";\n", !kernel.signature.returns_value ? fmt::format("{{\n    {};\n    return;\n  }}\n", call)
+                                                               : fmt::format("return {};\n", call)};
 }
 
 } // namespace symreal::tool

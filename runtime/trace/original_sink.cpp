@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <map>
 #include <sys/mman.h>
 #include <unistd.h>
 
@@ -55,6 +56,14 @@ public:
   }
   void holder(void const *begin, std::size_t size) override {
     if (kind_ == Kind::output) holders_.push_back({static_cast<char const *>(begin), size});
+  }
+  // Called again, the kernel finds its arguments as they were.
+  void own(void const *begin, std::size_t size) override {
+    auto *bytes = static_cast<char *>(const_cast<void *>(begin));
+    std::string &kept = own_[bytes];
+    if (is_again_) return void(kept.copy(bytes, size));
+    kept.assign(bytes, size);
+    holders_.push_back({bytes, size});
   }
   void end_object(std::vector<std::size_t>) override {}
   void set_range(double, double) override {}
@@ -124,6 +133,7 @@ private:
   std::vector<double const *> inputs_;
   std::vector<double *> outputs_;
   std::vector<Known> holders_, scratch_, constant_;
+  std::map<char *, std::string> own_; // and what was there
   Graph interface_;
 };
 
@@ -184,6 +194,11 @@ void symreal_original_holder(void const volatile *begin, std::size_t size) {
   if (!symreal::trace::is_later) Kernel::current().sink().holder(const_cast<void const *>(begin), size);
 }
 
+void symreal_original_own(void const volatile *begin, std::size_t size) {
+  OwnWork const own;
+  Kernel::current().sink().own(const_cast<void const *>(begin), size);
+}
+
 void symreal_original_object_end() {
   OwnWork const own;
   if (!symreal::trace::is_later) Kernel::current().sink().end_object({});
@@ -217,6 +232,11 @@ void symreal_original_returned(int active, char const *label, char const *file, 
   if (!symreal_original_object("output", label, file, line, column, nullptr)) return;
   symreal_original_bytes(value, size, 1);
   symreal_original_object_end();
+}
+
+int symreal_original_compute(double const *input, double const *parameters, double *output) {
+  OwnWork const own;
+  return symreal::replay::replay_compute(input, parameters, output);
 }
 
 void symreal_original_generate(char const *name, char const *file, unsigned line, unsigned column) {

@@ -64,9 +64,14 @@ void State::named(void const *object, std::size_t size, detail::Scope scope, cha
   names_[object] = {size, {name, place, scope}};
 }
 
-void State::around(void const *object, std::size_t size, char const *name, char const *place) {
-  named(object, size, detail::Scope::around, name, place);
-  widen_around(object, size);
+void State::local(void const *object, std::size_t size, detail::Scope scope, char const *name, char const *place) {
+  named(object, size, scope, name, place);
+  if (scope == detail::Scope::around) widen_around(object, size);
+}
+
+// Nobody else can know what is left in it.
+static bool is_private(Site const &site) {
+  return site.scope == detail::Scope::around || site.scope == detail::Scope::parameter;
 }
 
 State::Read &State::read_at(Site const &site) {
@@ -220,7 +225,7 @@ void State::make_plain(RealNumber const *number) {
 }
 
 void State::report_lost(Site const &site) {
-  if (site.scope == detail::Scope::around || !reported_.insert(site).second) return;
+  if (is_private(site) || !reported_.insert(site).second) return;
   report({DiagnosticId::state_not_output, Severity::error, written_place(site.place),
           "'" + std::string(site.name) + "' is written by the kernel and is no output"});
 }
@@ -248,7 +253,8 @@ void State::mark_scratch() {
 // The caller sees what became of its inputs.
 void State::judge_inputs() {
   for (Input const &one : inputs_) {
-    bool const is_own = detail::on_own_stack(one.number) || (shadow_.at(one.number) & mark::own) != 0;
+    bool const is_own = detail::on_own_stack(one.number) || (shadow_.at(one.number) & mark::own) != 0 ||
+                        is_private(site_of(one.number, "", ""));
     if (is_own || may_be_left(one.number) || one.number->to_bits() == one.bits) continue;
     auto const written = std::find_if(written_.begin(), written_.end(),
                                       [&one](Written const &each) { return each.begin == one.number; });
@@ -266,11 +272,10 @@ void State::judge_integers() {
     Marks const marks = shadow_.at(one.integer.address);
     if ((marks & mark::freed) != 0) continue;
     bool const is_constant = (marks & mark::constant) != 0 || integers_.is_annotated(one.integer);
-    bool const is_around = one.site.scope == detail::Scope::around;
     bool const private_scratch = !one.is_read && one.site.scope == detail::Scope::function;
     if (one.is_lost() && private_scratch)
       event({"scratch", std::string(one.site.name)});
-    else if (one.is_lost() && !is_around)
+    else if (one.is_lost() && !is_private(one.site))
       report_lost(one.site);
     else if (one.is_read && !is_constant)
       reads_[one.site].integers.push_back(one.value());
@@ -288,18 +293,21 @@ void State::warn_overlooked() const {
 // What was read keeps the value that it had then, unless it has changed.
 void State::judge_reads(std::vector<Frozen> &frozen) {
   for (auto &[site, read] : reads_) {
-    bool const is_around = site.scope == detail::Scope::around;
-    Frozen state{std::string(site.name), written_place(site.place), {}, is_around, std::move(read.stack)};
+    Frozen state{std::string(site.name),
+                 written_place(site.place),
+                 {},
+                 site.scope == detail::Scope::around,
+                 std::move(read.stack)};
     std::vector<double> kept; // by outputs
     for (std::size_t k = 0; k < read.numbers.size(); ++k) {
       RealNumber const *number = read.numbers[k];
       Marks const marks = shadow_.at(number);
       bool const changed_since =
           (marks & mark::freed) == 0 && number->to_bits() != RealNumber(read.values[k]).to_bits();
-      if (changed_since && (marks & mark::may_be_left) == 0 && !is_around)
+      if (changed_since && (marks & mark::may_be_left) == 0 && !is_private(site))
         report_lost(site);
       else if ((marks & mark::constant) == 0)
-        ((marks & mark::output) != 0 && !is_around ? kept : state.values).push_back(read.values[k]);
+        ((marks & mark::output) != 0 && !is_private(site) ? kept : state.values).push_back(read.values[k]);
       if (changed_since) make_plain(number);
     }
     state.values.insert(state.values.end(), read.integers.begin(), read.integers.end());

@@ -29,8 +29,8 @@ public:
 
   // A reference to an object of static storage duration: from here on its numbers go by this name.
   void named(void const *object, std::size_t size, detail::Scope scope, char const *name, char const *place);
-  // A local of the function around the kernel.
-  void around(void const *object, std::size_t size, char const *name, char const *place);
+  // A local of the function around the kernel, or a parameter of its own.
+  void local(void const *object, std::size_t size, detail::Scope scope, char const *name, char const *place);
   bool is_around(void const *address) const { return site_of(address, "", "").scope == detail::Scope::around; }
   void read(RealNumber const *number, char const *name, char const *place);
   void read(IntegerObject integer, char const *name, char const *place);

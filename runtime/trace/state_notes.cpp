@@ -16,9 +16,9 @@ void note_static(void const *object, std::size_t size, Scope scope, char const *
   State::current().named(object, size, scope, name, place);
 }
 
-void note_around(void const *object, std::size_t size, char const *name, char const *place) noexcept {
+void note_local(void const *object, std::size_t size, Scope scope, char const *name, char const *place) noexcept {
   Pause const pause;
-  State::current().around(object, size, name, place);
+  State::current().local(object, size, scope, name, place);
 }
 
 bool is_around(void const *address) noexcept { return State::current().is_around(address); }

@@ -55,6 +55,7 @@
 #define SYMREAL_REAL_LAYOUT(...)
 #define SYMREAL_REAL_PADDING(...)
 #define SYMREAL_AROUND(...)
+#define SYMREAL_PARAMETER(...)
 #define SYMREAL_OBJECT(...)
 #define SYMREAL_DECLARE(...)
 #define SYMREAL_DECLARE_SECTION(...)
@@ -134,6 +135,7 @@
 #define SYMREAL_REAL_SHOWS(...) (::symreal::Shows(SYMREAL_SHOWN_FIRST), __VA_ARGS__)
 #define SYMREAL_REAL_TEXT(name, place, ...) (::symreal::text(__VA_ARGS__, name, place))
 #define SYMREAL_AROUND(name, place, ...) ::symreal::around(__VA_ARGS__, name, place);
+#define SYMREAL_PARAMETER(name, place, ...) ::symreal::parameter(__VA_ARGS__, name, place);
 /* What a class tells about itself: `access` is that of what follows. */
 #define SYMREAL_REAL_MEMBERS(access, ...)                                                                              \
 public:                                                                                                                \
@@ -179,6 +181,7 @@ public:                                                                         
 #define SYMREAL_REAL_LAYOUT(...)
 #define SYMREAL_REAL_PADDING(...)
 #define SYMREAL_AROUND(...)
+#define SYMREAL_PARAMETER(...)
 #endif
 /* A conversion by what its context expects; an enumerator as the integer that it is in C. */
 #define SYMREAL_REAL_FIT(...) (::symreal::fit(__VA_ARGS__))

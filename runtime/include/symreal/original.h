@@ -18,6 +18,8 @@ void symreal_original_bytes(void const volatile *begin, __SIZE_TYPE__ size, int 
 /* An object that holds such numbers, maybe elsewhere: of an output its own bytes may change as well. */
 void symreal_original_holder(void const volatile *begin, __SIZE_TYPE__ size);
 void symreal_original_object_end(void);
+/* The kernel's own, though it may lie with its caller: a parameter. */
+void symreal_original_own(void const volatile *begin, __SIZE_TYPE__ size);
 /* A function with a pragma is entered; whether this call is the kernel. */
 int symreal_original_function(char const *name, char const *file, unsigned line, unsigned column, unsigned call,
                               void const *frame);
@@ -26,6 +28,8 @@ int symreal_original_entered(int active);
 /* Its outputs follow; whether they do. */
 int symreal_original_leaving(int active);
 void symreal_original_function_end(int active);
+/* The generated code of the kernel: 0, or the guard that does not hold. */
+int symreal_original_compute(double const *input, double const *parameters, double *output);
 /* The returned value, as an output. */
 void symreal_original_returned(int active, char const *label, char const *file, unsigned line, unsigned column,
                                void const *value, __SIZE_TYPE__ size);
@@ -46,6 +50,8 @@ void symreal_original_keep(void const *frame);
 #endif
 
 #define SYMREAL_ORIGINAL_FRAME __builtin_frame_address(0)
+/* Where a program that tries a wrapper has its statements. */
+#define SYMREAL_ORIGINAL_WRAPPER(name, file, line, column)
 
 #ifdef __x86_64__
 #define SYMREAL_ORIGINAL_AGAIN(active)                                                                                 \
@@ -59,6 +65,8 @@ void symreal_original_keep(void const *frame);
 
 #ifndef __cplusplus
 
+#define SYMREAL_ORIGINAL_IS_ACTIVE symreal_kernel
+#define SYMREAL_ORIGINAL_OWN(object) symreal_original_own(&(object), sizeof(object));
 #define SYMREAL_ORIGINAL_NUMBERS(...) symreal_original_bytes(&(__VA_ARGS__), sizeof(__VA_ARGS__), 0)
 #define SYMREAL_ORIGINAL_BYTES SYMREAL_ORIGINAL_NUMBERS
 #define SYMREAL_ORIGINAL_FUNCTION(name, file, line, column, call)                                                      \
@@ -199,6 +207,9 @@ template <class Outputs> OnReturn<Outputs> on_return(int active, Outputs outputs
 
 } // namespace symreal_original
 
+#define SYMREAL_ORIGINAL_IS_ACTIVE symreal_kernel.active()
+#define SYMREAL_ORIGINAL_OWN(object)                                                                                   \
+  symreal_original_own(&reinterpret_cast<char const volatile &>(object), sizeof(object));
 #define SYMREAL_ORIGINAL_NUMBERS(...) ::symreal_original::numbers(__VA_ARGS__)
 #define SYMREAL_ORIGINAL_BYTES(...) ::symreal_original::bytes(__VA_ARGS__)
 #define SYMREAL_ORIGINAL_FUNCTION(name, file, line, column, call)                                                      \

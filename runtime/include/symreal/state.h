@@ -35,10 +35,11 @@ inline bool is_own(void const *address) noexcept {
   return on_own_stack(address) && !(may_be_around && is_around(address));
 }
 
-// Who can name the object: anybody; one function; the one around a block kernel, whose locals may be changed.
-enum class Scope { any, function, around };
+// Who can name the object: anybody; one function; the one around a block kernel, whose locals may be changed; the
+// kernel itself, of its parameters, which may lie with the caller.
+enum class Scope { any, function, around, parameter };
 void note_static(void const *object, std::size_t size, Scope scope, char const *name, char const *place) noexcept;
-void note_around(void const *object, std::size_t size, char const *name, char const *place) noexcept;
+void note_local(void const *object, std::size_t size, Scope scope, char const *name, char const *place) noexcept;
 void note_integer_written(IntegerObject integer, char const *name, char const *place) noexcept;
 void note_written(void const *begin, std::size_t size, char const *name, char const *place) noexcept;
 // The object outlives this statement: if it still exists when the kernel ends, its numbers are looked at again.
@@ -126,8 +127,15 @@ template <class T> constexpr T &local_state(T &object, char const *name, char co
 // A local of the function around a block kernel. An integer among them was looked at by the rewriter: it is read.
 template <class T> void around(T const &object, char const *name, char const *place) noexcept {
   if (!detail::recording) return;
-  detail::note_around(&object, sizeof object, name, place);
+  detail::note_local(detail::bytes_of(&object), sizeof object, detail::Scope::around, name, place);
   if constexpr (detail::is_integer<T>) detail::note_integer_read(IntegerObject::of(object), name, place);
+}
+
+// A parameter of the kernel, by value.
+template <class T> void parameter(T const &object, char const *name, char const *place) noexcept {
+  if (detail::recording)
+    detail::note_local(detail::bytes_of(&reinterpret_cast<char const volatile &>(object)), sizeof object,
+                       detail::Scope::parameter, name, place);
 }
 
 // The value of the object is used. What holds no number, and what a macro makes of the same words elsewhere, passes.
