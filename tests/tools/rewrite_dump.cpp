@@ -9,8 +9,8 @@ using namespace symreal;
 
 static void print_kernel(rewrite::Kernel const &kernel) {
   std::cout << "kernel " << kernel.name << (kernel.is_function ? " function" : " region") << " at "
-            << to_string(kernel.place) << " file '" << kernel.output_file << "' signature '" << kernel.signature
-            << "'\n";
+            << to_string(kernel.place) << " file '" << kernel.output_file << "' signature '"
+            << kernel.signature.declaration << "'\n";
   for (rewrite::Annotation const &one : kernel.annotations) {
     std::cout << "  " << one.kind << " '" << one.label << "' at " << to_string(one.place) << " " << one.expression;
     for (rewrite::Section const &section : one.sections)
