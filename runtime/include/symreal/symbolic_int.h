@@ -103,6 +103,7 @@ public:
       : held_(from_plain(static_cast<T>(value))) {}
   // 1 or 0, as for a real number.
   SymbolicInt(SymbolicBool condition) noexcept : held_(from_small(RealNumber(condition), 1)) {}
+  constexpr SymbolicInt(double value) noexcept : held_(from_plain(static_cast<T>(value))) {}
   // The conversion of a real number.
   [[gnu::always_inline]] explicit SymbolicInt(RealNumber x) noexcept : held_(detail::converted<T>(x)) {}
   template <class U> [[gnu::always_inline]] SymbolicInt(SymbolicInt<U> other) noexcept

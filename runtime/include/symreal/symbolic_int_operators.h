@@ -55,6 +55,7 @@ template <class U> [[gnu::always_inline]] inline RealNumber rounded(RealNumber x
 }
 
 template <class T> using IfSymbolic = std::enable_if_t<is_symbolic_int<T>, int>;
+template <class T> using IfTruth = std::enable_if_t<std::is_same_v<T, SymbolicBool>, int>;
 
 } // namespace detail
 
@@ -175,6 +176,8 @@ template <class T> SymbolicInt<detail::Promoted<T>> abs(SymbolicInt<T> x) noexce
     return select(y < C(0), -y, y);
 }
 
+inline SymbolicInt<int> abs(SymbolicBool x) noexcept { return x; }
+
 inline SymbolicInt<long> lround(RealNumber x) noexcept { return SymbolicInt<long>(round(x)); }
 inline SymbolicInt<long long> llround(RealNumber x) noexcept { return SymbolicInt<long long>(round(x)); }
 inline SymbolicInt<long> lrint(RealNumber x) noexcept { return SymbolicInt<long>(rint(x)); }
@@ -222,7 +225,7 @@ SymbolicInt<T> clamp(SymbolicInt<T> x, typename detail::Given<SymbolicInt<T>>::T
   return select(below, low, select(above, high, x));
 }
 
-// Functions of a real number take an integer, too.
+// Functions of a real number take an integer, too, and a truth value.
 #define SYMREAL_FORM_infix(...)
 #define SYMREAL_FORM_prefix(...)
 #define SYMREAL_FORM_cast(...)
@@ -231,7 +234,8 @@ SymbolicInt<T> clamp(SymbolicInt<T> x, typename detail::Given<SymbolicInt<T>>::T
 #define SYMREAL_FORM_external(...)
 #define SYMREAL_FORM_call(id, arity) SYMREAL_CALL_##arity(id)
 #define SYMREAL_CALL_1(id)                                                                                             \
-  template <class I, detail::IfSymbolic<I> = 0> RealNumber id(I x) noexcept { return id(RealNumber(x)); }
+  template <class I, detail::IfSymbolic<I> = 0> RealNumber id(I x) noexcept { return id(RealNumber(x)); }              \
+  template <class T, detail::IfTruth<T> = 0> RealNumber id(T x) noexcept { return id(RealNumber(x)); }
 #define SYMREAL_CALL_2(id)                                                                                             \
   template <class I, class U, detail::IfSymbolic<I> = 0> RealNumber id(I x, U y) noexcept {                            \
     return id(RealNumber(x), RealNumber(y));                                                                           \
