@@ -72,7 +72,7 @@ class Generator:
         self.body = []          # of the function that is being written
         self.scopes = [[]]      # Variables and Arrays; the first is file scope
         self.functions = []
-        self.decides = policy != "error" or self.chance(0.2)
+        self.decides = policy != "error" or self.has("decisions")
         self.plain = 0          # > 0: what is made must not depend on an input
         self.loops = 0
         self.in_helper = False

@@ -51,7 +51,8 @@ def bounded(g, made, low, high):
         return Expression(f"{made.at(12)} % {size}", 12, common(made.type, INT), -high, high, made.symbolic)
     type = common(made.type, INT)
     if g.chance(0.5) and made.high < 2 ** 31 and made.type.signed:
-        return Expression(f"({made.text} < 0 ? 0 : {made.text} > {high} ? {high} : {made.text})", PRIMARY, type, 0, high,
+        compared = made.at(RELATION)
+        return Expression(f"({compared} < 0 ? 0 : {compared} > {high} ? {high} : {made.at(CONDITION)})", PRIMARY, type, 0, high,
                           made.symbolic)
     if size & (size - 1) == 0:
         return Expression(f"{made.at(PRECEDENCE['&'])} & {high}", PRECEDENCE["&"], type, 0, high, made.symbolic)

@@ -39,7 +39,7 @@ def flat(nodes, depth=0):
 
 
 def make_kernel(name, seed, language, policy, mode, excluded=()):
-    features = drawn(random.Random(f"features {seed}"), language, excluded)
+    features = drawn(random.Random(f"features {seed}"), language, int(seed.split("/")[-1]), excluded)
     g = Generator(name, seed, language, policy, mode, features)
     for _ in range(g.whole(0, 4)):
         g.choose("definition", 2)
@@ -59,7 +59,7 @@ def write_body(g):
         if g.has("returns"):
             for text in written:
                 if not any(text in elements for _, elements in interface.inputs):
-                    g.line(f"{text} = {some_number(g, 1).text};")
+                    g.line(f"{text} = {some_number(g, 1).at(ADD)} + {g.random.choice(g.inputs).text};")
             g.returns = []
     else:
         g.returns = []
@@ -71,6 +71,7 @@ def write_body(g):
                 g.line(f"{text} = {made.text};")
         else:
             g.line(f"{text} {g.among('+=', '-=') if g.has('returns') and g.chance(0.2) and not g.has('unwritten_outputs') else '='} {made.text};")
+    keep_dependent(g, interface)
     if interface.result == "double":
         g.line(f"return {observed(g).text};")
     header = f"{interface.result} {g.name}({', '.join(interface.parameters)}) {{"
@@ -79,11 +80,21 @@ def write_body(g):
     return interface, written
 
 
+def keep_dependent(g, interface):
+    """State that was assigned may be a constant by now, which is an error."""
+    outputs = {element for _, elements in interface.outputs for element in elements}
+    lines = [line.strip() for line in flat(g.body)]
+    for _, elements in interface.inputs:
+        for element in elements:
+            if element.startswith(g.name) and element in outputs and any(line.startswith(element.split("[")[0]) for line in lines):
+                g.line(f"{element} = 0.5 * {element} + 0.25 * {g.random.choice(g.inputs).text};")
+
+
 def observed(g):
     """A value that shows what became of the variables."""
     made = any_number(g, 2)
-    if not made.symbolic or g.chance(0.8):  # an output that depends on no input is an error
-        made = number(joined("+", made, g.random.choice(g.inputs)), ADD, None, True)
+    # An output that depends on no input is an error.
+    made = number(joined("+", made, g.random.choice(g.inputs)), ADD, None, True)
     for variable in g.variables(lambda v: v.writable or v.type != DOUBLE)[-6:]:
         if variable.low != variable.high and g.chance(0.6):
             factor = g.among("", "", "0.5 * ", "3 * ") if variable.type == DOUBLE else g.among("0.5 * ", "1e-3 * ", "")

@@ -15,7 +15,7 @@ def table(g, depth):
         g.scopes[0].append(Array(name, size, INT, -9, 9, False, False, True))
         return True
     values = [g.random.choice(["0.5", "2.0", "-1.5", "3.25", "0.1", "-7.0", "4", "0.0"]) for _ in range(size)]
-    const = "" if g.chance(0.1) else "const "
+    const = "" if g.has("undeclared_state") and g.chance(0.5) else "const "
     g.define(f"static {const}double {name}[{size}] = {{{', '.join(values)}}};")
     g.scopes[0].append(Array(name, size, DOUBLE, -7.0, 4.0, False, False, True))
     return True

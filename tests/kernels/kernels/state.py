@@ -1,5 +1,6 @@
 """What outlives a call: declared as it should be, or deliberately not, which the tool must then refuse."""
 from .arithmetic import DOUBLE, INT
+from .expression import ADD
 from .generator import Array, Variable, production
 from .integers import bounded, integer
 from .interface import section
@@ -39,8 +40,8 @@ def written_first(g, made):
     name = g.outer("seen")
     g.define(f"static double {name} = 1.5;")
     made.outputs.append((name, [name]))
-    g.line(f"{name} = {tame_number(g, 1, 100).text};")
-    g.declare(Variable(name, DOUBLE, -100.0, 100.0, True))
+    g.line(f"{name} = fmax(-100.0, fmin(100.0, {tame_number(g, 1, 100).at(ADD)} + {g.inputs[0].text}));")
+    g.declare(Variable(name, DOUBLE, -100.0, 100.0, True, False))
 
 
 def scratch(g, made):
