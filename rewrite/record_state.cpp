@@ -200,7 +200,8 @@ void Recorder::members(RecordDecl const *record) {
     QualType const type = field->getType();
     if (!field->getIdentifier()) continue;
     if (field->isBitField()) fact.fields.push_back({"", true}); // which has no address
-    bool const is_looked_at = !field->isBitField() && !type->isIncompleteType() && !type->isReferenceType() && !type->isPointerType() &&
+    bool const is_looked_at = !field->isBitField() && !type->isIncompleteType() && !type->isReferenceType() &&
+                              !type->isPointerType() &&
                               (!IntegerState::is_integer(type) || IntegerState::has_address(field));
     bool const holds = is_looked_at && (type->isDependentType() || holds_state(type));
     fact.fields.push_back({field->getNameAsString(), holds});
