@@ -58,6 +58,10 @@ public:
     // a variable by then, or in the array of a call.
     for (NodeId result : results)
       if (!graph.nodes[result].is_constant() && graph.nodes[result].op != Op::returned) has_variable_[result] = 1;
+    // gcc 12 takes 0.0 - fabs(x) for -fabs(x), which is -0 where the difference is +0, if one expression has both.
+    for (Node const &node : graph.nodes)
+      if (node.op == Op::sub && is_zero(graph.nodes[node.operand[0]]) && !is_read_[node.operand[1]])
+        has_variable_[node.operand[1]] = 1;
   }
 
   FunctionBody run() {
@@ -81,6 +85,8 @@ private:
     if (effect_ != no_node) roots.push_back(effect_);
     return roots;
   }
+
+  static bool is_zero(Node const &node) { return node.is_constant() && node.value() == 0; }
 
   // An integer of 64 bits that is a constant.
   bool is_literal(Node const &node) const { return node.op == Op::wide && node.attribute == Attribute::constant; }

@@ -7,7 +7,7 @@
 // CHECK: kernel limited, mode finite: 1000 samples
 // CHECK: refused by a guard: {{[1-9]}}
 // CHECK: the wrapper was tried as well
-// RUN: sed 's/s->a = symreal_output/s->b = symreal_output/' %t/turn_wrapper.c > %t/w.c && not diff %t/w.c %t/turn_wrapper.c && mv %t/w.c %t/turn_wrapper.c
+// RUN: sed 's/(s->a) = symreal_output/(s->b) = symreal_output/' %t/turn_wrapper.c > %t/w.c && not diff %t/w.c %t/turn_wrapper.c && mv %t/w.c %t/turn_wrapper.c
 // RUN: cd %t && not %symreal verify v.c turn.c 2>&1 | FileCheck %s --check-prefix=OTHER
 // OTHER: turn_wrapper.c:1:1: error: this wrapper was not generated for kernel 'turn' as it is now [SYM090]
 #include <stdio.h>
@@ -19,7 +19,7 @@ static int calls;
 double turn(struct state *s, double const angle[2])
 {
     double const old = s->a;
-    ++calls;
+    calls = 1;
     s->a = s->a * angle[0] - s->b * angle[1];
     return old + s->a;
 }
@@ -27,7 +27,7 @@ double turn(struct state *s, double const angle[2])
 #pragma symreal function input(x) output(y[0:2]) scratch(calls)
 void limited(double x, double *y)
 {
-    ++calls;
+    calls = 1;
     y[0] = x > 1 ? 1 : x;
     y[1] = 2 * y[0];
 }
