@@ -1,5 +1,6 @@
 #include "rewrite/effects.h"
 
+#include "rewrite/evaluated_walk.h"
 #include "rewrite/storage.h"
 
 namespace symreal::rewrite {
@@ -23,20 +24,6 @@ bool is_mathematical(FunctionDecl const *function, Reals const &reals) {
   return function->getBuiltinID() != 0 && function->getDeclName().isIdentifier() &&
          Reals::is_math_name(function->getName());
 }
-
-} // namespace
-
-// Walks what is evaluated.
-template <class Derived> class EvaluatedWalk : public RecursiveASTVisitor<Derived> {
-public:
-  bool shouldVisitImplicitCode() const { return true; }
-  bool TraverseLambdaExpr(LambdaExpr *) { return true; }
-  bool TraverseUnaryExprOrTypeTraitExpr(UnaryExprOrTypeTraitExpr *) { return true; }
-  bool TraverseCXXNoexceptExpr(CXXNoexceptExpr *) { return true; }
-  bool TraverseTypeLoc(TypeLoc) { return true; }
-};
-
-namespace {
 
 // Which variables are used in another way than by their values?
 class AddressUses : public EvaluatedWalk<AddressUses> {

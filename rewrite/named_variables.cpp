@@ -1,22 +1,17 @@
 #include "rewrite/named_variables.h"
 
+#include "rewrite/evaluated_walk.h"
 #include "rewrite/storage.h"
 
 namespace symreal::rewrite {
 using namespace clang;
 
-// Walks what is evaluated.
-class NamedUses : public RecursiveASTVisitor<NamedUses> {
+class NamedUses : public EvaluatedWalk<NamedUses> {
 public:
   NamedUses(NamedVariableAnalysis &analysis, NamedVariables &found, bool with_locals)
       : analysis_(analysis),
         found_(found),
         with_locals_(with_locals) {}
-
-  bool shouldVisitImplicitCode() const { return true; }
-  bool TraverseLambdaExpr(LambdaExpr *) { return true; }
-  bool TraverseUnaryExprOrTypeTraitExpr(UnaryExprOrTypeTraitExpr *) { return true; }
-  bool TraverseTypeLoc(TypeLoc) { return true; }
 
   bool VisitImplicitCastExpr(ImplicitCastExpr *cast) {
     if (cast->getCastKind() == CK_LValueToRValue) add(found_.read, cast->getSubExpr());
