@@ -1,6 +1,5 @@
 // Calls of functions that are compiled elsewhere, or that read what a library keeps: what they give is baked in, like
 // other state. Those of the standard library are known (trace/outside.def); `external` declares others.
-#include "rewrite/named_variables.h"
 #include "rewrite/recorder.h"
 
 #include <clang/Tooling/Inclusions/StandardLibrary.h>
@@ -29,9 +28,7 @@ bool is_standard(FunctionDecl const *function) {
   return is_watched(name) || Symbol::named("", name, Lang::C) || Symbol::named("std::", name, Lang::CXX);
 }
 
-bool reads_variables(FunctionDecl const *function) {
-  NamedVariableAnalysis analysis;
-  NamedVariables const named = analysis.of(function);
+bool has_variable(NamedVariables const &named) {
   return llvm::any_of(named.read, [](VarDecl const *variable) { return !variable->getType().isConstQualified(); });
 }
 
@@ -49,7 +46,7 @@ void Recorder::call_outside(CallExpr const *call) {
   bool const is_number = type->isFloatingType();
   FunctionDecl const *definition = nullptr;
   if (function->isDefined(definition)) {
-    if (!is_number || !definition->getBody() || !reads_variables(definition)) return;
+    if (!is_number || !definition->getBody() || !has_variable(named_variables_.of(definition))) return;
   } else if (!is_number && map_.sources().isInSystemHeader(function->getLocation()))
     return; // a function of the system, such as open()
   environment(call, "outside", function->getQualifiedNameAsString() + "()");

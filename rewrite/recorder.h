@@ -4,6 +4,7 @@
 #include "rewrite/clang.h"
 #include "rewrite/facts.h"
 #include "rewrite/integer_state.h"
+#include "rewrite/named_variables.h"
 #include "rewrite/reals.h"
 #include "rewrite/source_map.h"
 #include "rewrite/storage.h"
@@ -198,6 +199,7 @@ private:
   IntegerState const &integers_;
   Surroundings const &surroundings_;
   Storage const storage_;
+  NamedVariableAnalysis named_variables_;
   Facts &facts_;
   llvm::SmallPtrSet<clang::Expr const *, 32> judged_;           // names whose use is noted already
   llvm::SmallPtrSet<clang::Expr const *, 4> counting_casts_;    // to bytes, which nobody looks at
