@@ -199,9 +199,11 @@ void Recorder::members(RecordDecl const *record) {
   for (FieldDecl const *field : record->fields()) {
     QualType const type = field->getType();
     if (!field->getIdentifier()) continue;
-    if (field->isBitField()) fact.fields.push_back({"", true}); // which has no address
-    bool const is_looked_at = !field->isBitField() && !type->isIncompleteType() && !type->isReferenceType() &&
-                              !type->isPointerType() &&
+    if (field->isBitField()) { // which has no address
+      fact.fields.push_back({"", true});
+      continue;
+    }
+    bool const is_looked_at = !type->isIncompleteType() && !type->isReferenceType() && !type->isPointerType() &&
                               (!IntegerState::is_integer(type) || IntegerState::has_address(field));
     bool const holds = is_looked_at && (type->isDependentType() || holds_state(type));
     fact.fields.push_back({field->getNameAsString(), holds});

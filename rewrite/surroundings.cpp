@@ -17,18 +17,17 @@ struct Mention {
 
 class Mentions : public RecursiveASTVisitor<Mentions> {
 public:
-  Mentions(SourceManager const &sources, VarDecl const *variable) : sources_(sources), variable_(variable) {}
+  explicit Mentions(SourceManager const &sources) : sources_(sources) {}
 
   bool VisitDeclRefExpr(DeclRefExpr *name) {
-    if (name->getDecl() == variable_)
-      found.push_back({sources_.getFileOffset(sources_.getExpansionLoc(name->getLocation())), name});
+    if (auto const *variable = dyn_cast<VarDecl>(name->getDecl()))
+      found[variable].push_back({sources_.getFileOffset(sources_.getExpansionLoc(name->getLocation())), name});
     return true;
   }
-  std::vector<Mention> found;
+  std::map<VarDecl const *, std::vector<Mention>> found;
 
 private:
   SourceManager const &sources_;
-  VarDecl const *variable_;
 };
 
 // The names that the statement gives values in any case.
@@ -94,9 +93,11 @@ public:
     std::optional<Span> const body = map_.range(function->getBody()->getSourceRange());
     auto const blocks = body ? blocks_.find(body->file) : blocks_.end();
     if (blocks == blocks_.end()) return true;
+    Mentions mentions(map_.sources());
+    mentions.TraverseStmt(function->getBody());
+    mentions_ = std::move(mentions.found);
     for (Block const &block : blocks->second) {
       if (block.begin < body->begin || body->end < block.end) continue;
-      function_ = function;
       assigned_.clear();
       look_down(block, function->getBody());
       for (ParmVarDecl const *parameter : function->parameters()) add(block, parameter);
@@ -139,7 +140,7 @@ private:
     bool const is_integer = !type->isDependentType() && IntegerState::is_integer(type);
     bool const holds = type->isDependentType() || reals_.carries_real(type) || integers_.holds(type);
     if (!is_integer && !holds) return;
-    std::vector<Mention> const mentions = mentions_of(variable);
+    std::vector<Mention> const &mentions = mentions_of(variable);
     bool const has_value =
         variable->hasInit() || isa<ParmVarDecl>(variable) || (!mentions.empty() && mentions[0].offset < block.begin);
     if (!has_value || (is_integer && !is_read_first(block, mentions))) return;
@@ -147,12 +148,11 @@ private:
     if (!is_integer) found_.blocks_[variable].emplace_back(block.begin, block.end);
   }
 
-  std::vector<Mention> mentions_of(VarDecl const *variable) const {
-    Mentions mentions(map_.sources(), variable);
-    mentions.TraverseStmt(function_->getBody());
-    std::sort(mentions.found.begin(), mentions.found.end(),
-              [](Mention const &a, Mention const &b) { return a.offset < b.offset; });
-    return mentions.found;
+  // In the order of the text.
+  std::vector<Mention> const &mentions_of(VarDecl const *variable) {
+    std::vector<Mention> &mentions = mentions_[variable];
+    std::sort(mentions.begin(), mentions.end(), [](Mention const &a, Mention const &b) { return a.offset < b.offset; });
+    return mentions;
   }
 
   // An integer is not followed; what counts is whether the block begins with a use of it.
@@ -167,8 +167,8 @@ private:
   IntegerState const &integers_;
   Surroundings &found_;
   std::map<std::string, std::vector<Block>> blocks_;
-  FunctionDecl const *function_ = nullptr;
-  llvm::SmallPtrSet<Expr const *, 8> assigned_; // where the block begins
+  std::map<VarDecl const *, std::vector<Mention>> mentions_; // in the function
+  llvm::SmallPtrSet<Expr const *, 8> assigned_;              // where the block begins
 };
 
 Surroundings::Surroundings(ASTContext &context, SourceMap const &map, Reals const &reals, IntegerState const &integers,
