@@ -1,22 +1,31 @@
 #include "tool/frozen.h"
 
 #include "graph/frozen.h"
+#include "tool/options.h"
 
 namespace symreal::tool {
 
-bool report_frozen(std::vector<program::Recorded> const &kernels, std::string const &policy, Console &console) {
-  if (policy == "allow") return true;
-  Severity const severity = policy == "warn" ? Severity::warning : Severity::error;
-  bool any = false;
+void FrozenOption::add_to(CLI::App &app) {
+  app.add_option("--frozen", policy,
+                 "What would be baked in: state (an error, but for the locals around a block), error (also for them), "
+                 "warn or allow")
+      ->capture_default_str();
+}
+
+void FrozenOption::require_sense() const { require_one_of("--frozen", policy, "state|error|warn|allow"); }
+
+bool report_frozen(std::vector<program::Recorded> const &kernels, FrozenOption const &option, Console &console) {
+  bool is_error = false;
   for (program::Recorded const &recorded : kernels)
     for (std::size_t i = 0; i < recorded.graph.frozen.size(); ++i) {
       Frozen const &state = recorded.graph.frozen[i];
-      if (state.is_around && policy == "state") continue; // the table and the header list it
-      any = true;
-      console.report({DiagnosticId::frozen_state, severity, state.place, frozen_message(recorded.kernel.name, state),
+      std::optional<Severity> const severity = frozen_severity(state, option.policy);
+      if (!severity) continue;
+      is_error = is_error || *severity == Severity::error;
+      console.report({DiagnosticId::frozen_state, *severity, state.place, frozen_message(recorded.kernel.name, state),
                       i < recorded.frozen_reads.size() ? recorded.frozen_reads[i] : std::vector<Note>()});
     }
-  return !any || severity != Severity::error;
+  return !is_error;
 }
 
 } // namespace symreal::tool

@@ -4,9 +4,19 @@
 #include "program/record.h"
 #include "tool/console.h"
 
+#include <CLI/CLI.hpp>
+
 namespace symreal::tool {
 
+// --frozen
+struct FrozenOption {
+  std::string policy = "state";
+
+  void add_to(CLI::App &app);
+  void require_sense() const;
+};
+
 // False when it is an error.
-bool report_frozen(std::vector<program::Recorded> const &kernels, std::string const &policy, Console &console);
+bool report_frozen(std::vector<program::Recorded> const &kernels, FrozenOption const &option, Console &console);
 
 } // namespace symreal::tool

@@ -24,7 +24,8 @@ struct Options {
   SourceOptions source;
   PassOptions passes;
   EmitterOptions emitter;
-  std::string output, graph_file, language = "c", decisions = "error", frozen = "state";
+  std::string output, graph_file, language = "c", decisions = "error";
+  FrozenOption frozen;
   std::string depfile;
   bool check = false, wrapper = false, statistics = false, json = false;
 };
@@ -48,7 +49,7 @@ std::string place_output(std::string const &option, std::string const &name, boo
 
 void require_sense(Options const &options) {
   require_one_of("--lang", options.language, "c");
-  require_one_of("--frozen", options.frozen, "state|error|warn|allow");
+  options.frozen.require_sense();
   require_one_of("--decisions", options.decisions, "error|guard|select");
   (void)options.passes.floating_point();
   (void)options.passes.names();
@@ -157,11 +158,7 @@ void add_generate(CLI::App &app, Session &session) {
       ->add_option("--decisions", options->decisions,
                    "What becomes of a decision on a symbolic value: error, guard or select")
       ->capture_default_str();
-  command
-      ->add_option("--frozen", options->frozen,
-                   "What would be baked in: state (an error, but for the locals around a block), error (also for "
-                   "them), warn or allow")
-      ->capture_default_str();
+  options->frozen.add_to(*command);
   options->source.add_to(*command, true);
   command->add_flag("--stats", options->statistics, "Print more than the table: every object, every pass");
   command->add_flag("--json", options->json, "Print the table as JSON to standard output");

@@ -14,7 +14,8 @@ namespace {
 
 struct Options {
   program::RunOptions run;
-  std::string directory = ".", frozen = "state";
+  std::string directory = ".";
+  FrozenOption frozen;
 };
 
 // Named from here, wherever it runs.
@@ -25,7 +26,7 @@ std::string program_path(std::string const &name) {
 int run(Options options, Session const &session) {
   require_one_of("--decisions", options.run.decisions, "error|guard|select");
   require_one_of("--fp", options.run.floating_point, "finite|strict|fast");
-  require_one_of("--frozen", options.frozen, "state|error|warn|allow");
+  options.frozen.require_sense();
   if (session.flags.empty()) fail(DiagnosticId::bad_option, {}, "the program and its arguments stand after --");
   options.run.arguments.assign(session.flags.begin() + 1, session.flags.end());
   options.run.places = true;
@@ -66,11 +67,7 @@ void add_record(CLI::App &app, Session &session) {
       ->capture_default_str();
   command->add_option("--decisions", options->run.decisions, "Decisions on symbolic values: error, guard or select")
       ->capture_default_str();
-  command
-      ->add_option("--frozen", options->frozen,
-                   "What would be baked in: state (an error, but for the locals around a block), error (also for "
-                   "them), warn or allow")
-      ->capture_default_str();
+  options->frozen.add_to(*command);
   command->add_option("--stdin", options->run.standard_input, "File that the program reads as standard input")
       ->type_name("FILE");
   command->add_option("--cwd", options->run.directory, "Directory in which the program runs")->type_name("DIR");

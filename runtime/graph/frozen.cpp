@@ -13,6 +13,11 @@ std::string value_list(std::vector<double> const &values) {
   return values.size() > most ? fmt::format("{}, ... ({} in all)", text, values.size()) : text;
 }
 
+std::optional<Severity> frozen_severity(Frozen const &state, std::string const &policy) {
+  if (policy == "allow" || (state.is_around && policy == "state")) return {};
+  return policy == "warn" ? Severity::warning : Severity::error;
+}
+
 std::string frozen_message(std::string const &kernel, Frozen const &state) {
   std::string const values = state.values.empty() ? "" : " (" + value_list(state.values) + ")";
   return fmt::format("kernel '{}' reads '{}'{}, which {} neither input nor parameter", kernel, state.name, values,

@@ -44,11 +44,9 @@ static void hand_to_driver(Graph const &graph, std::string const &output_file) {
 static void report_frozen(Graph const &graph) {
   char const *wanted = std::getenv("SYMREAL_FROZEN");
   std::string const policy = wanted ? wanted : "state";
-  if (policy == "allow") return;
-  Severity const severity = policy == "warn" ? Severity::warning : Severity::error;
   for (Frozen const &state : graph.frozen)
-    if (!state.is_around || policy != "state") // the header lists it
-      report({DiagnosticId::frozen_state, severity, state.place, frozen_message(graph.kernel, state)});
+    if (std::optional<Severity> const severity = frozen_severity(state, policy))
+      report({DiagnosticId::frozen_state, *severity, state.place, frozen_message(graph.kernel, state)});
 }
 
 static void generate_here(Graph const &graph, std::string const &output_file) {
