@@ -144,17 +144,9 @@ private:
       for (std::size_t slot = 0; slot < original.size(); ++slot)
         result_.rewritten[slot].add(k, original[slot], rewritten[slot], FloatingPoint::strict, 0);
     }
-    if (own_flags_) {
-      std::vector<double> const own = own_flags_->run(sample);
-      for (std::size_t slot = 0; slot < own.size(); ++slot)
-        result_.own_flags_ulp[slot] = std::max(result_.own_flags_ulp[slot], ulp_distance(own[slot], generated[slot]));
-    }
+    if (own_flags_) keep_worst(result_.own_flags_ulp, own_flags_->run(sample), generated);
     if (wrapped_) compare_wrapper(k, sample, generated);
-    if (own_code_) {
-      std::vector<double> const own = own_code_->run(sample.inputs, sample.parameters).outputs;
-      for (std::size_t slot = 0; slot < own.size(); ++slot)
-        result_.own_code_ulp[slot] = std::max(result_.own_code_ulp[slot], ulp_distance(original[slot], own[slot]));
-    }
+    if (own_code_) keep_worst(result_.own_code_ulp, original, own_code_->run(sample.inputs, sample.parameters).outputs);
   }
 
   // Called again and again on the state that it leaves, the generated code must stay with the original. It stops where
@@ -174,6 +166,12 @@ private:
       for (std::size_t slot = 0; slot < original.size(); ++slot)
         result_.called_again[slot].add(k, original[slot], generated[slot], banner_.mode, options_.tolerance);
     }
+  }
+
+  static void keep_worst(std::vector<std::uint64_t> &worst, std::vector<double> const &one,
+                         std::vector<double> const &other) {
+    for (std::size_t slot = 0; slot < worst.size(); ++slot)
+      worst[slot] = std::max(worst[slot], ulp_distance(one[slot], other[slot]));
   }
 
   static bool all_same(std::vector<double> const &one, std::vector<double> const &other) {
