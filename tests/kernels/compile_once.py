@@ -2,9 +2,9 @@
 """The compiler of C++ for a batch: it does not compile the symbolic program twice.
 
 `symreal verify` builds the very program that `symreal generate` has built. Of both only the name of the workspace differs, on
-which no byte of the object depends. KERNELS_OBJECTS names a directory for the last object; with KERNELS_QUICK nothing is
-optimised, which takes half of the time. In C that records the same; in C++ the library's templates for integers hand
-constants to builtins, which the compiler computes where it optimises: cbrt(5).
+which no byte of the object depends. KERNELS_OBJECTS names a directory for the last object; with KERNELS_QUICK nothing of C is
+optimised, which takes half of the time and records the same. In C++ the library's templates for integers hand constants to
+builtins, which the compiler computes where it optimises: cbrt(5).
 """
 import hashlib
 import os

@@ -34,8 +34,9 @@ def arguments():
     parser.add_argument("--without", default="", help="features that no kernel has")
     parser.add_argument("--only", default="", help="the features that kernels may have")
     parser.add_argument("--open", action="store_true", help="also the features that are known to be wrong yet")
-    parser.add_argument("--verify", action="store_true", help="build the program with its flags, and run symreal verify, which must agree")
-    parser.add_argument("--verify-every", metavar="N", type=int, help="the same for each N-th batch only")
+    parser.add_argument("--verify", action="store_true", help="run symreal verify as well, which must agree")
+    parser.add_argument("--flags-every", metavar="N", type=int, default=8,
+                        help="compile the symbolic program of C as the tool does in each N-th batch, in the others without optimisation")
     parser.add_argument("--print", metavar="INDEX", type=int, help="print one kernel and end")
     parser.add_argument("--index", type=int, help="only this kernel of each language, policy and mode")
     parser.add_argument("--minimise", action="store_true", help="leave out statements of a kernel as long as its fault stays")
@@ -74,14 +75,14 @@ def execute(options, language, policy, mode, indices):
     made = [make_kernel(f"k{i}", kernel_seed(options, language, policy, mode, i), language, policy, mode,
                         excluded(options, language)) for i in indices]
     name = f"{language}-{policy}-{mode}-{indices.start}"
-    verify = options.verify or (options.verify_every and indices.start // options.batch % options.verify_every == 0)
+    quick = indices.start // options.batch % options.flags_every != 0
     directory = os.path.join(options.keep, name) if options.keep else tempfile.mkdtemp(prefix="kernels-")
     os.makedirs(directory, exist_ok=True)
     try:
-        session = Session(options.symreal, language, policy, mode, directory, options.samples, verify)
+        session = Session(options.symreal, language, policy, mode, directory, options.samples, options.verify, quick)
         outcome = session.execute(made, options.seed + indices.start)
         if options.minimise:
-            again = lambda directory: Session(options.symreal, language, policy, mode, directory, options.samples)
+            again = lambda directory: Session(options.symreal, language, policy, mode, directory, options.samples, quick=quick)
             outcome.found = [minimised(found, again, options.seed + indices.start) for found in outcome.found]
         return language, policy, outcome
     finally:
@@ -96,6 +97,7 @@ def show(found):
 def main():
     options = arguments()
     options.symreal = os.path.abspath(options.symreal) if os.sep in options.symreal else options.symreal
+    options.keep = options.keep and os.path.abspath(options.keep)
     if options.print is not None:
         for language, policy, mode, indices in batches(options):
             if options.print in indices:

@@ -81,6 +81,7 @@ class Generator:
         self.result = self.kernel_result = None  # what gives a value to return
         self.enumerations, self.structs, self.readers = [], [], []
         self.idioms, self.statements_of_idioms = [], []
+        self.indices = 0        # how many computed indices stand around what is made
 
     # Chance.
     def chance(self, probability):

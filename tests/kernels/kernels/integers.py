@@ -67,11 +67,15 @@ def index(g, size, symbolic_allowed=True):
         v = g.random.choice(fitting)
         if symbolic_allowed or not v.symbolic:
             return Expression(v.text, v.binds, v.type, v.low, v.high, v.symbolic)
-    if not g.has("computed_indices") or g.chance(0.4):
+    # Each bounded() repeats its text: an index in an index in an index would be a page long.
+    if not g.has("computed_indices") or g.indices >= 2 or g.chance(0.4):
         k = g.whole(0, size - 1)
         return Expression(str(k), PRIMARY, INT, k, k, False)
     with g.only_plain(not symbolic_allowed or not g.has("symbolic_integers")):
-        return bounded(g, integer(g, 1), 0, size - 1)
+        g.indices += 1
+        made = bounded(g, integer(g, 1), 0, size - 1)
+        g.indices -= 1
+        return made
 
 
 def indexed(g, array, symbolic_allowed=None):

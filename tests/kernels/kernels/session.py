@@ -49,20 +49,21 @@ class Outcome:
 
 
 class Session:
-    def __init__(self, symreal, language, policy, mode, directory, samples=60, verify=False, timeout=600):
+    def __init__(self, symreal, language, policy, mode, directory, samples=60, verify=False, quick=True, timeout=600):
         self.symreal, self.language, self.policy, self.mode = symreal, language, policy, mode
         self.directory, self.samples, self.verify, self.timeout = directory, samples, verify, timeout
+        self.quick = quick
         self.path = os.path.join(directory, "batch" + SUFFIX[language])
 
-    def run(self, *words, quick=False):
+    def run(self, *words):
         environment = {**os.environ, "KERNELS_OBJECTS": os.path.join(self.directory, "objects"),
-                       "KERNELS_QUICK": "1" if quick else ""}
+                       "KERNELS_QUICK": "1" if self.quick else ""}
         return subprocess.run(words, capture_output=True, text=True, cwd=self.directory, timeout=self.timeout, errors="replace",
                               env=environment)
 
-    def symreal_run(self, command, *words, quick=False):
+    def symreal_run(self, command, *words):
         compiler = os.path.join(HERE, "compile_once.py")
-        return self.run(self.symreal, command, self.path, *words, f"--cxx={compiler}", quick=quick)
+        return self.run(self.symreal, command, self.path, *words, f"--cxx={compiler}")
 
     def write(self, kernels):
         text, places = source(kernels, self.language)
@@ -72,21 +73,16 @@ class Session:
 
     def generate(self, kernels, outcome):
         """The kernels that the tool accepts; the generated code of all of them lies in out/."""
-        quick = not self.verify or len(kernels) > 4  # most of what will be refused is found without an optimised program
         while kernels:
             places = self.write(kernels)
             self.run("rm", "-rf", "out")
             os.makedirs(os.path.join(self.directory, "out"))
             try:
-                done = self.symreal_run("generate", "-o", "out/", f"--decisions={self.policy}", f"--fp={self.mode}", quick=quick)
+                done = self.symreal_run("generate", "-o", "out/", f"--decisions={self.policy}", f"--fp={self.mode}")
             except subprocess.TimeoutExpired:
                 done = subprocess.CompletedProcess([], 1, "", "time is over")
-            if done.returncode == 0 and not (quick and self.verify):
-                return kernels
-            has_run = "[SYM005]" not in done.stderr
-            quick = quick and not (self.verify and has_run)
             if done.returncode == 0:
-                continue
+                return kernels
             named = self.refusals(done.stderr, places)
             if not named and len(kernels) == 1:
                 named = {kernels[0].name: self.reason(done.stderr)}

@@ -8,11 +8,11 @@ from .numbers import constant, some_number, tame_number
 WIDE = (-50.0, 50.0)
 
 
-def small(g):
+def small(g, depth):
     """An argument of one type or the other."""
     if g.has("integers") and g.chance(0.4):
-        return bounded(g, integer(g, 1), -50, 50)
-    return tame_number(g, 1, 50)
+        return bounded(g, integer(g, depth), -50, 50)
+    return tame_number(g, depth, 50)
 
 
 @production("definition", 4, "templates", "cxx")
@@ -59,7 +59,7 @@ def variadic(g):
     g.define(f"template <class... T> static double {name}(T... z) {{ return ({g.among('z + ...', '... + z', '0.5 + ... + z')}); }}")
 
     def use(g, depth):
-        values = [small(g) for _ in range(g.whole(1, 3))]
+        values = [small(g, depth - 1) for _ in range(g.whole(1, 3))]
         return number(f"{name}({', '.join(v.text for v in values)})", POSTFIX, (-200, 200), any(v.symbolic for v in values))
     g.idioms.append(use)
 
@@ -97,17 +97,17 @@ def overloaded(g, depth):
 
     def use(g, depth):
         if "int" in kinds and g.has("integers") and g.chance(0.5):
-            made = bounded(g, integer(g, 1), -50, 50)
+            made = bounded(g, integer(g, depth - 1), -50, 50)
             spelled = {"int": INT}["int"]
             text = made.text if made.type == spelled else f"static_cast<int>({made.text})"
             return number(f"{name}({text})", POSTFIX, (-200, 200), made.symbolic)
         if "bool" in kinds and g.has("truth_values") and g.chance(0.3):
             from .conditions import condition
-            made = condition(g, 1)
+            made = condition(g, depth - 1)
             return number(f"{name}({made.text})", POSTFIX, (-200, 200), made.symbolic)
         if "char" in kinds and g.chance(0.2):
             return number(f"{name}('b')", POSTFIX, (-300, 300), False)
-        made = tame_number(g, 1, 50)
+        made = tame_number(g, depth - 1, 50)
         return number(f"{name}({made.text})", POSTFIX, (-200, 200), made.symbolic)
     g.idioms.append(use)
     return True
@@ -121,10 +121,10 @@ def local_function(g, depth):
         g.line(f"auto {name} = [](auto p, auto q) {{ return {body}; }};")
 
         def use(g, depth):
-            a, b = small(g), small(g)
+            a, b = small(g, depth - 1), small(g, depth - 1)
             # Two integers of other types than int would compute in theirs.
             if not a.is_number and not b.is_number:
-                b = tame_number(g, 1, 50)
+                b = tame_number(g, depth - 1, 50)
             return number(f"{name}({a.text}, {b.text})", POSTFIX, (-3000, 3000), a.symbolic or b.symbolic)
         made = g.declare(Idiom(use))
         return bool(made)
