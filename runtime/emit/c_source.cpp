@@ -1,9 +1,11 @@
 #include "emit/c_externals.h"
 #include "emit/c_integers.h"
 #include "emit/c_parts.h"
+#include "emit/constant_paths.h"
 #include "emit/expression.h"
 #include "emit/trace.h"
 #include "emit/value_checks.h"
+#include "graph/complex_function.h"
 #include "graph/opaque.h"
 #include "schedule/blocks.h"
 #include "schedule/order.h"
@@ -44,7 +46,9 @@ public:
         chunks_(cut(program, body_, is_compute)),
         spelling_(program, body_),
         variable_(body_.regions.value_count(), no_slot),
-        kept_(body_.regions.value_count(), no_slot) {}
+        kept_(body_.regions.value_count(), no_slot) {
+    if (options.mode != FloatingPoint::fast) constant_paths_ = constant_on_a_path(*program.graph);
+  }
 
   std::string print() {
     bool const may_fail = !body_.checks.empty();
@@ -108,6 +112,11 @@ private:
     return out;
   }
 
+  FunctionContext context(std::vector<NodeId> *spelled_out = nullptr) const {
+    return {is_compute_, &variable_,  &spelling_,
+            &kept_,      spelled_out, constant_paths_.empty() ? nullptr : &constant_paths_};
+  }
+
   static bool is_about_variable(Step const &step) {
     return step.kind == Step::Kind::declare || step.kind == Step::Kind::set || step.kind == Step::Kind::set_const ||
            step.kind == Step::Kind::keep;
@@ -127,19 +136,23 @@ private:
     if (step.kind == Step::Kind::declare || step.kind == Step::Kind::keep) return;
     if (step.kind == Step::Kind::set_const && has_array) append_wrapped(out, indent, array + ";");
     std::vector<NodeId> spelled_out = {id};
-    FunctionContext const context{is_compute_, &variable_, &spelling_, &kept_, &spelled_out};
+    FunctionContext const context = this->context(&spelled_out);
+    std::vector<NodeId> const values = arguments_of(graph, graph.nodes[id].operand[0]);
+    bool const is_folded = context.constant_paths && find_complex_function(external);
+    NodeId const hidden = is_folded ? hidden_argument(graph, constant_paths_, values) : no_node;
     std::vector<std::string> arguments;
-    for (NodeId value : arguments_of(graph, graph.nodes[id].operand[0]))
-      arguments.push_back(graph.nodes[value].is_constant() && external.takes_integer(arguments.size())
-                              ? shortest(graph.nodes[value].value())
-                              : c_use(program_, context, value));
+    for (NodeId value : values) {
+      bool const is_integer = graph.nodes[value].is_constant() && external.takes_integer(arguments.size());
+      std::string const use = is_integer ? shortest(graph.nodes[value].value()) : c_use(program_, context, value);
+      arguments.push_back(value == hidden ? fmt::format("{}({})", hide, use) : use);
+    }
     std::vector<std::string> lines = c_call(external, std::to_string(step.index), arguments, results, is_wanted);
     lines.back() += trace_marker(graph, spelled_out);
     for (std::string const &line : lines) append_wrapped(out, indent, line);
   }
 
   std::string text(Step const &step) {
-    FunctionContext const context{is_compute_, &variable_, &spelling_, &kept_};
+    FunctionContext const context = this->context();
     switch (step.kind) {
     case Step::Kind::declare:
       return fmt::format("{} {} = {};", type(step.index), spelling_(step.index), is_number(step.index) ? "0.0" : "0");
@@ -162,7 +175,7 @@ private:
   std::string setting(std::size_t statement) const {
     NodeId const id = body_.variables[statement];
     std::vector<NodeId> spelled_out;
-    FunctionContext const context{is_compute_, &variable_, &spelling_, &kept_, &spelled_out};
+    FunctionContext const context = this->context(&spelled_out);
     std::string const value = body_.regions.is_gate(id) ? gate(context, id) : c_expression(program_, context, id);
     return fmt::format("{} = {};", spelling_(statement), value) + trace_marker(*program_.graph, spelled_out);
   }
@@ -202,7 +215,7 @@ private:
 
   std::string results() {
     std::string out;
-    FunctionContext const context{is_compute_, &variable_, &spelling_, &kept_};
+    FunctionContext const context = this->context();
     for (std::size_t slot = 0; slot < body_.results.size(); ++slot)
       append_wrapped(out, 2,
                      kept(fmt::format("{}[{}]", target(), slot), body_.results[slot],
@@ -232,6 +245,7 @@ private:
   Chunks chunks_;
   VariableNames spelling_;
   std::vector<std::uint32_t> variable_, kept_;
+  std::vector<char> constant_paths_; // empty in mode fast
   std::size_t checks_printed_ = 0;
 };
 
@@ -253,7 +267,8 @@ std::string c_source(Program const &program, EmitOptions const &options) {
                      fmt::format("#include \"{}.h\"\n\n#include <math.h>\n{}{}{}\n", options.base_name,
                                  c_integer_includes(*program.graph), checked ? value_check_helper() : "",
                                  options.mode == FloatingPoint::fast ? "" : no_fusion) +
-                     c_declarations(*program.graph) + c_integer_functions(functions) + functions;
+                     c_declarations(*program.graph) + c_integer_functions(functions) +
+                     (functions.find(std::string(hide) + "(") == functions.npos ? "" : hide_definition) + functions;
   if (!program.graph->guards.empty()) text += "\n" + c_guard_text(program, options);
   return text;
 }

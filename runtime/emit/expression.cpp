@@ -1,6 +1,7 @@
 #include "emit/expression.h"
 
 #include "emit/c_integers.h"
+#include "emit/constant_paths.h"
 #include "graph/opaque.h"
 #include "support/number.h"
 
@@ -154,10 +155,7 @@ private:
     case Form::local:
     case Form::call:
       push(")");
-      for (unsigned i = operation.arity; i-- > 0;) {
-        push(node.operand[i], loosest);
-        if (i > 0) push(", ");
-      }
+      print_arguments(node, operation.arity);
       push(c + "(");
       break;
     case Form::prefix:
@@ -187,6 +185,19 @@ private:
       push(node.operand[0], conditional_operand, true);
       break;
     case Form::external: print_external(node); break;
+    }
+  }
+
+  void print_arguments(Node const &node, unsigned count) {
+    NodeId const hidden =
+        context_.constant_paths ? hidden_operand(*program_.graph, *context_.constant_paths, node) : no_node;
+    bool const is_hidden = hidden != no_node;
+    for (unsigned i = count; i-- > 0;) {
+      bool const hides = is_hidden && node.operand[i] == hidden;
+      if (hides) push(")");
+      push(node.operand[i], loosest);
+      if (hides) push(std::string(hide) + "(");
+      if (i > 0) push(", ");
     }
   }
 

@@ -12,11 +12,12 @@ std::string c_constant(double value);
 
 // How the nodes that stand in an array are spelled inside one function.
 struct FunctionContext {
-  bool in_compute;                                  // reads input[] and constants[]; otherwise parameters[]
-  std::vector<std::uint32_t> const *name;           // per node: the number of its variable, or no_slot
-  VariableNames const *spelling;                    // of variables
-  std::vector<std::uint32_t> const *kept = nullptr; // per node: the slot of v[] where an earlier chunk kept it
-  std::vector<NodeId> *spelled_out = nullptr;       // takes the operations that an expression holds
+  bool in_compute;                                   // reads input[] and constants[]; otherwise parameters[]
+  std::vector<std::uint32_t> const *name;            // per node: the number of its variable, or no_slot
+  VariableNames const *spelling;                     // of variables
+  std::vector<std::uint32_t> const *kept = nullptr;  // per node: the slot of v[] where an earlier chunk kept it
+  std::vector<NodeId> *spelled_out = nullptr;        // takes the operations that an expression holds
+  std::vector<char> const *constant_paths = nullptr; // per node; null: compilers may evaluate what they find constant
 };
 
 // The value of `root`, spelled out even where the node has a variable (it is the statement that sets it).
