@@ -155,9 +155,9 @@ Words link_command(BuildRequest const &request, Variant variant, Words const &ob
   return words;
 }
 
-std::vector<Captured> run_all(std::vector<Command> const &commands) {
+template <class Run> std::vector<Captured> run_all(std::vector<Command> const &commands, Run run) {
   std::vector<Captured> results(commands.size());
-  in_parallel(commands.size(), compilations_at_a_time, [&](std::size_t k) { results[k] = capture(commands[k]); });
+  in_parallel(commands.size(), compilations_at_a_time, [&](std::size_t k) { results[k] = run(commands[k]); });
   return results;
 }
 
@@ -188,7 +188,9 @@ std::vector<std::string> build_programs(BuildRequest const &request, std::span<V
     links.push_back(compiler_run(link_command(request, variant, objects, executables.back()), {}));
   }
 
-  std::vector<Captured> compiled = run_all(compilations);
+  std::vector<Captured> compiled =
+      run_all(compilations, [&](Command const &command) { return request.cache->compile(command, workspace.path()); });
+  request.cache->prune(usual_cache_size);
   for (std::size_t i = 0; i < compiled.size(); ++i) {
     if (compiled[i].outcome.success()) continue;
     bool const as_rewritten =
@@ -197,7 +199,7 @@ std::vector<std::string> build_programs(BuildRequest const &request, std::span<V
                                        : compiler_failure(compilations[i].arguments, compiled[i], annotated,
                                                           "as the original with its annotations"));
   }
-  std::vector<Captured> linked = run_all(links);
+  std::vector<Captured> linked = run_all(links, capture);
   for (std::size_t i = 0; i < linked.size(); ++i)
     if (!linked[i].outcome.success()) throw DiagnosticError(linker_failure(links[i].arguments, linked[i], rewritten));
   return executables;

@@ -2,12 +2,14 @@
 // their annotations alone.
 #pragma once
 
+#include "program/object_cache.h"
 #include "program/overlay.h"
 #include "program/process.h"
 #include "program/workspace.h"
 
 #include <functional>
 #include <map>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -28,7 +30,8 @@ struct BuildRequest {
   std::vector<std::string> link;                    // further words for the linker
   std::string type_name = rewrite::usual_type_name; // how the rewritten sources spell the number
   std::string compiler = "c++", c_compiler = "cc";
-  std::map<std::string, std::vector<std::string>> source_flags = {}; // of a source besides, by its real path
+  std::map<std::string, std::vector<std::string>> source_flags = {};      // of a source besides, by its real path
+  std::shared_ptr<ObjectCache> cache = std::make_shared<ObjectCache>(""); // where objects of earlier runs may be
 };
 
 // What becomes of the user's flags where rewritten text is compiled: options that change the numbers, choose outputs or

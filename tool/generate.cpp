@@ -10,6 +10,7 @@
 
 #include <chrono>
 #include <filesystem>
+#include <fmt/ostream.h>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -99,7 +100,15 @@ void show(std::vector<Product> const &products, program::Front const &front, Opt
     print_table(std::cerr, report, options.statistics);
     if (options.json) json.push_back(to_json(report));
   }
-  if (options.json) std::cout << nlohmann::ordered_json{{"kernels", json}}.dump(2) << "\n";
+  program::ObjectCache const &cache = *front.build.cache;
+  if (options.statistics)
+    fmt::print(std::cerr, "objects: {} compiled, {} as an earlier run compiled them\n", cache.compiled(),
+               cache.reused());
+  if (options.json)
+    std::cout << nlohmann::ordered_json{{"kernels", json},
+                                        {"objects", {{"compiled", cache.compiled()}, {"reused", cache.reused()}}}}
+                     .dump(2)
+              << "\n";
 }
 
 int run(CLI::App &command, Options &options, Session &session) {

@@ -33,6 +33,7 @@ static int run(int argc, char **argv) {
   add_undo(app, session);
   add_opt(app, session);
   add_explain(app, session);
+  add_cache(app, session);
   try {
     app.parse(static_cast<int>(separator - argv), argv);
     return session.status;

@@ -22,6 +22,7 @@ void add_rewrite(CLI::App &app, Session &session);
 void add_undo(CLI::App &app, Session &session);
 void add_opt(CLI::App &app, Session &session);
 void add_explain(CLI::App &app, Session &session);
+void add_cache(CLI::App &app, Session &session);
 
 // Compiler flags given to a subcommand that compiles nothing would do nothing.
 void refuse_flags(Session const &session);

@@ -49,21 +49,20 @@ class Outcome:
 
 
 class Session:
-    def __init__(self, symreal, language, policy, mode, directory, samples=60, verify=False, quick=True, timeout=600):
+    def __init__(self, symreal, language, policy, mode, directory, samples=60, verify=False, quick=True, timeout=3600):
         self.symreal, self.language, self.policy, self.mode = symreal, language, policy, mode
         self.directory, self.samples, self.verify, self.timeout = directory, samples, verify, timeout
         self.quick = quick
         self.path = os.path.join(directory, "batch" + SUFFIX[language])
 
     def run(self, *words):
-        environment = {**os.environ, "KERNELS_OBJECTS": os.path.join(self.directory, "objects"),
-                       "KERNELS_QUICK": "1" if self.quick else ""}
+        environment = {**os.environ, "XDG_CACHE_HOME": self.directory}  # verify needs the program that generate has built
         return subprocess.run(words, capture_output=True, text=True, cwd=self.directory, timeout=self.timeout, errors="replace",
                               env=environment)
 
     def symreal_run(self, command, *words):
-        compiler = os.path.join(HERE, "compile_once.py")
-        return self.run(self.symreal, command, self.path, *words, f"--cxx={compiler}")
+        quick = [f"--cxx={os.path.join(HERE, 'unoptimised.py')}"] if self.quick and self.language == "c" else []
+        return self.run(self.symreal, command, self.path, *words, *quick)
 
     def write(self, kernels):
         text, places = source(kernels, self.language)
