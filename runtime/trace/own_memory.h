@@ -30,11 +30,12 @@ std::vector<MemoryRange> find_constant_memory();
 class Pause {
 public:
   Pause() { detail::recording = false; }
-  ~Pause() { detail::recording = true; }
+  ~Pause() { detail::recording = before_; }
   Pause(Pause const &) = delete;
   Pause &operator=(Pause const &) = delete;
 
 private:
+  bool const before_ = detail::recording;
   memory::OwnWork const own_;
 };
 

@@ -56,6 +56,7 @@ public:
   }
 
   void element(void *number, bool is_temporary) override {
+    Pause const pause;
     auto &real = *static_cast<RealNumber *>(number);
     Pool &pool = Pool::current();
     switch (kind_) {

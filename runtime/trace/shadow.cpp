@@ -1,6 +1,14 @@
 #include "trace/shadow.h"
 
+#include "diagnostics/diagnostic.h"
+#include "trace/own_memory.h"
+
 namespace symreal::trace {
+
+Shadow::Page &Shadow::find(std::uintptr_t number) {
+  internal_check(!detail::recording);
+  return pages_[number];
+}
 
 std::vector<Marks> Shadow::copy(void const *begin, std::size_t size) {
   std::vector<Marks> marks;

@@ -1,5 +1,6 @@
 // What is known about each word of memory while a kernel is recorded: marks for every eight bytes that were met, in
-// pages made on demand.
+// pages made on demand. To be used in a Pause alone: a page that is allocated while the kernel is recorded would be
+// noted as the kernel's, here again, in the middle of an insertion.
 #pragma once
 
 #include <array>
@@ -47,9 +48,10 @@ private:
 
   static std::uintptr_t word(void const *address) { return reinterpret_cast<std::uintptr_t>(address) / 8; }
   Page &page(std::uintptr_t number) {
-    if (number != last_number_ || !last_) last_ = &pages_[number], last_number_ = number;
+    if (number != last_number_ || !last_) last_ = &find(number), last_number_ = number;
     return *last_;
   }
+  Page &find(std::uintptr_t number);
   template <class Change> void each(void const *begin, std::size_t size, Change change) {
     std::uintptr_t const end = (reinterpret_cast<std::uintptr_t>(begin) + size + 7) / 8;
     for (std::uintptr_t at = word(begin); at < end;) {

@@ -32,7 +32,10 @@ void State::begin(void const *frame) {
   detail::recording = true;
   void *(*volatile allocate)(std::size_t) = std::malloc;
   void *block = allocate(sizeof(double));
-  heap_is_known_ = (shadow_.at(block) & mark::own) != 0;
+  heap_is_known_ = [&] {
+    Pause const pause;
+    return (shadow_.at(block) & mark::own) != 0;
+  }();
   std::free(block);
   // An allocator of the program's own keeps its blocks in its static objects, those of the bookkeeping among them.
   if (heap_is_known_) image_ = memory::MemoryImage::capture(frame);
