@@ -1,5 +1,7 @@
 #include "program/make_rule.h"
 
+#include <algorithm>
+
 namespace symreal::program {
 
 std::string make_escaped(std::string const &name) {
@@ -70,8 +72,14 @@ std::vector<std::string> read_make_rule(std::string const &text) {
   std::size_t i = text.find(": ");
   for (i = i == text.npos ? text.size() : i + 1; i < text.size(); ++i) {
     char const c = text[i], next = i + 1 < text.size() ? text[i + 1] : '\0';
-    if (c == '\\' && (next == ' ' || next == '\t' || next == '#')) {
-      name += text[++i];
+    if (c == '\\' && next != '\n') {
+      // Backslashes are themselves, but the last one before '#' is not, nor is every second one before a blank.
+      std::size_t const end = std::min(text.find_first_not_of('\\', i), text.size()), count = end - i;
+      char const after = end < text.size() ? text[end] : '\0';
+      bool const is_blank = after == ' ' || after == '\t', keeps = after == '#' || (is_blank && count % 2 == 1);
+      name.append(after == '#' ? count - 1 : is_blank ? count / 2 : count, '\\');
+      if (keeps) name += after;
+      i = keeps ? end : end - 1;
     } else if (c == '\\' && next == '\n') {
       ++i;
       finish();

@@ -87,8 +87,10 @@ std::optional<std::string> key_of(Command const &compilation, std::string const 
   if (preprocessed.find(".incbin") != preprocessed.npos) return {};
   key.add(preprocessed);
   for (std::string const &file : read_make_rule(read_file(rule))) {
+    std::string const path = (fs::path(compilation.directory) / file).string();
+    if (!fs::is_regular_file(path)) return {};
     key.add(file);
-    key.add(read_file((fs::path(compilation.directory) / file).string()));
+    key.add(read_file(path));
   }
   fs::remove(text);
   fs::remove(rule);

@@ -198,7 +198,8 @@ class Session:
         files = [f"out/{k.name}.c" for k in kernels]
         done = self.symreal_run("verify", *files, f"--samples={self.samples}", "--min-samples=1")
         if done.returncode not in (0, 3):
-            outcome.found.append(Found(kernels[0], "verify fails", done.stderr[-3000:], self.directory))
+            told = re.findall(r"^.*\berror: .*(?:\n.*){6}", done.stderr, flags=re.M)
+            outcome.found.append(Found(kernels[0], "verify fails", "\n".join(told) or done.stderr[-3000:], self.directory))
             return
         outcome.verified += len(kernels)
         told = set(re.findall(r"^(?:\S*/)?out/(\w+)\.c: error:(?!.*\[SYM092\])", done.stderr, flags=re.M))
