@@ -98,6 +98,7 @@ Words compile_command(BuildRequest const &request, Variant variant, Overlay cons
   Words words = {request.compiler};
   append(words, overlay.search_flags(variant_flags(source.flags, variant), source.directory));
   append(words, evaluation_order(source.flags, is_c(source), request.compiler));
+  if (is_c(source)) words.emplace_back("-fno-char8_t"); // a name like others
   append(words, {"-I", runtime_include()});
   append(words, rewrite::type_name_flags(request.type_name));
   if (auto const more = request.source_flags.find(rewrite::real_source(source)); more != request.source_flags.end())

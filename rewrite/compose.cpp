@@ -1,6 +1,7 @@
 #include "rewrite/compose.h"
 
 #include <algorithm>
+#include <cctype>
 #include <map>
 
 namespace symreal::rewrite {
@@ -14,6 +15,25 @@ struct Here {
   std::size_t length = 1; // of what is replaced
   std::string replacement;
 };
+
+bool is_of_a_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
+
+// New text makes no word with what stands beside it: `{` of a function may be followed by a name at once.
+void keep_words_apart(std::string const &original, std::vector<Edit> &edits) {
+  for (std::size_t k = 0; k < edits.size(); ++k) {
+    std::size_t const begin = edits[k].offset, end = begin + edits[k].length;
+    std::string &text = edits[k].text;
+    if (text.empty() || end == original.size()) continue;
+    bool const meets = k + 1 < edits.size() && edits[k + 1].offset == end;
+    char const next = !meets ? original[end] : edits[k + 1].text.empty() ? ' ' : edits[k + 1].text.front();
+    bool const are_words = is_of_a_word(text.back()) && is_of_a_word(next);
+    if (are_words && !(is_of_a_word(original[end - 1]) && is_of_a_word(original[end]))) text += ' ';
+    bool const is_first = k == 0 || edits[k - 1].offset + edits[k - 1].length < begin;
+    if (is_first && begin > 0 && is_of_a_word(original[begin - 1]) && is_of_a_word(text.front()) &&
+        !is_of_a_word(original[begin]))
+      text.insert(text.begin(), ' ');
+  }
+}
 
 } // namespace
 
@@ -52,6 +72,7 @@ std::vector<Edit> compose(std::string const &original, std::vector<Rewording> re
     std::string const middle = here.replaced ? here.replacement : original.substr(at, 1);
     edits.push_back({at, here.length, here.before + middle + here.after});
   }
+  keep_words_apart(original, edits);
   return edits;
 }
 

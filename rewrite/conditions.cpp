@@ -102,15 +102,20 @@ private:
   Reals const &reals_;
 };
 
-// isnan and its like: true or false for a REAL.
+// isnan, isless and their like: true or false for a REAL.
 bool asks_of_real(CallExpr const *call, Reals const &reals) {
   FunctionDecl const *function = call->getDirectCallee();
-  if (!function || call->getNumArgs() == 0 || !reals.is_math(function)) return false;
+  if (!function || call->getNumArgs() == 0 || (function->getBuiltinID() == 0 && !reals.is_math(function))) return false;
   llvm::StringRef name = function->getName();
   name.consume_front("__builtin_");
   name.consume_front("__");
-  if (!name.starts_with("isnan") && !name.starts_with("isinf") && !name.starts_with("isfinite")) return false;
-  return reals.is_real(call->getArg(call->getNumArgs() - 1)->IgnoreParenImpCasts());
+  static llvm::StringSet<> const comparisons = {"isgreater",   "isgreaterequal", "isless",
+                                                "islessequal", "islessgreater",  "isunordered"};
+  if (!name.starts_with("isnan") && !name.starts_with("isinf") && !name.starts_with("isfinite") &&
+      !comparisons.contains(name))
+    return false;
+  return llvm::any_of(call->arguments(),
+                      [&](Expr const *argument) { return reals.is_real(argument->IgnoreParenImpCasts()); });
 }
 
 } // namespace

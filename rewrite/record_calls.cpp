@@ -121,6 +121,7 @@ void Recorder::construction(CXXConstructExpr const *construction) {
   if (construction->getLocation().isInvalid()) return;
   CXXConstructorDecl const *constructor = construction->getConstructor();
   if (constructor->isCopyOrMoveConstructor()) return;
+  if (construction->getParenOrBraceRange().isInvalid()) converting_construction(construction);
   std::vector<Expr const *> const all(construction->arg_begin(), construction->arg_end());
   arguments(construction->getLocation(), constructor, written_arguments(all), construction->hadMultipleCandidates());
 }
@@ -128,7 +129,7 @@ void Recorder::construction(CXXConstructExpr const *construction) {
 // An implicit conversion through a constructor that takes double: from a literal it would need two steps, double to
 // REAL and REAL to the class, and the language takes only one.
 void Recorder::converting_construction(CXXConstructExpr const *construction) {
-  if (construction->getNumArgs() == 0) return;
+  if (construction->getNumArgs() == 0 || isa<CXXDefaultArgExpr>(construction->getArg(0))) return;
   CXXConstructorDecl const *constructor = construction->getConstructor();
   if (constructor->getNumParams() == 0 || !Reals::is_double(constructor->getParamDecl(0)->getType())) return;
   if (Reals::is_passive_class(construction->getType())) return;

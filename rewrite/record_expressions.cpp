@@ -59,6 +59,16 @@ bool is_enumeration(Expr const *expression) {
   return expression->getType()->isUnscopedEnumerationType();
 }
 
+// The conversion by a function of its class, if that comes first; or null.
+ImplicitCastExpr const *conversion_by_class(Expr const *expression) {
+  auto const *cast = dyn_cast<ImplicitCastExpr>(expression->IgnoreParens());
+  auto const is_later = [](CastKind kind) {
+    return kind == CK_LValueToRValue || kind == CK_IntegralCast || kind == CK_IntegralToFloating;
+  };
+  while (cast && is_later(cast->getCastKind())) cast = dyn_cast<ImplicitCastExpr>(cast->getSubExpr()->IgnoreParens());
+  return cast && cast->getCastKind() == CK_UserDefinedConversion ? cast : nullptr;
+}
+
 } // namespace
 
 void Recorder::implicit_cast(ImplicitCastExpr const *cast, bool decides) {
@@ -85,6 +95,8 @@ void Recorder::implicit_cast(ImplicitCastExpr const *cast, bool decides) {
       convert(from, Use::cast, spelled(to));
     return;
   case CK_IntegralToFloating: // an enumerator among numbers: a class has no built-in promotion
+    if (auto const *first = conversion_by_class(from); first && Reals::is_double(to) && !cast->isPartOfExplicitCast())
+      return wrap(from, Use::conversion, spelled(first->getType())); // two steps, of which the language takes one
     if (Reals::is_double(to) && !cast->isPartOfExplicitCast() && !promoted_.contains(cast) && is_enumeration(from))
       wrap(from->IgnoreImpCasts(), Use::conversion, spelled(counted_as(from)));
     return;
@@ -96,6 +108,37 @@ void Recorder::implicit_cast(ImplicitCastExpr const *cast, bool decides) {
     return;
   default: return;
   }
+}
+
+// The operator is built in for double. Those of REAL are found where an operand is one, and where others of the program
+// are found too a plain number could go either way.
+void Recorder::converted_operands(BinaryOperator const *operation, DeclContext const *from) {
+  Expr const *const left = operation->getLHS(), *const right = operation->getRHS();
+  bool const is_known = !operation->isTypeDependent() && !left->isTypeDependent() && !right->isTypeDependent();
+  if (!is_known || !map_.language().CPlusPlus || !Reals::is_double(left->getType()) ||
+      !Reals::is_double(right->getType()) || operation->isAssignmentOp() || operation->isCommaOp())
+    return;
+  bool const is_ambiguous = has_operator(BinaryOperator::getOverloadedOperator(operation->getOpcode()), from);
+  for (auto const &[operand, other] : {std::pair(left, right), std::pair(right, left)}) {
+    bool const by_class = conversion_by_class(operand) && reals_.is_real(operand);
+    bool const is_plain = !conversion_by_class(operand) && !reals_.is_real(operand) &&
+                          operand->IgnoreParenImpCasts()->getType()->isArithmeticType();
+    if (by_class && (conversion_by_class(other) || !reals_.is_real(other)))
+      wrap(operand, Use::conversion, spelled(operand->getType()));
+    else if (is_ambiguous && is_plain && reals_.is_real(other) && !reals_.is_symbolic_integer(operand))
+      wrap(operand->IgnoreImpCasts(), Use::literal);
+  }
+}
+
+// Has the program an operator of this kind that is found by its name alone?
+bool Recorder::has_operator(OverloadedOperatorKind kind, DeclContext const *from) const {
+  DeclarationName const name = context_.DeclarationNames.getCXXOperatorName(kind);
+  for (DeclContext const *at = from ? from : context_.getTranslationUnitDecl(); at; at = at->getParent()) {
+    if (!at->isFileContext()) continue;
+    for (NamedDecl const *one : at->lookup(name))
+      if (map_.in_roots(one->getLocation())) return true;
+  }
+  return false;
 }
 
 // C converts pointers that C++ does not.
@@ -142,7 +185,8 @@ void Recorder::compound_assignment(CompoundAssignOperator const *assignment) {
   if (!left->getType()->isArithmeticType() || !Reals::is_double(assignment->getComputationResultType())) return;
   if (!reals_.is_real(assignment->getRHS()) && reals_.stays_double(assignment->getRHS())) return;
   // The runtime has an operator that does what the original did. It takes a reference.
-  if (!IntegerState::has_address(left) || reals_.is_symbolic_integer(left))
+  if (reals_.is_symbolic_integer(left)) return; // its class has one
+  if (!IntegerState::has_address(left))
     report(DiagnosticId::implicit_narrowing, assignment->getOperatorLoc(),
            "the result is a REAL and is converted to " + left->getType().getAsString());
   else if (std::optional<Span> const span = map_.token(assignment->getOperatorLoc());

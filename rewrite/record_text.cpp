@@ -206,7 +206,8 @@ void Recorder::text_of_call(CallExpr const *call) {
       each(0, function->isVariadic() ? function->getNumParams() : call->getNumArgs());
   } else if (use != TextUse::none)
     formatting(call, function);
-  else if (function->isInStdNamespace() && function->getName() == "to_string" && call->getNumArgs() == 1 &&
+  else if (function->isInStdNamespace() && function->getIdentifier() && function->getName() == "to_string" &&
+           call->getNumArgs() == 1 &&
            (call->getArg(0)->isTypeDependent() || reals_.is_real(call->getArg(0)) || may_be_truth(call->getArg(0))))
     facts_.makes_text = true;
 }

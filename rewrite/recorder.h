@@ -40,6 +40,7 @@ public:
   void dependent_variadic_call(clang::CallExpr const *call);
   void variadic_definition(clang::FunctionDecl const *function);
   void converting_construction(clang::CXXConstructExpr const *construction);
+  void converted_operands(clang::BinaryOperator const *operation, clang::DeclContext const *from);
 
   // What an instantiation shows that its template does not (record_instances.cpp).
   void set_instance(std::optional<Note> instance) { instance_ = std::move(instance); }
@@ -130,6 +131,7 @@ public:
   void state_of_construction(clang::CXXConstructExpr const *construction);
 
 private:
+  bool has_operator(clang::OverloadedOperatorKind kind, clang::DeclContext const *from) const;
   void environment(clang::Expr const *expression, char const *what, std::string const &name);
   void shows(clang::CallExpr const *call, clang::FunctionDecl const *function);
   void formatting(clang::CallExpr const *call, clang::FunctionDecl const *function);

@@ -126,8 +126,10 @@ public:
       if (!element) continue;
       if (auto const *cast = dyn_cast<ImplicitCastExpr>(element); cast && cast->getCastKind() == CK_LValueToRValue)
         record_.read(cast->getSubExpr());
-      else if (auto const *copy = dyn_cast<CXXConstructExpr>(element->IgnoreImplicit()))
-        record_.state_of_construction(copy);
+      else if (auto const *made = dyn_cast<CXXConstructExpr>(element->IgnoreImplicit())) {
+        if (made->getParenOrBraceRange().isInvalid()) record_.converting_construction(made);
+        record_.state_of_construction(made);
+      }
     }
     return true;
   }
@@ -249,6 +251,7 @@ public:
     record_.c_operation(binary);
     record_.c_widths(binary);
     if (!passive_) record_.named_target(binary);
+    if (!passive_) record_.converted_operands(binary, function_ ? function_->getDeclContext() : nullptr);
     if (!passive_ && binary->isComparisonOp()) record_.comparison(binary);
     if (!passive_ && !no_state_) {
       if (binary->isAssignmentOp()) {

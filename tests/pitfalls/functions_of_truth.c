@@ -5,7 +5,7 @@
 #include <stdlib.h>
 
 // CHECK: input[0] + (input[0] > 1.0 ? 1.0 : 0.0);
-// CHECK: expm1(input[0] < input[1] ? 1.0 : 0.0);
+// CHECK: expm1(at_run(input[0] < input[1] ? 1.0 : 0.0));
 // CHECK: input[1] + to_int32(input[0]*2.5);
 #pragma symreal function input(x[0:2]) range(-4, 4) output(y[0:3])
 void kernel(double const *x, double *y)

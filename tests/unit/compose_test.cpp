@@ -29,3 +29,10 @@ TEST(Compose, EditsAreSortedAndDoNotOverlap) {
   ASSERT_EQ(edits.size(), 2u);
   EXPECT_LE(edits[0].offset + edits[0].length, edits[1].offset);
 }
+
+TEST(Compose, NewTextMakesNoWordWithItsNeighbours) {
+  EXPECT_EQ(composed("{y=1;", {{0, 1, "", " BEGIN END"}, {1, 2, "WRITTEN(", ")"}}), "{ BEGIN END WRITTEN(y)=1;");
+  EXPECT_EQ(composed("{y=1;", {{0, 1, "", " BEGIN END"}}), "{ BEGIN END y=1;");
+  EXPECT_EQ(composed("return(x)", {{6, 9, "READ(", ")"}}), "return READ((x))");
+  EXPECT_EQ(composed("x;", {{0, 1, "READ(", ")"}}), "READ(x);");
+}

@@ -60,3 +60,12 @@ template <int bits, bool is_signed, class T> [[gnu::always_inline]] constexpr au
 }
 
 } // namespace symreal
+
+// Words of C, as gcc has them in C++. What `restrict` promises to the compiler means nothing for the values.
+#define restrict
+#define _Noreturn __attribute__((__noreturn__))
+#define _Thread_local thread_local
+#define __thread thread_local
+#define _Alignof alignof
+#define _Alignas alignas
+#define _Static_assert static_assert

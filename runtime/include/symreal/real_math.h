@@ -136,6 +136,13 @@ inline SymbolicBool signbit(RealNumber x) noexcept {
   if (!x.is_node()) return SymbolicBool(std::signbit(x.plain()));
   return copysign(RealNumber(1.0), x) < RealNumber(0.0);
 }
+// The comparisons that raise no exception are those that do here.
+inline SymbolicBool isgreater(RealNumber x, RealNumber y) noexcept { return x > y; }
+inline SymbolicBool isgreaterequal(RealNumber x, RealNumber y) noexcept { return x >= y; }
+inline SymbolicBool isless(RealNumber x, RealNumber y) noexcept { return x < y; }
+inline SymbolicBool islessequal(RealNumber x, RealNumber y) noexcept { return x <= y; }
+inline SymbolicBool islessgreater(RealNumber x, RealNumber y) noexcept { return (x < y) | (x > y); }
+inline SymbolicBool isunordered(RealNumber x, RealNumber y) noexcept { return isnan(x) | isnan(y); }
 
 } // namespace symreal
 
@@ -158,6 +165,12 @@ inline SymbolicBool signbit(RealNumber x) noexcept {
   SYMREAL_NAME(fpclassify)                                                                                             \
   SYMREAL_NAME(isnan)                                                                                                  \
   SYMREAL_NAME(isinf)                                                                                                  \
+  SYMREAL_NAME(isgreater)                                                                                              \
+  SYMREAL_NAME(isgreaterequal)                                                                                         \
+  SYMREAL_NAME(isless)                                                                                                 \
+  SYMREAL_NAME(islessequal)                                                                                            \
+  SYMREAL_NAME(islessgreater)                                                                                          \
+  SYMREAL_NAME(isunordered)                                                                                            \
   SYMREAL_NAME(isfinite)
 #define SYMREAL_FORM_infix(id)
 #define SYMREAL_FORM_prefix(id)
