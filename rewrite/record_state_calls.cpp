@@ -67,8 +67,8 @@ void Recorder::library_arguments(FunctionDecl const *function, Arguments argumen
       }
     QualType const type = argument->getType();
     if (type->isPointerType() && reals_.carries_real(type->getPointeeType())) {
-      // first, last
-      if (i + 1 == arguments.size() || arguments[i + 1]->isTypeDependent()) continue;
+      // first, last; but not where the pointers themselves are taken, to swap them
+      if (argument->isGLValue() || i + 1 == arguments.size() || arguments[i + 1]->isTypeDependent()) continue;
       if (context_.hasSameUnqualifiedType(type, arguments[i + 1]->getType()) && !only_writes(function)) {
         note(argument->IgnoreImpCasts(), Use::range_begin);
         note(arguments[++i]->IgnoreImpCasts(), Use::range_end, argument->IgnoreImpCasts());
