@@ -5,6 +5,7 @@
 
 #include <symreal/annotate.h>
 #include <symreal/decisions.h>
+#include <symreal/symbolic_int.h>
 #include <symreal/truth.h>
 
 #include <cstring>
@@ -12,6 +13,39 @@
 #include <vector>
 
 namespace symreal {
+
+namespace detail {
+
+// The type of a truth value, an enumerator or an integer, for which there may be a class; void of a REAL or a double.
+template <class T, class = int> struct ArmOf {
+  using Type = void;
+};
+template <class T> struct ArmOf<T, IfInteger<T>> {
+  using Type = Promoted<T>;
+};
+template <class T> struct ArmOf<SymbolicInt<T>> {
+  using Type = T;
+};
+template <> struct ArmOf<SymbolicBool> {
+  using Type = bool;
+};
+// Two integers become one of the type that is common to both before that becomes a number: c ? -1 : 2u.
+template <class A, class B> struct ChosenOf {
+  using Type = SymbolicInt<Common<A, B>>;
+};
+template <class A> struct ChosenOf<A, void> {
+  using Type = RealNumber;
+};
+template <class B> struct ChosenOf<void, B> {
+  using Type = RealNumber;
+};
+template <> struct ChosenOf<void, void> {
+  using Type = RealNumber;
+};
+template <class Y, class N> using Chosen =
+    typename ChosenOf<typename ArmOf<std::remove_cvref_t<Y>>::Type, typename ArmOf<std::remove_cvref_t<N>>::Type>::Type;
+
+} // namespace detail
 
 // c ? yes() : no()
 template <class C, class Yes, class No>
@@ -21,20 +55,22 @@ template <class C, class Yes, class No>
   if constexpr (!is_symbolic_truth<C>) {
     return condition ? yes() : no();
   } else {
-    static_assert(is_number_or_truth<Y> && is_number_or_truth<N>, "symreal: only numbers can be chosen symbolically");
+    using Result = detail::Chosen<Y, N>;
+    static_assert(std::is_constructible_v<Result, Y> && std::is_constructible_v<Result, N>,
+                  "symreal: only numbers can be chosen symbolically");
     SymbolicBool const chosen(truth(condition));
     if (!chosen.is_symbolic() || decisions() != Decisions::select) {
-      if (chosen) return RealNumber(yes());
-      return RealNumber(no());
+      if (chosen) return Result(yes());
+      return Result(no());
     }
-    RealNumber y, n;
+    Result y, n;
     {
       PathScope path(chosen);
-      y = yes();
+      y = Result(yes());
     }
     {
       PathScope path(!chosen);
-      n = no();
+      n = Result(no());
     }
     return select(chosen, y, n);
   }
