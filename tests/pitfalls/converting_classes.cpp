@@ -33,7 +33,7 @@ static double turned(Angle a) { return a.v; }
 void kernel(double const *x, double *y) {
   int n = 3;
   Quantity q{x[0]};
-  // CHECK: y[0] = {{.*}}REAL_TO(REAL, q)*2 + 3 / REAL_TO(REAL, q);
+  // CHECK: y[0]) = REAL_TO(REAL, q)*REAL_C(2) + 3 / REAL_TO(REAL, q);
   y[0] = q*2 + 3 / q;
   if (q > 0.2) y[0] += x[1];
   Angle a = n, many[] = {1, 2.0, n};

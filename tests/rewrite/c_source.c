@@ -27,7 +27,7 @@ double smallest(int n, double *given)
     int i;
     for (i = 0; i < n; i++) x[i] = given[i];
     qsort(x, n, sizeof *x, order);
-    // CHECK: result = REAL_READ({{.*}}, x[0]) + REAL_READ({{.*}}, head->value) + REAL_TO(unsigned int, s) + fabs(REAL_READ({{.*}}, x[0])) + (isnan(REAL_READ({{.*}}, x[0])) ? 0.0 : 1.0);
+    // CHECK: result = REAL_READ({{.*}}, x[0]) + REAL_READ({{.*}}, head->value) + REAL_TO(unsigned int, s) + fabs(REAL_READ({{.*}}, x[0])) + (REAL_COND(isnan(REAL_READ({{.*}}, x[0]))) REAL_THEN 0.0 REAL_ELSE 1.0 REAL_END);
     result = x[0] + head->value + s + fabs(x[0]) + (isnan(x[0]) ? 0.0 : 1.0);
     // CHECK: i = REAL_TO(REAL_INT(int), floor(result));
     i = floor(result);
