@@ -210,6 +210,8 @@ def function_of_two(g, depth):
     if name == "fdim":
         return number(f"{spelled}({a.text}, {b.text})", POSTFIX, (0, 2 * largest) if both else None, symbolic)
     if name == "copysign" and g.mode == "strict":
+        if not b.tame:
+            return None  # which sign a NaN has is left open
         return number(f"{spelled}({a.text}, {b.text})", POSTFIX, (-largest, largest) if both else None, symbolic)
     if name == "atan2":
         if g.mode != "strict":
