@@ -93,12 +93,23 @@ Words c_flags(Words const &flags) {
 
 namespace {
 
+bool is_before_c99(Words const &flags) {
+  bool before = false;
+  for (std::string_view const flag : flags) {
+    if (flag == "-ansi") before = true;
+    if (flag.starts_with("-std=") || flag.starts_with("--std="))
+      before = flag.ends_with("89") || flag.ends_with("90") || flag.ends_with("199409");
+  }
+  return before;
+}
+
 Words compile_command(BuildRequest const &request, Variant variant, Overlay const &overlay,
                       rewrite::Compilation const &source, std::string const &object) {
   Words words = {request.compiler};
   append(words, overlay.search_flags(variant_flags(source.flags, variant), source.directory));
   append(words, evaluation_order(source.flags, is_c(source), request.compiler));
   if (is_c(source)) words.emplace_back("-fno-char8_t"); // a name like others
+  if (is_c(source) && is_before_c99(source.flags)) words.emplace_back("-DSYMREAL_BEFORE_C99");
   append(words, {"-I", runtime_include()});
   append(words, rewrite::type_name_flags(request.type_name));
   if (auto const more = request.source_flags.find(rewrite::real_source(source)); more != request.source_flags.end())

@@ -62,7 +62,9 @@ template <int bits, bool is_signed, class T> [[gnu::always_inline]] constexpr au
 } // namespace symreal
 
 // Words of C, as gcc has them in C++. What `restrict` promises to the compiler means nothing for the values.
+#ifndef SYMREAL_BEFORE_C99
 #define restrict
+#endif
 #define _Noreturn __attribute__((__noreturn__))
 #define _Thread_local thread_local
 #define __thread thread_local
