@@ -191,9 +191,8 @@ private:
   void print_arguments(Node const &node, unsigned count) {
     NodeId const hidden =
         context_.constant_paths ? hidden_operand(*program_.graph, *context_.constant_paths, node) : no_node;
-    bool const is_hidden = hidden != no_node;
     for (unsigned i = count; i-- > 0;) {
-      bool const hides = is_hidden && node.operand[i] == hidden;
+      bool const hides = node.operand[i] == hidden;
       if (hides) push(")");
       push(node.operand[i], loosest);
       if (hides) push(std::string(hide) + "(");

@@ -30,17 +30,11 @@ template <> struct ArmOf<SymbolicBool> {
   using Type = bool;
 };
 // Two integers become one of the type that is common to both before that becomes a number: c ? -1 : 2u.
-template <class A, class B> struct ChosenOf {
+template <class A, class B, class = void> struct ChosenOf {
+  using Type = RealNumber;
+};
+template <class A, class B> struct ChosenOf<A, B, std::void_t<Common<A, B>>> {
   using Type = SymbolicInt<Common<A, B>>;
-};
-template <class A> struct ChosenOf<A, void> {
-  using Type = RealNumber;
-};
-template <class B> struct ChosenOf<void, B> {
-  using Type = RealNumber;
-};
-template <> struct ChosenOf<void, void> {
-  using Type = RealNumber;
 };
 template <class Y, class N> using Chosen =
     typename ChosenOf<typename ArmOf<std::remove_cvref_t<Y>>::Type, typename ArmOf<std::remove_cvref_t<N>>::Type>::Type;
