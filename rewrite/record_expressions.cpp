@@ -118,14 +118,13 @@ void Recorder::converted_operands(BinaryOperator const *operation, DeclContext c
   if (!is_known || !map_.language().CPlusPlus || !Reals::is_double(left->getType()) ||
       !Reals::is_double(right->getType()) || operation->isAssignmentOp() || operation->isCommaOp())
     return;
-  bool const is_ambiguous = has_operator(BinaryOperator::getOverloadedOperator(operation->getOpcode()), from);
   for (auto const &[operand, other] : {std::pair(left, right), std::pair(right, left)}) {
-    bool const by_class = conversion_by_class(operand) && reals_.is_real(operand);
-    bool const is_plain = !conversion_by_class(operand) && !reals_.is_real(operand) &&
-                          operand->IgnoreParenImpCasts()->getType()->isArithmeticType();
-    if (by_class && (conversion_by_class(other) || !reals_.is_real(other)))
+    bool const by_class = conversion_by_class(operand), is_real = reals_.is_real(operand);
+    bool const is_plain = !by_class && !is_real && operand->IgnoreParenImpCasts()->getType()->isArithmeticType();
+    if (by_class && is_real && (conversion_by_class(other) || !reals_.is_real(other)))
       wrap(operand, Use::conversion, spelled(operand->getType()));
-    else if (is_ambiguous && is_plain && reals_.is_real(other) && !reals_.is_symbolic_integer(operand))
+    else if (is_plain && reals_.is_real(other) && !reals_.is_symbolic_integer(operand) &&
+             has_operator(BinaryOperator::getOverloadedOperator(operation->getOpcode()), from))
       wrap(operand->IgnoreImpCasts(), Use::literal);
   }
 }
