@@ -56,7 +56,9 @@ void add(Events &events, std::vector<std::string> const &field) {
                                                                : nullptr;
   if (decisions && has(4)) decisions->push_back({number<std::size_t>(field[1]), field[2], addresses(field[3])});
   if (kind == "frozen" && has(6)) events.frozen.push_back({field[1], field[2], field[3], addresses(field[5])});
-  if (kind == "located" && has(4)) events.located.push_back({row(field[1]).id, field[2], addresses(field[3])});
+  if (kind == "met" && has(5))
+    events.located.push_back({row(field[1]).id, field[2], addresses(field[3]), number<std::size_t>(field[4])});
+  if (kind == "located" && has(4)) events.located.push_back({row(field[1]).id, field[2], addresses(field[3]), 0});
 }
 
 } // namespace
@@ -67,6 +69,14 @@ Events read_events(std::string const &path) {
   for (std::string line; std::getline(in, line);)
     if (!line.empty()) add(events, split(line, '\t'));
   return events;
+}
+
+std::vector<std::uint64_t> read_crash(std::string const &path) {
+  std::ifstream in(path);
+  std::string signal, list;
+  in >> signal >> list;
+  if (list.ends_with(',')) list.pop_back();
+  return list.empty() ? std::vector<std::uint64_t>() : addresses(list);
 }
 
 } // namespace symreal::program

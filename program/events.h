@@ -5,6 +5,7 @@
 //   diagnostic  SYM0nn  file  line  column  message
 //   warning     SYM0nn  file  line  column  message
 //   located     SYM0nn  message  address,address,...
+//   met         SYM0nn  message  address,address,...  count
 //   frozen      kernel  name  place  values  address,address,...
 //   scratch     name
 //   decision    count  condition  address,address,...   hexadecimal, relative to the load base, innermost first
@@ -33,6 +34,7 @@ struct Located {
   DiagnosticId id;
   std::string message;
   std::vector<std::uint64_t> addresses;
+  std::size_t count = 0; // how often it was met there; 0: nobody counted
 };
 
 struct Decision {
@@ -59,5 +61,9 @@ struct Events {
 
 // A file that does not exist holds no events.
 Events read_events(std::string const &path);
+
+// What a program that was ended by a signal has left in the file `crash`: where it stood, innermost first. Empty where
+// it has left nothing.
+std::vector<std::uint64_t> read_crash(std::string const &path);
 
 } // namespace symreal::program

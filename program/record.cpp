@@ -1,6 +1,7 @@
 #include "program/record.h"
 
 #include "graph/graph_text.h"
+#include "program/explain_met.h"
 #include "program/name_nodes.h"
 #include "program/symbolize.h"
 #include "support/files.h"
@@ -16,8 +17,6 @@
 namespace symreal::program {
 namespace {
 
-constexpr std::size_t most_frames = 8; // of a decision, as notes
-
 bool is_recording_of(RecordedKernel const &recorded, rewrite::Kernel const &kernel) {
   return recorded.name == kernel.name || (!kernel.output_file.empty() && recorded.output_file == kernel.output_file);
 }
@@ -26,33 +25,6 @@ bool is_begun(rewrite::Kernel const &kernel, std::vector<std::string> const &sta
   return std::any_of(started.begin(), started.end(), [&](std::string const &name) {
     return name == kernel.name || (!kernel.annotations.empty() && name == to_string(kernel.annotations.front().place));
   });
-}
-
-Diagnostic locate(Located const &located, Symbolizer &symbolizer) {
-  Diagnostic diagnostic{located.id, Severity::error, {}, located.message};
-  std::vector<Frame> frames = symbolizer.frames(located.addresses);
-  // The innermost place in a rewritten file is where the user can act; what is further in (Eigen, std) led there.
-  auto own = std::find_if(frames.begin(), frames.end(), [](Frame const &frame) { return frame.rewritten; });
-  if (own == frames.end()) own = frames.begin();
-  if (own != frames.end()) diagnostic.place = own->place;
-  for (auto frame = frames.begin(); frame != frames.end() && diagnostic.notes.size() < most_frames; ++frame) {
-    if (frame == own) continue;
-    diagnostic.notes.push_back({frame->place, (frame < own ? "here, in " : "called from ") + frame->function});
-  }
-  return diagnostic;
-}
-
-std::string text(Diagnostic const &diagnostic) {
-  std::string all = code(diagnostic.id) + to_string(diagnostic.place) + diagnostic.message;
-  for (Note const &note : diagnostic.notes) all += "\n" + to_string(note.place) + note.message;
-  return all;
-}
-
-// Two instructions of one expression are one place.
-void add_once(std::vector<Diagnostic> &diagnostics, Diagnostic const &diagnostic) {
-  bool const is_known = std::any_of(diagnostics.begin(), diagnostics.end(),
-                                    [&](Diagnostic const &met) { return text(met) == text(diagnostic); });
-  if (!is_known) diagnostics.push_back(diagnostic);
 }
 
 // Where the state was first read, and on whose behalf.
@@ -87,28 +59,6 @@ void locate_frozen(Recorded &recorded, std::vector<FrozenRead> const &reads, Sym
     if (read != reads.end() && state.place.file.empty()) state.place = own_place(*read, symbolizer);
     recorded.frozen_reads.push_back(read == reads.end() ? std::vector<Note>() : read_notes(state, *read, symbolizer));
   }
-}
-
-Diagnostic explain(Decision const &decision, Symbolizer &symbolizer) {
-  std::string message = fmt::format("the program decides on a symbolic value: {} (met {} time{})", decision.condition,
-                                    decision.count, decision.count == 1 ? "" : "s");
-  return locate({DiagnosticId::symbolic_decision, message, decision.addresses}, symbolizer);
-}
-
-Diagnostic carried(Decision const &decision, Symbolizer &symbolizer) {
-  std::string message = fmt::format("by a pragma's word no output depends on {}", decision.condition);
-  Diagnostic diagnostic = locate({DiagnosticId::carried_decision, message, decision.addresses}, symbolizer);
-  diagnostic.severity = Severity::warning;
-  return diagnostic;
-}
-
-Diagnostic remark(Decision const &settled, Symbolizer &symbolizer) {
-  std::string message =
-      fmt::format("{} is taken for constant: in mode finite every value is finite", settled.condition);
-  Diagnostic diagnostic = locate({DiagnosticId::settled_condition, message, settled.addresses}, symbolizer);
-  diagnostic.severity = Severity::remark;
-  diagnostic.notes.clear();
-  return diagnostic;
 }
 
 std::string key(Location const &location) {
@@ -218,14 +168,17 @@ Recording record(std::string const &executable, RunOptions const &options, rewri
   Events events = read_events(directory + "/events");
   recording.diagnostics = events.diagnostics;
   Symbolizer symbolizer(executable, overlay);
-  for (Located const &located : events.located) add_once(recording.diagnostics, locate(located, symbolizer));
-  for (Decision const &decision : events.decisions) recording.diagnostics.push_back(explain(decision, symbolizer));
-  for (Decision const &one : events.carried) recording.diagnostics.push_back(carried(one, symbolizer));
-  for (Decision const &settled : events.settled) recording.diagnostics.push_back(remark(settled, symbolizer));
+  DecidingTexts const texts(rewritten.deciding);
+  for (Diagnostic &one : explain_met(events, symbolizer, texts)) recording.diagnostics.push_back(std::move(one));
   bool explained = has_error(recording.diagnostics);
+  auto missing = [&](rewrite::Kernel const &kernel, bool begun) {
+    recording.diagnostics.push_back(explain_missing(kernel, begun, outcome));
+    if (outcome.ending == Ending::signalled)
+      explain_crash(recording.diagnostics.back(), read_crash(directory + "/crash"), symbolizer);
+  };
   std::vector<rewrite::Kernel> const kernels = wanted.empty() ? kernels_of(events) : wanted;
   if (kernels.empty() && !explained)
-    recording.diagnostics.push_back(explain_missing({}, !events.started.empty(), outcome));
+    missing({}, !events.started.empty());
   for (rewrite::Kernel const &kernel : kernels) {
     auto found = std::find_if(events.kernels.begin(), events.kernels.end(),
                               [&](RecordedKernel const &recorded) { return is_recording_of(recorded, kernel); });
@@ -233,6 +186,7 @@ Recording record(std::string const &executable, RunOptions const &options, rewri
       std::string file = directory + "/" + found->graph_file;
       Graph graph = read_graph(read_file(file), file);
       resolve(graph, symbolizer);
+      say_in_words_of_source(graph, texts);
       graph.decisions = options.decisions;
       name_nodes(graph, rewritten.names);
       recording.kernels.push_back({std::move(graph), kernel, found->output_file, found->begun_as});
@@ -240,7 +194,7 @@ Recording record(std::string const &executable, RunOptions const &options, rewri
       if (!events.frozen.empty()) locate_frozen(recording.kernels.back(), events.frozen, symbolizer);
     } else if (!explained) {
       bool begun = is_begun(kernel, events.started);
-      recording.diagnostics.push_back(explain_missing(kernel, begun, outcome));
+      missing(kernel, begun);
     }
   }
   return recording;

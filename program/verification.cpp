@@ -85,7 +85,7 @@ public:
     result_.rewritten.resize(graph_.output_count());
     result_.called_again.resize(graph_.output_count());
     for (std::size_t number = 1; number <= banner.guards; ++number)
-      result_.guards.push_back({code_.guard_text(number), 0, {}});
+      result_.guards.push_back({code_.guard_text(number)});
     if (own_flags_) result_.own_flags_ulp.resize(graph_.output_count());
     if (own_flags_ && !code_.needs_program()) compile_with_own_flags(front, path);
   }

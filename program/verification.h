@@ -18,8 +18,7 @@ struct VerificationOptions {
 // A guard of the generated code.
 struct GuardCheck {
   std::string text;
-  std::size_t failed = 0;            // samples on which it is the first that does not hold
-  std::optional<std::size_t> origin; // the guard of the recorded graph, once a sample has told
+  std::size_t failed = 0; // samples on which it is the first that does not hold
 };
 
 // A sample on which the generated code returned another guard than the original's decisions ask for.

@@ -240,9 +240,14 @@ std::map<std::string, std::set<std::string>> renamed_names(Facts const &facts) {
   return names;
 }
 
-bool has_error(Result const &result) {
-  return std::any_of(result.diagnostics.begin(), result.diagnostics.end(),
-                     [](Diagnostic const &one) { return one.severity == Severity::error; });
+// What a pragma with an error becomes is not known. Errors elsewhere leave the others' texts as they are.
+bool has_pragma_error(Result const &result) {
+  return std::any_of(result.diagnostics.begin(), result.diagnostics.end(), [](Diagnostic const &one) {
+    bool const is_of_pragma = one.id >= DiagnosticId::pragma_syntax && one.id <= DiagnosticId::pragma_outside_roots;
+    return one.severity == Severity::error &&
+           (is_of_pragma || one.id == DiagnosticId::external_function || one.id == DiagnosticId::pragma_loop ||
+            one.id == DiagnosticId::configuration);
+  });
 }
 
 } // namespace
@@ -297,6 +302,7 @@ Result decide(Facts facts, Request const &request) {
   result.read.assign(facts.read.begin(), facts.read.end());
   result.definitions.assign(facts.exported.begin(), facts.exported.end());
   for (auto &[place, statement] : facts.names) result.names.push_back(std::move(statement));
+  for (auto &[key, text] : facts.deciding) result.deciding.push_back(std::move(text));
   if (facts.broken) return result;
   result.type_name = choose_type_name(request, facts, result.diagnostics);
   std::set<Span> pragmas;
@@ -313,7 +319,7 @@ Result decide(Facts facts, Request const &request) {
   add_selects(facts, rewordings, result);
   add_members(facts, rewordings);
   collect_kernels(facts, result);
-  if (!has_error(result)) add_pragmas(facts, rewordings);
+  if (!has_pragma_error(result)) add_pragmas(facts, rewordings);
   add_boundaries(facts, result);
   add_dependence(facts, result);
   auto renamed = renamed_names(facts);

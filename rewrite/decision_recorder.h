@@ -1,5 +1,6 @@
-// Records the decisions of one function after another: conditions in record_decisions.cpp, loops and the pragmas before
-// statements in record_loops.cpp, functions that return early in record_returns.cpp.
+// Records the decisions of one function after another: conditions in record_decisions.cpp, how the source spells what it
+// decides on in record_deciding.cpp, loops and the pragmas before statements in record_loops.cpp, functions that return
+// early in record_returns.cpp.
 #pragma once
 
 #include "rewrite/arms.h"
@@ -43,6 +44,11 @@ private:
 
   void walk(clang::Stmt const *statement);
   void visit(clang::Stmt const *statement);
+  void note_deciding(clang::Stmt const *statement);
+  // `keyword` is invalid for an operand.
+  void deciding(clang::SourceLocation keyword, clang::Expr const *value);
+  void converting(clang::CastExpr const *cast);
+  void deciding(clang::SourceLocation keyword, clang::SourceRange where, clang::Expr const *value, std::string type);
   void choose_statement(clang::IfStmt const *choice);
   void choose_value(clang::ConditionalOperator const *choice);
   bool becomes_number(clang::ConditionalOperator const *choice) const;

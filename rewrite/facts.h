@@ -250,22 +250,23 @@ struct Facts {
   std::set<Span> skipped;                           // parts of an #if that are not taken
   std::map<Span, Consumed> consumed;                // tokens that may not have reached the parser
   std::set<ConversionFact> conversions;
-  std::set<Span> comparisons;                  // of REALs, by the operator
-  std::set<Span> printed;                      // declarations whose text the program prints
-  std::set<Span> quoted;                       // arguments that a macro stringifies or pastes: their text is data
-  std::set<Span> pasted;                       // those of them that a macro pastes
-  std::set<Span> text_calls;                   // calls of macros that stringify an argument
-  std::map<Span, PragmaFact> pragmas;          // by the span of the directive, or of the function's brace
-  std::set<std::string> number_readers;        // variadic functions that read doubles themselves, by qualified name
-  std::vector<Kernel> by_hand;                 // generate_code("...") in a symbolic main that was written by hand
-  std::set<std::string> definitions;           // mangled names of the functions that the sources define
-  std::set<std::string> exported;              // those that carry REAL and that other sources can use
-  std::map<std::string, UseFact> uses;         // by mangled name, the first use
-  std::map<std::string, NamedStatement> names; // by the place where they begin
-  std::map<Span, DecisionFact> decisions;      // by the token `if`, `?`, `for`, `while`, `do`, or the function's brace
-  std::map<std::string, Note> externals;       // by mangled name: where the pragma says so, and the function's name
-  std::set<std::size_t> configured_externals;  // those of the request that a source declares
-  std::map<std::string, Place> taken_names;    // that the rewriter might write, by first use in the sources
+  std::set<Span> comparisons;                   // of REALs, by the operator
+  std::set<Span> printed;                       // declarations whose text the program prints
+  std::set<Span> quoted;                        // arguments that a macro stringifies or pastes: their text is data
+  std::set<Span> pasted;                        // those of them that a macro pastes
+  std::set<Span> text_calls;                    // calls of macros that stringify an argument
+  std::map<Span, PragmaFact> pragmas;           // by the span of the directive, or of the function's brace
+  std::set<std::string> number_readers;         // variadic functions that read doubles themselves, by qualified name
+  std::vector<Kernel> by_hand;                  // generate_code("...") in a symbolic main that was written by hand
+  std::set<std::string> definitions;            // mangled names of the functions that the sources define
+  std::set<std::string> exported;               // those that carry REAL and that other sources can use
+  std::map<std::string, UseFact> uses;          // by mangled name, the first use
+  std::map<std::string, NamedStatement> names;  // by the place where they begin
+  std::map<std::string, DecidingText> deciding; // by places and type
+  std::map<Span, DecisionFact> decisions;       // by the token `if`, `?`, `for`, `while`, `do`, or the function's brace
+  std::map<std::string, Note> externals;        // by mangled name: where the pragma says so, and the function's name
+  std::set<std::size_t> configured_externals;   // those of the request that a source declares
+  std::map<std::string, Place> taken_names;     // that the rewriter might write, by first use in the sources
   std::vector<std::string> include_dirs;
   std::set<std::string> read; // real paths, those of the system's headers left out
   std::vector<Diagnostic> diagnostics;

@@ -61,6 +61,24 @@ void merge_file(FileFact &file, FileFact &&other, Facts &facts) {
         {DiagnosticId::changed_file, Severity::error, {file.display_path}, "this file changed while it was read"});
 }
 
+// A file that the other source names otherwise goes by the name that is known, so that what is wrong in it is said
+// once.
+void use_known_names(std::vector<Diagnostic> &diagnostics, std::map<std::string, FileFact> const &files,
+                     std::map<std::string, FileFact> const &known) {
+  std::map<std::string, std::string> names;
+  for (auto const &[path, file] : files)
+    if (auto const found = known.find(path); found != known.end() && found->second.display_path != file.display_path)
+      names[file.display_path] = found->second.display_path;
+  if (names.empty()) return;
+  auto const rename = [&](Place &place) {
+    if (auto const found = names.find(place.file); found != names.end()) place.file = found->second;
+  };
+  for (Diagnostic &one : diagnostics) {
+    rename(one.place);
+    for (Note &note : one.notes) rename(note.place);
+  }
+}
+
 } // namespace
 
 bool same_members(ClassFact const &one, ClassFact const &other) {
@@ -78,8 +96,10 @@ void add_diagnostic(Facts &facts, Diagnostic const &diagnostic) {
 void merge(Facts &facts, Facts &&other) {
   // Named one by one, so that a new kind of fact does not compile until it is merged as well.
   auto &[files, types, doubles, wraps, shared, members, reached, skipped, consumed, conversions, comparisons, printed,
-         quoted, pasted, text_calls, pragmas, number_readers, by_hand, definitions, exported, uses, names, decisions,
-         externals, configured_externals, taken_names, include_dirs, read, diagnostics, broken, makes_text] = other;
+         quoted, pasted, text_calls, pragmas, number_readers, by_hand, definitions, exported, uses, names, deciding,
+         decisions, externals, configured_externals, taken_names, include_dirs, read, diagnostics, broken, makes_text] =
+      other;
+  use_known_names(diagnostics, files, facts.files);
   for (auto &[path, file] : files)
     if (auto const [at, is_new] = facts.files.try_emplace(path, std::move(file)); !is_new)
       merge_file(at->second, std::move(file), facts);
@@ -108,6 +128,7 @@ void merge(Facts &facts, Facts &&other) {
   facts.exported.merge(exported);
   facts.uses.merge(uses);
   facts.names.merge(names);
+  facts.deciding.merge(deciding);
   for (auto &[span, decision] : decisions)
     if (auto const [at, is_new] = facts.decisions.try_emplace(span, std::move(decision)); !is_new)
       merge_decision(at->second, std::move(decision));

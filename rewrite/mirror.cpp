@@ -17,10 +17,11 @@ std::filesystem::path common_directory(std::vector<File> const &files) {
 
 } // namespace
 
-std::vector<std::string> write_mirror(std::vector<File> const &files, std::string const &directory) {
+std::vector<std::string> write_mirror(std::vector<File> const &files, std::string const &directory,
+                                      std::string const &top) {
   std::vector<std::string> written;
   if (files.empty()) return written;
-  std::filesystem::path const common = common_directory(files);
+  std::filesystem::path const common = top.empty() ? common_directory(files) : std::filesystem::path(top);
   for (File const &file : files) {
     std::filesystem::path const path = directory / std::filesystem::path(file.path).lexically_relative(common);
     std::error_code error;

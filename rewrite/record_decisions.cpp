@@ -41,6 +41,7 @@ void DecisionRecorder::walk(Stmt const *statement) {
 }
 
 void DecisionRecorder::visit(Stmt const *statement) {
+  note_deciding(statement);
   if (auto const *choice = dyn_cast<IfStmt>(statement)) choose_statement(choice);
   if (auto const *choice = dyn_cast<ConditionalOperator>(statement)) choose_value(choice);
   if (auto const *loop = dyn_cast<ForStmt>(statement)) free_loop(loop, loop->getCond());

@@ -172,6 +172,14 @@ struct NamedStatement {
   std::string name;
 };
 
+// Where the program may decide on a value, in the source's words.
+struct DecidingText {
+  Place keyword;         // `if`, `while`, `?`, ...: where a decision on the whole of it stands; none: it is an operand
+  Place begin, end;      // of its first and last token
+  std::string text;      // on one line, cut off with "..." where it gets long
+  std::string type = {}; // of a conversion: what to
+};
+
 // An `if`, a `?:` or a loop on a condition of REALs that cannot become a select.
 struct Refusal {
   Place condition;        // where the condition begins
@@ -205,8 +213,9 @@ struct Result {
   std::vector<Boundary> boundaries;      // each also has its diagnostic
   std::vector<std::string> definitions;  // mangled names of the functions that carry REAL and that others can use
   std::vector<NamedStatement> names;     // by file, line and column
-  std::vector<Refusal> refusals;         // in the order of their places
-  std::vector<Decision> decisions;       // by file and offset
+  std::vector<DecidingText> deciding;
+  std::vector<Refusal> refusals;   // in the order of their places
+  std::vector<Decision> decisions; // by file and offset
   std::vector<Conversion> conversions;
   std::size_t comparisons = 0;       // of REALs
   std::vector<std::string> left_out; // sources that do not compile, if the request allows it
@@ -226,8 +235,10 @@ std::vector<std::string> type_name_flags(std::string const &type_name);
 // `diff -u` of the original and the rewritten text; empty when nothing changed.
 std::string unified_diff(File const &file);
 
-// Writes the mirror of the files under `directory`, each at its path below the deepest directory that all share, and
-// returns the written paths. Every file begins with a #line directive, so that places and assertions keep their names.
-std::vector<std::string> write_mirror(std::vector<File> const &files, std::string const &directory);
+// Writes the mirror of the files under `directory`, each at its path below `top` or, if that is empty, below the
+// deepest directory that all share, and returns the written paths. All files must lie below `top`, a real path. Every
+// file begins with a #line directive, so that places and assertions keep their names.
+std::vector<std::string> write_mirror(std::vector<File> const &files, std::string const &directory,
+                                      std::string const &top = {});
 
 } // namespace symreal::rewrite

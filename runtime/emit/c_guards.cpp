@@ -40,14 +40,13 @@ std::string in_comment(std::string const &text) {
 }
 
 std::string guard_text(Graph const &graph, Guard const &guard) {
-  std::string places;
-  if (guard.location != no_location) {
-    std::vector<Place> const &known = graph.locations[guard.location].places;
-    for (std::size_t i = 0; i < known.size() && i < most_places; ++i)
-      places += (i == 0 ? "" : ", ") + portable_place(known[i]);
-    if (known.size() > most_places) places += ", ...";
-  }
-  return places.empty() ? guard.text : guard.text + " (" + places + ")";
+  if (guard.location == no_location || graph.locations[guard.location].places.empty()) return guard.text;
+  std::vector<Place> const &known = graph.locations[guard.location].places;
+  std::string further;
+  for (std::size_t i = 1; i < known.size() && i < most_places; ++i)
+    further += (i == 1 ? "" : ", ") + portable_place(known[i]);
+  if (known.size() > most_places) further += ", ...";
+  return portable_place(known.front()) + ": " + guard.text + (further.empty() ? "" : ", in " + further);
 }
 
 std::string c_guard_list(Program const &program, EmitOptions const &options) {

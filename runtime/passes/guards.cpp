@@ -1,4 +1,5 @@
-// A guard that earlier guards imply is dropped.
+// A guard that others imply is dropped: first those that follow from earlier ones, then those that follow from later
+// ones, as x >= 1 does from x >= 2. So of a chain of thresholds two are left.
 //
 // What is known after some guards: for a pair of operands which outcomes of comparing them are possible; for an operand
 // that is compared with constants also an interval; for any other condition its truth. A conjunction is two facts. What
@@ -166,22 +167,32 @@ std::vector<Literal> facts(Graph const &graph, NodeId condition) {
            std::string(to_string(mode)));
 }
 
+// Whether the guard adds something to what is known, which then knows it. Fails where the two contradict each other.
+bool adds(Graph const &graph, Guard const &guard, FloatingPoint mode, Knowledge &knowledge) {
+  bool adds = false;
+  for (Literal const &fact : facts(graph, guard.condition)) {
+    Node const &node = graph.nodes[fact.condition];
+    if (node.is_constant() ? (node.value() != 0) == fact.holds : knowledge.implies(fact)) continue;
+    adds = true;
+    if (node.is_constant() || !knowledge.learn(fact)) report(graph, guard, mode);
+  }
+  return adds;
+}
+
 } // namespace
 
 Graph pass_guards(Graph const &graph, FloatingPoint mode) {
   if (graph.guards.empty()) return graph;
-  Knowledge knowledge(graph, mode);
   Graph result = graph;
-  result.guards.clear();
-  for (Guard const &guard : graph.guards) {
-    bool follows = true;
-    for (Literal const &fact : facts(graph, guard.condition)) {
-      Node const &node = graph.nodes[fact.condition];
-      if (node.is_constant() ? (node.value() != 0) == fact.holds : knowledge.implies(fact)) continue;
-      follows = false;
-      if (node.is_constant() || !knowledge.learn(fact)) report(graph, guard, mode);
-    }
-    if (!follows) result.guards.push_back(guard);
+  Knowledge knowledge(graph, mode);
+  std::erase_if(result.guards, [&](Guard const &guard) { return !adds(graph, guard, mode, knowledge); });
+  // A call stands behind the guards before it, which therefore stay.
+  if (graph.externals.empty()) {
+    Knowledge later(graph, mode);
+    std::vector<Guard> kept;
+    for (auto guard = result.guards.rbegin(); guard != result.guards.rend(); ++guard)
+      if (adds(graph, *guard, mode, later)) kept.push_back(*guard);
+    result.guards.assign(kept.rbegin(), kept.rend());
   }
   return compact(result, live_nodes(result));
 }

@@ -1,7 +1,9 @@
 // Where a program leaves the real numbers: branches and conversions. The program goes on with its carried value. By
 // policy the outcome becomes a guard of the kernel, or the place is reported and the driver makes an error of it, so
 // that nothing is baked in silently.
+#include "graph/guard_words.h"
 #include "graph/infinity.h"
+#include "support/number.h"
 #include "trace/describe.h"
 #include "trace/events.h"
 #include "trace/guards.h"
@@ -91,27 +93,32 @@ bool decide(RealNumber condition) noexcept {
   return value != 0;
 }
 
+static std::string conversion(RealNumber x) { return "the conversion of " + trace::describe(x); }
+
 double convert_to_integer(RealNumber x) noexcept {
   double value = needed_value(x);
   if (decisions() == Decisions::guard)
-    trace::Guards::current().add(trunc(x) == RealNumber(std::trunc(value)), true);
+    trace::Guards::current().add(trunc(x) == RealNumber(std::trunc(value)),
+                                 conversion(x) + std::string(guard_gives) + shortest(std::trunc(value)));
   else
-    report("the conversion of " + trace::describe(x));
+    report(conversion(x));
   return value;
 }
 
 std::uint64_t convert_wide(RealNumber integer) noexcept {
   double const value = needed_value(integer);
   if (decisions() == Decisions::guard)
-    trace::Guards::current().add(wide_equal(integer64_of_bits(integer), integer64(bits(value))), true);
+    trace::Guards::current().add(wide_equal(integer64_of_bits(integer), integer64(bits(value))),
+                                 conversion(integer) + std::string(guard_gives) +
+                                     std::to_string(static_cast<std::int64_t>(bits(value))));
   else
-    report("the conversion of " + trace::describe(integer));
+    report(conversion(integer));
   return bits(value);
 }
 
 double convert(RealNumber x) noexcept {
   double value = needed_value(x);
-  report("the conversion of " + trace::describe(x));
+  report(conversion(x));
   return value;
 }
 

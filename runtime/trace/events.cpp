@@ -134,8 +134,7 @@ void flush_events() {
   append("settled", log().settled);
   for (auto const &[id, meetings] : log().interrupted)
     meetings.for_each([&text, id = id](std::size_t count, std::string const &message, auto const &stack) {
-      std::string const times = std::to_string(count) + (count == 1 ? " time)" : " times)");
-      text += joined({"located", code(id), message + " (met " + times, hexadecimal(stack)}) + '\n';
+      text += joined({"met", code(id), message, hexadecimal(stack), std::to_string(count)}) + '\n';
     });
   try {
     write_if_changed(record_directory() + "/events", text);

@@ -1,5 +1,6 @@
 #include "trace/guards.h"
 
+#include "graph/guard_words.h"
 #include "trace/call_stack.h"
 #include "trace/describe.h"
 #include "trace/policy.h"
@@ -19,11 +20,16 @@ void Guards::begin() {
 }
 
 void Guards::add(SymbolicBool condition, bool outcome) {
-  if (!outcome) condition = !condition;
-  SymbolicBool const guard = (!SymbolicBool::from_condition(current_path())) | condition;
+  add(outcome ? condition : !condition, describe(condition.condition()) + std::string(outcome ? "" : guard_is_false));
+}
+
+void Guards::add(SymbolicBool condition, std::string text) {
+  RealNumber const path = current_path();
+  SymbolicBool const guard = (!SymbolicBool::from_condition(path)) | condition;
   if (!guard.is_symbolic()) return; // nothing to check: it holds on every run
+  if (path.is_node()) text += std::string(guard_where) + describe(path);
   NodeId id = Pool::current().node(guard.condition());
-  if (conditions_.insert(id).second) recorded_.push_back({id, describe(guard.condition()), call_stack()});
+  if (conditions_.insert(id).second) recorded_.push_back({id, std::move(text), call_stack()});
 }
 
 void Guards::end(Graph &graph) {

@@ -20,6 +20,8 @@ public:
   // The program goes on as if the condition had this outcome, which the carried value says too, on the current path.
   // The same condition again adds nothing.
   void add(SymbolicBool condition, bool outcome);
+  // The same in these words, for a condition that holds.
+  void add(SymbolicBool condition, std::string text);
   bool empty() const { return recorded_.empty(); }
   // Adds the guards and their locations, the return addresses of the decisions, to the graph.
   void end(Graph &graph);
