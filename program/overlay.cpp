@@ -31,13 +31,23 @@ std::size_t line_start(std::string const &text, unsigned line) {
   return start;
 }
 
+// Where a character of an edit's text stands in the original: what the edit repeats of that, before or behind what it
+// inserts, stands where it did, and all else at the beginning.
+std::size_t original_offset(rewrite::Edit const &edit, std::string const &original, std::size_t within) {
+  std::string const replaced = original.substr(edit.offset, edit.length);
+  std::size_t const behind = edit.text.size() - std::min(edit.text.size(), replaced.size());
+  if (edit.text.ends_with(replaced)) return edit.offset + (within < behind ? 0 : within - behind);
+  if (edit.text.starts_with(replaced)) return edit.offset + std::min(within, edit.length - 1);
+  return edit.offset;
+}
+
 // The offset in the original of what stands at `offset` of the rewritten text.
-std::size_t original_offset(std::vector<rewrite::Edit> const &edits, std::size_t offset) {
+std::size_t original_offset(rewrite::File const &file, std::size_t offset) {
   std::size_t original = offset, written = 0, read = 0;
-  for (rewrite::Edit const &edit : edits) {
+  for (rewrite::Edit const &edit : file.edits) {
     std::size_t begin = written + (edit.offset - read); // of the replacement, in the rewritten text
     if (offset < begin) break;
-    if (offset < begin + edit.text.size()) return edit.offset + std::min(offset - begin, edit.length);
+    if (offset < begin + edit.text.size()) return original_offset(edit, file.original, offset - begin);
     written = begin + edit.text.size();
     read = edit.offset + edit.length;
     original = read + (offset - written);
@@ -143,11 +153,15 @@ Place Overlay::original(Place place) const {
   if (directory_.empty()) place.column = 0;
   if (!file) return place;
   place.file = file->display_path;
-  std::size_t start = line_start(file->text, place.line);
-  std::size_t original_start = line_start(file->original, place.line);
+  return original_place(*file, std::move(place));
+}
+
+Place original_place(rewrite::File const &file, Place place) {
+  std::size_t start = line_start(file.text, place.line);
+  std::size_t original_start = line_start(file.original, place.line);
   if (place.line == 0 || place.column == 0 || start == std::string::npos || original_start == std::string::npos)
     return place;
-  std::size_t offset = original_offset(file->edits, start + place.column - 1);
+  std::size_t offset = original_offset(file, start + place.column - 1);
   place.column = offset >= original_start ? static_cast<unsigned>(offset - original_start + 1) : 0;
   return place;
 }

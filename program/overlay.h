@@ -49,4 +49,7 @@ private:
   std::map<std::string, std::size_t> by_name_; // display path and real path to index
 };
 
+// A place in the rewritten text of the file, in its original text.
+Place original_place(rewrite::File const &file, Place place);
+
 } // namespace symreal::program
