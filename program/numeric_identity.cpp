@@ -1,16 +1,18 @@
 #include "program/numeric_identity.h"
 
 #include "program/neighbours.h"
+#include "program/overlay.h"
 #include "program/parallel.h"
 #include "program/process.h"
 #include "program/search_flags.h"
-#include "rewrite/pragma_text.h"
 #include "support/files.h"
 #include "support/installation.h"
 
 #include <filesystem>
 #include <optional>
+#include <regex>
 #include <set>
+#include <sstream>
 
 namespace symreal::program {
 namespace {
@@ -22,21 +24,17 @@ using Words = std::vector<std::string>;
 class Shadow {
 public:
   Shadow(rewrite::Result const &rewritten, std::string top) : rewritten_(rewritten), top_(std::move(top)) {
-    for (rewrite::File const &file : rewritten.files) write(file, file.compiled_name);
+    for (rewrite::File const &file : rewritten.files) {
+      fs::create_directories(fs::path(top_ + file.path).parent_path());
+      write_if_changed(top_ + file.path, file.text);
+    }
     link_neighbours(rewritten, top_);
   }
 
-  // The source under the name that this compilation gives it.
-  std::string source(std::string const &real, std::string const &name) const {
-    for (rewrite::File const &file : rewritten_.files)
-      if (file.path == real) write(file, name);
-    return top_ + real;
-  }
-
-  // The directory's or file's counterpart, if there is one.
-  std::optional<std::string> counterpart(std::string const &name, std::string const &directory) const {
+  // Is there one of this directory or file?
+  std::optional<std::string> counterpart(fs::path const &name) const {
     std::error_code error;
-    std::string const path = top_ + fs::weakly_canonical(fs::path(directory) / name, error).string();
+    std::string const path = top_ + fs::weakly_canonical(name, error).string();
     return !error && fs::exists(path) ? std::optional(path) : std::nullopt;
   }
 
@@ -47,20 +45,73 @@ public:
     return found;
   }
 
+  // The rewritten file that a compiler reads under this name.
+  rewrite::File const *file(std::string const &name) const {
+    std::error_code error;
+    std::string const real = fs::weakly_canonical(name, error).string();
+    for (rewrite::File const &one : rewritten_.files)
+      if (real == top_ + one.path) return &one;
+    return nullptr;
+  }
+
   // So that the files have the names of the originals.
   std::string names() const { return "-ffile-prefix-map=" + top_ + "="; }
 
 private:
-  void write(rewrite::File const &file, std::string const &name) const {
-    std::string const path = top_ + file.path;
-    fs::create_directories(fs::path(path).parent_path());
-    std::size_t const mark = file.text.starts_with("\xEF\xBB\xBF") ? 3 : 0; // one only at the very beginning
-    write_if_changed(path,
-                     file.text.substr(0, mark) + "#line 1 " + rewrite::quoted(name) + "\n" + file.text.substr(mark));
-  }
-
   rewrite::Result const &rewritten_;
   std::string const top_;
+};
+
+// How one compilation names the shadow. A header has many names, by the directory in which it is found and by what
+// includes it, and __FILE__ is the one by which it was found. So each name of a directory is a symbolic link of its own
+// to the counterpart, which the compiler puts back.
+class ShadowNames {
+public:
+  // `links`: a directory that is this compilation's alone.
+  ShadowNames(Shadow const &shadow, std::string directory, std::string links, std::string const &compiler)
+      : shadow_(shadow),
+        directory_(std::move(directory)),
+        links_(std::move(links)),
+        is_clang_(compiler.find("clang") != compiler.npos) {
+    constexpr char const *keep_dots = "-fno-file-reproducible"; // else clang leaves them out where names are mapped
+    if (is_clang_ && capture({.arguments = {compiler, keep_dots, "-E", "-x", "c", "/dev/null"}}).outcome.success())
+      maps.emplace_back(keep_dots);
+    maps.push_back(shadow_.names());
+  }
+
+  std::optional<std::string> directory(std::string const &name) {
+    auto const found = shadow_.counterpart(fs::path(directory_) / name);
+    std::size_t const last = name.find_last_not_of('/'); // compilers leave out what follows
+    return found ? std::optional(link(*found, name.substr(0, last + 1), "")) : std::nullopt;
+  }
+
+  std::optional<std::string> file(std::string const &name) {
+    std::string const within = name.substr(0, name.rfind('/') + 1), last = name.substr(within.size());
+    auto const found = shadow_.counterpart(fs::path(directory_) / within);
+    if (!found || !fs::exists(*found + "/" + last)) return std::nullopt;
+    std::string const path = link(*found, within, "/") + last;
+    // What a file beside includes is "file.h" to gcc, and "./file.h" to clang.
+    if (is_clang_ && within.empty()) {
+      maps.back() += "./";
+      maps.push_back("-ffile-prefix-map=" + path + "=" + last);
+    }
+    return path;
+  }
+
+  Words maps; // what the compiler must be told
+
+private:
+  std::string link(std::string const &target, std::string const &name, char const *slash) {
+    // No name of a link begins with that of another.
+    std::string const path = links_ + "/" + std::to_string(maps.size()) + "_";
+    fs::create_directory_symlink(target, path);
+    maps.push_back("-ffile-prefix-map=" + path + slash + "=" + name);
+    return path + slash;
+  }
+
+  Shadow const &shadow_;
+  std::string const directory_, links_;
+  bool const is_clang_;
 };
 
 // Without what chooses outputs; an object is wanted, of machine code.
@@ -77,14 +128,18 @@ Words compiling(Words const &flags) {
   return words;
 }
 
-Words in_shadow(Words const &flags, Shadow const &shadow, std::string const &directory) {
+Words in_shadow(Words const &flags, Shadow const &shadow, std::string const &directory, ShadowNames &names) {
   std::vector<std::string> searched;
-  Words words =
-      search_flags(flags, [&](std::string const &name) { return shadow.counterpart(name, directory); }, searched);
+  Words words = search_flags(
+      flags,
+      [&](std::string const &name) {
+        std::error_code error;
+        return fs::is_directory(fs::path(directory) / name, error) ? names.directory(name) : names.file(name);
+      },
+      searched);
   std::set<std::string> last = shadow.directories();
   for (std::string const &one : searched) last.erase(fs::weakly_canonical(fs::path(directory) / one).string());
   for (std::string const &one : last) words.insert(words.end(), {"-idirafter", one});
-  words.push_back(shadow.names());
   return words;
 }
 
@@ -101,7 +156,7 @@ Object compile(Words words, std::string const &file, std::string const &director
     if (compiled.outcome.success()) return {true, read_file(file), {}};
   }
   if (compiled.outcome.ending == Ending::not_started) return {false, {}, "'" + words[0] + "' cannot be started"};
-  return {false, {}, compiled.output.substr(0, compiled.output.find('\n'))};
+  return {false, {}, compiled.output};
 }
 
 // One source before and after, as command lines.
@@ -112,23 +167,48 @@ struct Pair {
 };
 
 // `name_flags`: what the compiler must be told about the number's name.
-Pair prepare(rewrite::Compilation const &one, Shadow const &shadow, Compilers const &compilers,
-             Words const &name_flags) {
+Pair prepare(rewrite::Compilation const &one, Shadow const &shadow, Compilers const &compilers, Words const &name_flags,
+             std::string const &links) {
   Pair pair;
   pair.directory = one.directory.empty() ? fs::current_path().string() : one.directory;
   bool const is_c = one.source.ends_with(".c");
   std::string const &asked = is_c ? compilers.c : compilers.cxx;
   std::string const known = one.compiler.empty() ? (is_c ? "cc" : "c++") : one.compiler;
-  Words const flags = compiling(one.flags);
-  Words const adapted = in_shadow(flags, shadow, pair.directory);
   pair.before = {asked.empty() ? known : asked};
+  Words const flags = compiling(one.flags);
+  ShadowNames names(shadow, pair.directory, links, pair.before[0]);
+  Words const adapted = in_shadow(flags, shadow, pair.directory, names);
+  std::string const source = names.file(one.source).value_or(one.source);
   pair.after = {pair.before[0], "-isystem", runtime_include()};
   pair.after.insert(pair.after.end(), name_flags.begin(), name_flags.end());
   pair.before.insert(pair.before.end(), flags.begin(), flags.end());
   pair.after.insert(pair.after.end(), adapted.begin(), adapted.end());
   pair.before.push_back(one.source);
-  pair.after.push_back(shadow.source(rewrite::real_source(one), one.source));
+  pair.after.insert(pair.after.end(), names.maps.begin(), names.maps.end());
+  pair.after.push_back(source);
   return pair;
+}
+
+// A line of a compiler's message, with the file's name and the column that the user has.
+std::string in_original(std::string const &line, Shadow const &shadow) {
+  static std::regex const located(
+      "(In file included from |                 from )?([^ :]+):([0-9]+)?(?::([0-9]+))?(.*)");
+  std::smatch found;
+  if (line.size() > 2000 || !std::regex_match(line, found, located)) return line;
+  rewrite::File const *file = shadow.file(found[2]);
+  if (!file) return line;
+  auto const number = [&](std::size_t group) {
+    return found[group].matched ? static_cast<unsigned>(std::stoul(found[group])) : 0;
+  };
+  Place const place = original_place(*file, {file->display_path, number(3), number(4)});
+  return found[1].str() + to_string(place) + (found[3].matched ? "" : ":") + found[5].str();
+}
+
+std::string whole_message(std::string const &output, Shadow const &shadow) {
+  std::string text;
+  std::istringstream in(output);
+  for (std::string line; std::getline(in, line);) text += "\n    " + in_original(line, shadow);
+  return text;
 }
 
 } // namespace
@@ -139,7 +219,9 @@ ObjectComparison compare_object_code(std::vector<rewrite::Compilation> const &so
   std::vector<Pair> pairs;
   pairs.reserve(sources.size());
   Words const name_flags = rewrite::type_name_flags(rewritten.type_name);
-  for (rewrite::Compilation const &one : sources) pairs.push_back(prepare(one, shadow, compilers, name_flags));
+  for (rewrite::Compilation const &one : sources)
+    pairs.push_back(
+        prepare(one, shadow, compilers, name_flags, workspace.directory("names_" + std::to_string(pairs.size()))));
   in_parallel(2 * pairs.size(), jobs, [&](std::size_t k) {
     Pair &pair = pairs[k / 2];
     bool const is_original = k % 2 == 0;
@@ -151,10 +233,11 @@ ObjectComparison compare_object_code(std::vector<rewrite::Compilation> const &so
     Object const &unchanged = pairs[k].original, &changed = pairs[k].changed;
     Place const place{sources[k].source};
     if (!unchanged.made)
-      result.diagnostics.push_back({DiagnosticId::numeric_original, Severity::error, place, unchanged.output});
+      result.diagnostics.push_back({DiagnosticId::numeric_original, Severity::error, place,
+                                    "the compiler says:" + whole_message(unchanged.output, shadow)});
     else if (++result.compared; !changed.made)
       result.diagnostics.push_back({DiagnosticId::numeric_difference, Severity::error, place,
-                                    "the rewritten source does not compile: " + changed.output});
+                                    "the rewritten source does not compile:" + whole_message(changed.output, shadow)});
     else if (changed.code != unchanged.code)
       result.diagnostics.push_back({DiagnosticId::numeric_difference, Severity::error, place,
                                     "the object code of the rewritten source differs from the original's"});

@@ -32,7 +32,7 @@ int run_numeric(CLI::App &command, Options &options, Session &session) {
   project.configure(command, session.configured);
   bool const is_given = command.get_option("--cxx")->count() != 0;
   return verify_numeric(command, options.numeric, project, is_given ? options.source.front.build.compiler : "",
-                        session);
+                        options.source.front.keep, session);
 }
 
 // The generated files end the list. The last one is taken for one in any case: what is wrong with it will be told.

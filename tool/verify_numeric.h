@@ -15,6 +15,6 @@ struct NumericOptions {
 
 // `command` is verify, whose other options would have no effect. Returns the exit status.
 int verify_numeric(CLI::App const &command, NumericOptions const &options, ProjectOptions const &project,
-                   std::string const &cxx_compiler, Session const &session);
+                   std::string const &cxx_compiler, bool keep, Session const &session);
 
 } // namespace symreal::tool
