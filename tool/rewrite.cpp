@@ -5,11 +5,15 @@
 #include "tool/project_options.h"
 #include "tool/subcommands.h"
 
+#include <algorithm>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 
 namespace symreal::tool {
 namespace {
+
+namespace fs = std::filesystem;
 
 struct Options {
   ProjectOptions project;
@@ -35,19 +39,48 @@ void edit_in_place(rewrite::Result const &result) {
   std::cerr << "\n";
 }
 
+bool is_below(std::string const &path, fs::path const &directory) {
+  return path.starts_with((directory / "").string());
+}
+
+// Where the mirror's top is in the user's tree: the --root that has all files below it, else the deepest directory that
+// has them all.
+std::string top_of(std::vector<rewrite::File> const &files, std::vector<std::string> const &roots) {
+  for (std::string const &root : roots) {
+    std::error_code error;
+    fs::path const real = fs::canonical(root, error);
+    if (!error &&
+        std::all_of(files.begin(), files.end(), [&](rewrite::File const &file) { return is_below(file.path, real); }))
+      return real.string();
+  }
+  return {};
+}
+
+// Tells what stands in the way; whether anything does.
+bool report(rewrite::Result const &result) {
+  bool failed = !result.left_out.empty();
+  for (Diagnostic const &diagnostic : result.diagnostics) {
+    print(std::cerr, diagnostic);
+    failed |= diagnostic.severity == Severity::error;
+  }
+  for (std::string const &source : result.left_out) std::cerr << "left out, does not compile: " << source << "\n";
+  return failed;
+}
+
 void run(CLI::App &command, Options &options, Session &session) {
   options.project.configure(command, session.configured);
   if (options.diff + options.in_place + !options.out_root.empty() + !options.fixes.empty() != 1)
     fail(DiagnosticId::bad_option, {},
          "one of --diff, --out-root, --in-place and --export-fixes says where the rewritten text goes");
-  rewrite::Result result = rewrite::run(only_rewritten(options.project.complete(session.flags)));
-  for (Diagnostic const &diagnostic : result.diagnostics) {
-    print(std::cerr, diagnostic);
-    if (diagnostic.severity == Severity::error) session.status = error;
-  }
-  if (session.status != clean) return;
+  // What is only looked at is shown as far as it goes.
+  bool const only_shows = options.diff || !options.out_root.empty();
+  rewrite::Request request = only_rewritten(options.project.complete(session.flags));
+  request.leave_out_broken = only_shows;
+  rewrite::Result const result = rewrite::run(request);
+  if (report(result)) session.status = only_shows && !result.files.empty() ? partly_skipped : error;
+  if (session.status == error) return;
   if (!options.out_root.empty())
-    rewrite::write_mirror(result.files, options.out_root);
+    rewrite::write_mirror(result.files, options.out_root, top_of(result.files, request.roots));
   else if (!options.fixes.empty())
     write_if_changed(options.fixes, rewrite::fixes_yaml(result.files));
   else if (options.in_place)
