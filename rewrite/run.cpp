@@ -127,6 +127,9 @@ Result run(Request const &request) {
   Reading reading(request, sources);
   Facts facts = reading.all();
   if (!facts.broken) report_configured(request, facts);
+  // Other errors may follow from a name that was not found.
+  std::stable_partition(facts.diagnostics.begin(), facts.diagnostics.end(),
+                        [](symreal::Diagnostic const &one) { return one.id == DiagnosticId::configured_function; });
   Result result = decide(std::move(facts), request);
   result.left_out = std::move(reading.left_out);
   return result;

@@ -1,6 +1,7 @@
 #include "tool/configuration.h"
 
 #include "tool/configured_pragmas.h"
+#include "tool/unknown_words.h"
 
 #include <filesystem>
 
@@ -88,7 +89,8 @@ Configuration read_configuration(std::string const &file) {
       for (Yaml const &one : value.list()) result.externals.push_back(read_external(one));
     else
       fail(DiagnosticId::configuration, key.place,
-           "unknown key '" + key.text + "'; there are: roots, exclude, type, options, kernels, externals");
+           "unknown key '" + key.text + "'; there are: roots, exclude, type, options, kernels, externals" +
+               did_you_mean(key.text, "roots, exclude, type, options, kernels, externals"));
   }
   return result;
 }

@@ -1,5 +1,7 @@
 #include "tool/configured_pragmas.h"
 
+#include "tool/unknown_words.h"
+
 #include <algorithm>
 #include <array>
 #include <filesystem>
@@ -54,7 +56,8 @@ ConfiguredText required_function(std::vector<Yaml::Entry> const &entries, Yaml c
 }
 
 [[noreturn]] void refuse_key(ConfiguredText const &key, std::string const &there_are) {
-  fail(DiagnosticId::configuration, key.place, "unknown key '" + key.text + "'; there are: " + there_are);
+  fail(DiagnosticId::configuration, key.place,
+       "unknown key '" + key.text + "'; there are: " + there_are + did_you_mean(key.text, there_are));
 }
 
 } // namespace

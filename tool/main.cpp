@@ -2,6 +2,7 @@
 #include "diagnostics/diagnostic.h"
 #include "support/version.h"
 #include "tool/subcommands.h"
+#include "tool/unknown_words.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -39,7 +40,8 @@ static int run(int argc, char **argv) {
     return session.status;
   } catch (CLI::ParseError const &problem) {
     if (problem.get_exit_code() == 0) return app.exit(problem);
-    print(std::cerr, {DiagnosticId::bad_option, Severity::error, {}, problem.what()});
+    std::string const explained = explain_unknown(app, {argv + 1, separator});
+    print(std::cerr, {DiagnosticId::bad_option, Severity::error, {}, explained.empty() ? problem.what() : explained});
   } catch (DiagnosticError const &problem) {
     print(std::cerr, located(problem.diagnostic(), session.configured));
   }

@@ -1,8 +1,10 @@
 #include "tool/yaml.h"
 
 #include "support/files.h"
+#include "tool/yaml_fix.h"
 
 #include <set>
+#include <sstream>
 
 namespace symreal::tool {
 
@@ -47,12 +49,27 @@ std::vector<Yaml::Entry> Yaml::entries() const {
   return entries;
 }
 
+// How the line with the error, or one of the two before it, should be written, if that can be told.
+static std::string fix(std::string const &text, YAML::Mark const &mark) {
+  if (mark.is_null()) return {};
+  std::vector<std::string> lines;
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line) && static_cast<int>(lines.size()) <= mark.line;) lines.push_back(line);
+  for (std::size_t k = 0; k < 3 && k < lines.size(); ++k) {
+    std::string const &line = lines[lines.size() - 1 - k];
+    if (std::size_t const first = line.find_first_not_of(' '); first != line.npos && line[first] == '\t')
+      return "; indent with blanks, not with tabs";
+    if (std::string const fixed = with_quotes(line); !fixed.empty()) return "; write it in quotes: " + fixed;
+  }
+  return {};
+}
+
 Yaml read_yaml(std::string const &file) {
   std::string const text = read_file(file);
   try {
     return {file, YAML::Load(text)};
   } catch (YAML::Exception const &problem) {
-    symreal::fail(DiagnosticId::configuration, at(file, problem.mark), problem.msg);
+    symreal::fail(DiagnosticId::configuration, at(file, problem.mark), problem.msg + fix(text, problem.mark));
   }
 }
 
