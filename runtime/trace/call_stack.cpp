@@ -32,6 +32,17 @@ std::vector<std::uintptr_t> call_stack() {
   return addresses;
 }
 
+void for_each_interrupted(void (*add)(std::uintptr_t address, void *data), void *data) {
+  std::size_t count = 0;
+  for_each_frame([&](std::uintptr_t address, bool is_interrupted) {
+    if (count != 0 || is_interrupted) {
+      add(relative(address) + (is_interrupted ? 1 : 0), data); // the instruction itself, where no call is
+      ++count;
+    }
+    return count < most_frames;
+  });
+}
+
 // Readers take one off to get from a return address into the call,
 // so the instructions themselves are one more here.
 std::vector<std::uintptr_t> interrupted_stack(std::uintptr_t delayed) {

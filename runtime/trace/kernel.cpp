@@ -1,6 +1,7 @@
 #include "trace/kernel.h"
 
 #include "memory/heap_blocks.h"
+#include "trace/crash.h"
 #include "trace/events.h"
 
 #include <filesystem>
@@ -25,6 +26,7 @@ static std::unique_ptr<Sink> make_sink(detail::Program program) {
 }
 
 void Kernel::begin(detail::Program program, std::string const &name, SourcePlace place) {
+  watch_for_crashes();
   if (!sink_) sink_ = make_sink(program);
   name_ = name;
   begun_at_ = where(place);
