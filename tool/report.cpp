@@ -65,6 +65,17 @@ void print_objects(std::ostream &out, char const *role, std::vector<Object> cons
                extents(object));
 }
 
+// Fewer operations are what makes generated code faster. Where there are as many, the loops of the original may be.
+void print_gain(std::ostream &out, Graph const &recorded, Graph const &optimised) {
+  std::size_t const before = recorded.executed.arithmetic(), after = statistics(optimised).compute.arithmetic();
+  if (after == 0 || 10 * after < 9 * before) return;
+  fmt::print(
+      out,
+      "  the generated code has as many operations as the original ({} of {}): where a compiler makes vector code "
+      "of the original's loops, the original may win; measure both\n",
+      after, before);
+}
+
 // Numbered as `compute` returns them.
 void print_guards(std::ostream &out, Graph const &graph, bool details) {
   constexpr std::size_t most = 10;
@@ -116,6 +127,7 @@ void print_table(std::ostream &out, KernelReport const &report, bool details) {
     print_objects(out, "parameter", recorded.parameters);
     print_objects(out, "output", recorded.outputs);
     print_lines(out, operations_by_line(recorded, optimised));
+    print_gain(out, recorded, optimised);
   }
   print_guards(out, optimised, details);
   for (Frozen const &state : recorded.frozen)

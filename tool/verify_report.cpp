@@ -190,10 +190,13 @@ std::optional<Diagnostic> verification_failure(Graph const &graph, program::Veri
     diagnostic.message = fmt::format("{} of {} outputs differ from the original", count, verification.outputs.size());
     diagnostic.notes.push_back({{}, first_difference(graph, verification, verification.outputs, "generated")});
     if (verification.graph_different != 0)
-      diagnostic.notes.push_back({{},
-                                  fmt::format("on {} samples the graph as recorded, before any pass, differs from "
-                                              "the original too",
-                                              verification.graph_different)});
+      diagnostic.notes.push_back(
+          {{},
+           fmt::format(
+               "on {} samples the graph as recorded, before any pass, differs from the original too: no pass is "
+               "at fault there, but what the recording has not seen (state that is no input, a decision that "
+               "was carried, code that was not rewritten)",
+               verification.graph_different)});
     return diagnostic;
   }
   if (std::size_t count = program::count_different(verification.called_again))

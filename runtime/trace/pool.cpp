@@ -42,10 +42,16 @@ Pool::Columns Pool::wanted_columns() {
   return {has("SYMREAL_VALUES", true), has("SYMREAL_PLACES", false)};
 }
 
+// Which generations are being recorded now, in any thread.
+static std::atomic<std::uint64_t> live[4];
+
+static bool is_live(std::uint8_t generation) { return (live[generation / 64] >> (generation % 64) & 1) != 0; }
+
 void Pool::begin(Columns columns) {
   static std::atomic<std::uint8_t> last_generation = 0;
   do generation_ = ++last_generation;
   while (generation_ == 0); // which says that nothing is recorded
+  live[generation_ / 64] |= std::uint64_t{1} << (generation_ % 64);
   recording_ = true;
   error_setter_ = no_node;
   table_.clear();
@@ -56,6 +62,7 @@ void Pool::begin(Columns columns) {
 
 std::vector<Node> Pool::end() {
   recording_ = false;
+  live[generation_ / 64] &= ~(std::uint64_t{1} << (generation_ % 64));
   generation_ = 0;
   return table_.release();
 }
@@ -72,8 +79,11 @@ RealNumber Pool::leaf(Node const &node, double value, void const *caller) {
 
 NodeId Pool::checked(RealNumber number) const {
   if (generation_of(number) != generation_ || !recording_) {
-    report_here(DiagnosticId::stale_value, recording_ ? "a value of another kernel or thread is used in this kernel"
-                                                      : "a value of a kernel is used outside of it");
+    report_here(DiagnosticId::stale_value, is_live(generation_of(number))
+                                               ? "a value of a kernel is used in a thread that does not record it: a "
+                                                 "kernel is recorded by the thread that began it"
+                                           : recording_ ? "a value of another kernel or thread is used in this kernel"
+                                                        : "a value of a kernel is used outside of it");
     give_up();
   }
   return static_cast<NodeId>(number.to_bits());
