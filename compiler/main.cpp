@@ -57,6 +57,7 @@ struct Source {
   Input input;
   Way way;
   Words roots; // of a symbolic one
+  rewrite::Exclusion exclude = {};
 };
 
 Source source_of(Input const &input) {
@@ -67,8 +68,10 @@ Source source_of(Input const &input) {
   if (input.language == Language::preprocessed)
     return {input, is_symbolic(read_file(input.name)) ? Way::preprocessed : Way::as_it_is, {}};
   Words roots = roots_of(input.name);
-  Way const way = roots.empty() ? Way::as_it_is : Way::symbolic;
-  return {input, way, std::move(roots)};
+  if (roots.empty()) return {input, Way::as_it_is, {}};
+  rewrite::Exclusion exclude = exclusion_of(input.name);
+  Way const way = exclude.matches(fs::canonical(input.name).string()) ? Way::as_it_is : Way::symbolic;
+  return {input, way, std::move(roots), std::move(exclude)};
 }
 
 std::string named_after(std::string const &source, Action action) {
@@ -103,7 +106,7 @@ public:
 
 private:
   bool compile(Source const &source, Action action, std::string const &output) {
-    Translation const translation{cxx_, source.input, source.roots, action, output};
+    Translation const translation{cxx_, source.input, source.roots, source.exclude, action, output};
     switch (source.way) {
     case Way::symbolic: return translate(translation, line_);
     case Way::preprocessed: return compile_preprocessed(translation, line_);

@@ -1,5 +1,7 @@
 #include "compiler/roots.h"
 
+#include "tool/configuration.h"
+
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
@@ -56,6 +58,11 @@ Words roots_of(std::string const &source) {
     inside |= is_below(path, roots.back());
   }
   return inside ? roots : Words();
+}
+
+rewrite::Exclusion exclusion_of(std::string const &source) {
+  std::string const file = tool::find_configuration(real(source).parent_path().string());
+  return file.empty() ? rewrite::Exclusion() : tool::read_configuration(file).exclude;
 }
 
 bool is_probe(std::string const &source) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "compiler/command_line.h"
+#include "rewrite/rewrite.h"
 
 namespace symreal::compiler {
 
@@ -9,6 +10,9 @@ namespace symreal::compiler {
 // nearest above it that holds .symreal.yaml or is the top of a repository, else the highest that says how to build it
 // (CMakeLists.txt, meson.build, configure, Makefile), else its own. Empty if the source lies outside $SYMREAL_ROOTS.
 Words roots_of(std::string const &source);
+
+// What the source's .symreal.yaml leaves as it is.
+rewrite::Exclusion exclusion_of(std::string const &source);
 
 // CMake, Meson and configure try what the compiler can do with small files of their own. The answers are to be those
 // that the numeric build gets.

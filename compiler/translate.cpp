@@ -43,6 +43,7 @@ rewrite::Compilation compilation(Translation const &translation, CommandLine con
 std::optional<rewrite::Result> rewritten(Translation const &translation, CommandLine const &line) {
   rewrite::Request request;
   request.roots = translation.roots;
+  request.exclude = translation.exclude;
   request.compilations = {compilation(translation, line)};
   rewrite::Result result = rewrite::run(request);
   bool failed = false;

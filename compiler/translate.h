@@ -2,6 +2,7 @@
 #pragma once
 
 #include "compiler/command_line.h"
+#include "rewrite/rewrite.h"
 
 namespace symreal::compiler {
 
@@ -9,6 +10,7 @@ struct Translation {
   Words compiler; // the host's, of C++
   Input source;
   Words roots;
+  rewrite::Exclusion exclude;
   Action action; // not link
   std::string output;
 };

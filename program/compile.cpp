@@ -141,7 +141,7 @@ Words unchanged_command(BuildRequest const &request, rewrite::Compilation const 
 // -l, -L and -Wl, among the compiler flags are meant for the linker too.
 bool is_for_linker(std::string_view flag) {
   return flag.starts_with("-l") || flag.starts_with("-L") || flag.starts_with("-Wl,") || flag == "-pthread" ||
-         flag.starts_with("-fsanitize");
+         flag.starts_with("-fopenmp") || flag.starts_with("-fsanitize");
 }
 
 // Those among the compiler flags of all sources that the linker must have, each once.

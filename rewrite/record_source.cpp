@@ -132,6 +132,26 @@ private:
   Facts &facts_;
 };
 
+// A kernel is recorded by one thread, and the symbolic program is compiled without OpenMP: so it is read without it,
+// and _OPENMP is defined in neither. <omp.h>, which a source may include all the same, lies among the compiler's own
+// headers.
+void read_serially(std::vector<std::string> &words) {
+  auto const is_openmp = [](std::string const &word) { return word.starts_with("-fopenmp"); };
+  if (std::none_of(words.begin(), words.end(), is_openmp)) return;
+  std::erase_if(words, is_openmp);
+  std::error_code error;
+  for (llvm::sys::fs::recursive_directory_iterator at("/usr/lib/gcc", error), end; at != end && !error;
+       at.increment(error)) {
+    if (at.level() > 3) at.no_push();
+    if (llvm::sys::path::filename(at->path()) != "omp.h") continue;
+    words.insert(words.end(), {"-idirafter", llvm::sys::path::parent_path(at->path()).str()});
+    words.emplace_back("-D__malloc__(...)="); // an attribute of gcc's alone
+    return;
+  }
+}
+
+} // namespace
+
 // The compiler's command line without what only concerns its outputs.
 std::vector<std::string> command_line(Compilation const &compilation) {
   std::vector<std::string> words = {"clang",
@@ -152,10 +172,13 @@ std::vector<std::string> command_line(Compilation const &compilation) {
     else if (flag != "-c" && flag != "-S" && flag != "-E" && flag != "-Werror" && flag.rfind("-M", 0) != 0)
       words.push_back(flag);
   }
+  read_serially(words);
   words.push_back("--");
   words.push_back(compilation.source);
   return words;
 }
+
+namespace {
 
 void add(Facts &facts, DiagnosticId id, Place const &place, std::string message, std::vector<Note> notes = {}) {
   for (symreal::Diagnostic const &known : facts.diagnostics)

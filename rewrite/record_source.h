@@ -11,4 +11,7 @@ struct Scope;
 // once, in threads.
 Facts record_source(Compilation const &compilation, Scope const &scope, Request const &request);
 
+// The words with which Clang is asked to read it.
+std::vector<std::string> command_line(Compilation const &compilation);
+
 } // namespace symreal::rewrite
