@@ -1,0 +1,1 @@
+double filtered(double x);
