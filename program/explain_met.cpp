@@ -27,6 +27,14 @@ Met locate(DiagnosticId id, Severity severity, std::vector<std::uint64_t> const 
   return met;
 }
 
+bool same(Diagnostic const &one, Diagnostic const &other) {
+  auto const same_note = [](Note const &a, Note const &b) {
+    return a.message == b.message && to_string(a.place) == to_string(b.place);
+  };
+  return one.id == other.id && one.message == other.message && to_string(one.place) == to_string(other.place) &&
+         std::equal(one.notes.begin(), one.notes.end(), other.notes.begin(), other.notes.end(), same_note);
+}
+
 // What is said of a condition, before and after it.
 struct Phrase {
   DiagnosticId id;
@@ -52,6 +60,10 @@ std::vector<Diagnostic> explain_met(Events const &events, Symbolizer &symbolizer
     all.push_back(locate(located.id, Severity::error, located.addresses, symbolizer));
     all.back().diagnostic.message = located.message;
     all.back().count = located.count;
+    // Two instructions of one expression are met as one.
+    bool const is_known = std::any_of(all.begin(), all.end() - 1,
+                                      [&](Met const &other) { return same(other.diagnostic, all.back().diagnostic); });
+    if (is_known) all.pop_back();
   }
   Phrase const decided{DiagnosticId::symbolic_decision, Severity::error,
                        "the program decides on a symbolic value: ", ""};

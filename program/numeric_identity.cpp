@@ -205,6 +205,7 @@ std::string in_original(std::string const &line, Shadow const &shadow) {
 }
 
 std::string whole_message(std::string const &output, Shadow const &shadow) {
+  if (output.find('\n') == output.npos) return " " + output;
   std::string text;
   std::istringstream in(output);
   for (std::string line; std::getline(in, line);) text += "\n    " + in_original(line, shadow);

@@ -56,15 +56,24 @@ std::string top_of(std::vector<rewrite::File> const &files, std::vector<std::str
   return {};
 }
 
-// Tells what stands in the way; whether anything does.
-bool report(rewrite::Result const &result) {
-  bool failed = !result.left_out.empty();
+// Does this concern its own place alone? Where two sources want one file rewritten in different ways, or a pragma is
+// not understood, there is no text to show.
+bool leaves_a_text(Diagnostic const &one) {
+  bool const is_of_a_place = one.id >= DiagnosticId::boundary_function && one.id <= DiagnosticId::unaccounted_double;
+  return is_of_a_place || one.id == DiagnosticId::source_error || one.id == DiagnosticId::class_layout ||
+         one.id == DiagnosticId::evaluation_order;
+}
+
+// Tells what stands in the way, and how far the text goes all the same.
+Status report(rewrite::Result const &result) {
+  Status status = result.left_out.empty() ? clean : partly_skipped;
   for (Diagnostic const &diagnostic : result.diagnostics) {
     print(std::cerr, diagnostic);
-    failed |= diagnostic.severity == Severity::error;
+    if (diagnostic.severity == Severity::error && status != error)
+      status = leaves_a_text(diagnostic) ? partly_skipped : error;
   }
   for (std::string const &source : result.left_out) std::cerr << "left out, does not compile: " << source << "\n";
-  return failed;
+  return result.files.empty() && status != clean ? error : status;
 }
 
 void run(CLI::App &command, Options &options, Session &session) {
@@ -77,7 +86,8 @@ void run(CLI::App &command, Options &options, Session &session) {
   rewrite::Request request = only_rewritten(options.project.complete(session.flags));
   request.leave_out_broken = only_shows;
   rewrite::Result const result = rewrite::run(request);
-  if (report(result)) session.status = only_shows && !result.files.empty() ? partly_skipped : error;
+  session.status = report(result);
+  if (session.status != clean && !only_shows) session.status = error;
   if (session.status == error) return;
   if (!options.out_root.empty())
     rewrite::write_mirror(result.files, options.out_root, top_of(result.files, request.roots));

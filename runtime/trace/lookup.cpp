@@ -1,5 +1,6 @@
 // Reads of arrays at symbolic indices.
 #include "graph/opaque.h"
+#include "support/number.h"
 #include "trace/describe.h"
 #include "trace/events.h"
 #include "trace/externals.h"
@@ -34,7 +35,7 @@ std::size_t carried_index(char const *name, RealNumber index, std::size_t extent
   if (!(value > -1 && value < static_cast<double>(extent)))
     trace::report_here(DiagnosticId::index_outside, std::string("'") + name + "' has " + std::to_string(extent) +
                                                         " elements, and the index " + trace::describe(index) + " is " +
-                                                        std::to_string(value));
+                                                        shortest(value));
   return table_index(value, extent);
 }
 

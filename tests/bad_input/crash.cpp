@@ -18,5 +18,6 @@ int main() {
   std::printf("%g\n", y);
 }
 
-// CHECK: crash.cpp:13:{{[0-9]+}}: error: {{.*}}[SYM{{[0-9]+}}]
+// CHECK: crash.cpp:15:{{[0-9]+}}: error: {{.*}}; it stood here [SYM007]
+// CHECK: crash.cpp:13:{{[0-9]+}}: note: this was waited for
 // CHECK: way out:

@@ -10,16 +10,16 @@
 // SAME: value_return {{ *}}1 {{ *}}0 {{ *}}0{{$}}
 // Under guards an index that was clamped needs none; elsewhere the index stays within its table.
 // RUN: %symreal generate %s --decisions=guard -o %t/guard.c 2>&1 | FileCheck %s --check-prefix=GUARD
-// GUARD: guard 1 !(trunc(x) < 0) (tables.cpp:[[#@LINE+21]]:3)
-// GUARD: guard 2 !(trunc(x) > 4) (tables.cpp:[[#@LINE+21]]:3)
+// GUARD: guard 1 tables.cpp:[[#@LINE+21]]:3: i < 0 (trunc(x) < 0) is false
+// GUARD: guard 2 tables.cpp:[[#@LINE+21]]:3: i > 4 (trunc(x) > 4) is false
 // GUARD-NOT: {{tables.cpp:(3[6-9]|4)}}
 // RUN: %symreal verify %s %t/guard.c 2>&1 | FileCheck %s --check-prefix=BOTH
 // BOTH: refused by a guard: {{[1-9]}}
 // BOTH: value_return {{ *}}1 {{ *}}0 {{ *}}0{{$}}
 // A lookup decides nothing, the comparisons of an index do.
 // RUN: not %symreal generate %s -o %t/error.c 2>&1 | FileCheck %s --check-prefix=ERROR --implicit-check-not="decides on"
-// ERROR-DAG: tables.cpp:[[#@LINE+13]]:3: error: the program decides on a symbolic value: trunc(x) < 0
-// ERROR-DAG: tables.cpp:[[#@LINE+13]]:3: error: the program decides on a symbolic value: trunc(x) > 4
+// ERROR-DAG: tables.cpp:[[#@LINE+13]]:3: error: the program decides on a symbolic value: i < 0
+// ERROR-DAG: tables.cpp:[[#@LINE+13]]:3: error: the program decides on a symbolic value: i > 4
 #include <algorithm>
 #include <array>
 #include <cmath>
