@@ -177,8 +177,7 @@ Recording record(std::string const &executable, RunOptions const &options, rewri
       explain_crash(recording.diagnostics.back(), read_crash(directory + "/crash"), symbolizer);
   };
   std::vector<rewrite::Kernel> const kernels = wanted.empty() ? kernels_of(events) : wanted;
-  if (kernels.empty() && !explained)
-    missing({}, !events.started.empty());
+  if (kernels.empty() && !explained) missing({}, !events.started.empty());
   for (rewrite::Kernel const &kernel : kernels) {
     auto found = std::find_if(events.kernels.begin(), events.kernels.end(),
                               [&](RecordedKernel const &recorded) { return is_recording_of(recorded, kernel); });

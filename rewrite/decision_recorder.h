@@ -1,6 +1,6 @@
-// Records the decisions of one function after another: conditions in record_decisions.cpp, how the source spells what it
-// decides on in record_deciding.cpp, loops and the pragmas before statements in record_loops.cpp, functions that return
-// early in record_returns.cpp.
+// Records the decisions of one function after another: conditions in record_decisions.cpp, how the source spells what
+// it decides on in record_deciding.cpp, loops and the pragmas before statements in record_loops.cpp, functions that
+// return early in record_returns.cpp.
 #pragma once
 
 #include "rewrite/arms.h"

@@ -1,4 +1,5 @@
-// What a scan tells of one function: what it reaches, and what of that stands in the way of a kernel or depends on values.
+// What a scan tells of one function: what it reaches, and what of that stands in the way of a kernel or depends on
+// values.
 #pragma once
 
 #include "rewrite/reach.h"
