@@ -205,7 +205,9 @@ std::string in_original(std::string const &line, Shadow const &shadow) {
 }
 
 std::string whole_message(std::string const &output, Shadow const &shadow) {
-  if (output.find('\n') == output.npos) return " " + output;
+  // One line goes behind what is said of it.
+  if (output.find('\n') + 1 >= output.size() || output.find('\n') == output.npos)
+    return " " + output.substr(0, output.find('\n'));
   std::string text;
   std::istringstream in(output);
   for (std::string line; std::getline(in, line);) text += "\n    " + in_original(line, shadow);
