@@ -10,6 +10,12 @@
 namespace symreal::program {
 namespace {
 
+// Lines stay where they are.
+std::string on_one_line(std::string text) {
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  return text;
+}
+
 std::string packing(Recorded const &recorded) {
   return wrapper_pack(recorded.kernel, "input", recorded.graph.inputs, "symreal_input") +
          wrapper_pack(recorded.kernel, "parameter", recorded.graph.parameters, "symreal_parameters");
@@ -23,12 +29,12 @@ std::string statements(Recorded const &recorded) {
         return "return SYMREAL_RETURN(" + rewrite::place_arguments(annotation.label, annotation.place) + ", " + value +
                ");";
       });
-  std::string text =
-      fmt::format("if (SYMREAL_ORIGINAL_IS_ACTIVE) {{ {}{} if (symreal_original_compute(symreal_input, "
-                  "symreal_parameters, symreal_output) == 0) {{ {} {} }} }}",
-                  wrapper_arrays(recorded.graph), packing(recorded), unpacking, returns ? "" : "return;");
-  std::replace(text.begin(), text.end(), '\n', ' '); // lines stay where they are
-  return text;
+  std::string text = fmt::format("if (SYMREAL_ORIGINAL_IS_ACTIVE) {{ {}{} if (symreal_original_compute(symreal_input, "
+                                 "{}, symreal_output) == 0) {{ {} {} }} }}",
+                                 wrapper_arrays(recorded.graph), packing(recorded),
+                                 recorded.graph.parameter_count() == 0 ? "0" : "symreal_parameters", unpacking,
+                                 returns ? "" : "return;");
+  return on_one_line(std::move(text));
 }
 
 } // namespace
@@ -48,6 +54,7 @@ std::string build_wrapped(Front const &front, Recorded const &recorded) {
   for (rewrite::File &file : wrapped.files)
     if (std::size_t const at = file.text.find(mark); at != file.text.npos) {
       file.text.replace(at, mark.size(), statements(recorded));
+      file.text.insert(0, on_one_line(wrapper_templates(recorded.kernel, recorded.graph)));
       is_found = true;
     }
   internal_check(is_found);

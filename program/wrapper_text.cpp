@@ -3,18 +3,26 @@
 #include "diagnostics/diagnostic.h"
 
 #include <algorithm>
+#include <cctype>
 #include <fmt/format.h>
 
 namespace symreal::program {
 namespace {
 
+bool is_c(rewrite::Kernel const &kernel) { return kernel.source.ends_with(".c"); }
+
+// What is behind the sections: C has arrays alone there, C++ whatever can be annotated.
+bool is_walked(rewrite::Kernel const &kernel, rewrite::Annotation const &annotation, Object const &object) {
+  return !is_c(kernel) && object.extents.size() > annotation.sections.size();
+}
+
 // Loops over the elements of an object, around a statement on `element` (an lvalue in the words of the source) and
 // `slot` (of the flat array).
-template <class Statement>
-std::string for_elements(rewrite::Annotation const &annotation, Object const &object, Statement const &statement) {
+template <class Statement> std::string for_elements(rewrite::Annotation const &annotation, Object const &object,
+                                                    std::size_t dimensions, Statement const &statement) {
   std::string loops, element = "(" + annotation.expression + ")", slot;
   std::string indent = "  ";
-  for (std::size_t dimension = 0; dimension < object.extents.size(); ++dimension) {
+  for (std::size_t dimension = 0; dimension < dimensions; ++dimension) {
     std::string index = fmt::format("symreal_{}", dimension);
     loops += fmt::format("{0}for (int {1} = 0; {1} < {2}; ++{1})\n", indent, index, object.extents[dimension]);
     indent += "  ";
@@ -22,6 +30,10 @@ std::string for_elements(rewrite::Annotation const &annotation, Object const &ob
     element += section ? fmt::format("[({}) + {}]", annotation.sections[dimension].low, index) : "[" + index + "]";
     slot = slot.empty() ? index : fmt::format("({}) * {} + {}", slot, object.extents[dimension], index);
   }
+  std::size_t inner = 1;
+  for (std::size_t dimension = dimensions; dimension < object.extents.size(); ++dimension)
+    inner *= object.extents[dimension];
+  if (!slot.empty() && inner != 1) slot = fmt::format("({}) * {}", slot, inner);
   slot = slot.empty() ? std::to_string(object.first) : fmt::format("{} + {}", object.first, slot);
   return fmt::format("{}{}{}\n", loops, indent, statement(element, slot));
 }
@@ -35,23 +47,106 @@ rewrite::Annotation const &annotation_of(rewrite::Kernel const &kernel, std::str
   return *found;
 }
 
+template <class Visit> void for_objects(rewrite::Kernel const &kernel, Graph const &graph, Visit visit) {
+  for (Object const &object : graph.inputs) visit(annotation_of(kernel, "input", object), object);
+  for (Object const &object : graph.parameters) visit(annotation_of(kernel, "parameter", object), object);
+  for (Object const &object : graph.outputs) {
+    rewrite::Annotation const &annotation = annotation_of(kernel, "output", object);
+    if (annotation.expression != "return") visit(annotation, object);
+  }
+}
+
+bool names_any(std::string const &text, std::vector<std::string> const &names) {
+  auto const is_word = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; };
+  for (std::size_t begin = 0; begin < text.size();) {
+    std::size_t end = begin;
+    while (end < text.size() && is_word(text[end])) ++end;
+    if (std::find(names.begin(), names.end(), text.substr(begin, end - begin)) != names.end()) return true;
+    begin = std::max(end, begin + 1);
+  }
+  return false;
+}
+
+// Visits the numbers of an object, row by row, in the order of symreal/annotate.h.
+constexpr char const *templates = R"(namespace {
+template <int n> struct symreal_choice : symreal_choice<n - 1> {};
+template <> struct symreal_choice<0> {};
+template <class T> struct symreal_number { typedef double type; };
+template <class T> struct symreal_number<T const> { typedef double const type; };
+template <class T, class Visit> void symreal_each(T &&object, Visit &visit);
+template <class Visit> void symreal_look(double &number, Visit &visit, symreal_choice<4>) { visit(number); }
+template <class Visit> void symreal_look(double const &number, Visit &visit, symreal_choice<4>) { visit(number); }
+template <class T, __SIZE_TYPE__ n, class Visit> void symreal_look(T (&array)[n], Visit &visit, symreal_choice<3>) {
+  for (__SIZE_TYPE__ i = 0; i < n; ++i) symreal_each(array[i], visit);
+}
+template <class T, class Visit> auto symreal_look(T &object, Visit &visit, symreal_choice<2>)
+    -> decltype(object.rows(), object.cols(), static_cast<void>(object(0, 0))) {
+  for (decltype(object.rows() + 0) i = 0; i < object.rows(); ++i)
+    for (decltype(object.cols() + 0) j = 0; j < object.cols(); ++j) symreal_each(object(i, j), visit);
+}
+template <class T, class Visit> auto symreal_look(T &object, Visit &visit, symreal_choice<1>)
+    -> decltype(object.size(), static_cast<void>(object[0])) {
+  for (decltype(object.size() + 0) i = 0; i < object.size(); ++i) symreal_each(object[i], visit);
+}
+template <class T, class Visit> auto symreal_look(T &object, Visit &visit, symreal_choice<0>)
+    -> decltype(object.real(), static_cast<void>(object.imag())) {
+  for (int part = 0; part < 2; ++part)
+    symreal_each(reinterpret_cast<typename symreal_number<T>::type *>(&object)[part], visit);
+}
+template <class T, class Visit> void symreal_each(T &&object, Visit &visit) {
+  symreal_look(object, visit, symreal_choice<4>());
+}
+struct symreal_counter {
+  __SIZE_TYPE__ count;
+  void operator()(double const &) { ++count; }
+};
+struct symreal_reader {
+  double *at;
+  void operator()(double const &number) { *at++ = number; }
+};
+struct symreal_writer {
+  double const *at;
+  void operator()(double &number) { number = *at++; }
+};
+template <class T> inline __SIZE_TYPE__ symreal_count(T &object) {
+  symreal_counter counter = {0};
+  symreal_each(object, counter);
+  return counter.count;
+}
+template <class T> inline void symreal_pack(T &object, double *at) {
+  symreal_reader reader = {at};
+  symreal_each(object, reader);
+}
+template <class T> inline void symreal_unpack(T &object, double const *at) {
+  symreal_writer writer = {at};
+  symreal_each(object, writer);
+}
+}
+)";
+
 } // namespace
 
 std::string wrapper_arrays(Graph const &graph) {
   auto const array = [](std::string_view name, std::size_t count) {
     return fmt::format("  double symreal_{}[{}];\n", name, std::max<std::size_t>(count, 1));
   };
-  return array("input", graph.input_count()) + array("parameters", graph.parameter_count()) +
-         array("constants", graph.precomputed.size()) + array("output", graph.output_count());
+  return array("input", graph.input_count()) +
+         (graph.parameter_count() == 0 ? "" : array("parameters", graph.parameter_count())) +
+         array("output", graph.output_count());
 }
 
 std::string wrapper_pack(rewrite::Kernel const &kernel, std::string_view kind, std::vector<Object> const &objects,
                          std::string_view array) {
   std::string text;
-  for (Object const &object : objects)
-    text += for_elements(annotation_of(kernel, kind, object), object, [array](auto const &element, auto const &slot) {
-      return fmt::format("{}[{}] = {};", array, slot, element);
-    });
+  for (Object const &object : objects) {
+    rewrite::Annotation const &annotation = annotation_of(kernel, kind, object);
+    bool const walked = is_walked(kernel, annotation, object);
+    text += for_elements(annotation, object, walked ? annotation.sections.size() : object.extents.size(),
+                         [&](auto const &element, auto const &slot) {
+                           return walked ? fmt::format("symreal_pack({}, {} + {});", element, array, slot)
+                                         : fmt::format("{}[{}] = {};", array, slot, element);
+                         });
+  }
   return text;
 }
 
@@ -62,12 +157,41 @@ std::string wrapper_unpack(rewrite::Kernel const &kernel, std::vector<Object> co
     rewrite::Annotation const &annotation = annotation_of(kernel, "output", object);
     if (annotation.expression == "return")
       last = "  " + returned(annotation, fmt::format("symreal_output[{}]", object.first)) + "\n";
-    else
-      text += for_elements(annotation, object, [](auto const &element, auto const &slot) {
-        return fmt::format("{} = symreal_output[{}];", element, slot);
-      });
+    else {
+      bool const walked = is_walked(kernel, annotation, object);
+      text += for_elements(annotation, object, walked ? annotation.sections.size() : object.extents.size(),
+                           [walked](auto const &element, auto const &slot) {
+                             return walked ? fmt::format("symreal_unpack({}, symreal_output + {});", element, slot)
+                                           : fmt::format("{} = symreal_output[{}];", element, slot);
+                           });
+    }
   }
   return text + last;
+}
+
+std::vector<ExtentCheck> wrapper_extents(rewrite::Kernel const &kernel, Graph const &graph) {
+  std::vector<ExtentCheck> checks;
+  auto const add = [&](std::string differs, std::string const &label) {
+    bool const is_known =
+        std::any_of(checks.begin(), checks.end(), [&](ExtentCheck const &one) { return one.differs == differs; });
+    if (!is_known) checks.push_back({std::move(differs), label});
+  };
+  for_objects(kernel, graph, [&](rewrite::Annotation const &annotation, Object const &object) {
+    for (std::size_t k = 0; k < annotation.sections.size(); ++k)
+      if (names_any(annotation.sections[k].length, kernel.signature.redefinition.varying))
+        add(fmt::format("({}) != {}", annotation.sections[k].length, object.extents[k]), annotation.label);
+    if (annotation.sections.empty() && is_walked(kernel, annotation, object))
+      add(fmt::format("symreal_count({}) != {}", annotation.expression, object.count), annotation.label);
+  });
+  return checks;
+}
+
+std::string wrapper_templates(rewrite::Kernel const &kernel, Graph const &graph) {
+  bool is_used = false;
+  for_objects(kernel, graph, [&](rewrite::Annotation const &annotation, Object const &object) {
+    is_used |= is_walked(kernel, annotation, object);
+  });
+  return is_used ? templates : "";
 }
 
 } // namespace symreal::program

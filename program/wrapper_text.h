@@ -9,7 +9,7 @@
 
 namespace symreal::program {
 
-// symreal_input, symreal_parameters, symreal_constants and symreal_output, of at least one element each.
+// symreal_input and symreal_output, of at least one element each; symreal_parameters where there are any.
 std::string wrapper_arrays(Graph const &graph);
 
 // `kind`: "input" or "parameter"; the array is written.
@@ -20,5 +20,15 @@ std::string wrapper_pack(rewrite::Kernel const &kernel, std::string_view kind, s
 using ReturnStatement = std::function<std::string(rewrite::Annotation const &annotation, std::string const &value)>;
 std::string wrapper_unpack(rewrite::Kernel const &kernel, std::vector<Object> const &objects,
                            ReturnStatement const &returned);
+
+// The extents that may be others in another call than in the recorded one: what is true then, and the object.
+struct ExtentCheck {
+  std::string differs, label;
+};
+std::vector<ExtentCheck> wrapper_extents(rewrite::Kernel const &kernel, Graph const &graph);
+
+// What the statements of a kernel in C++ use where an object is more than an array: a container, a matrix, a complex
+// number. C++11 in lines without directives; empty where nothing uses it.
+std::string wrapper_templates(rewrite::Kernel const &kernel, Graph const &graph);
 
 } // namespace symreal::program

@@ -2,6 +2,7 @@
 
 #include "rewrite/plain_declaration.h"
 #include "rewrite/pragma_text.h"
+#include "rewrite/redefinition.h"
 
 #include <algorithm>
 
@@ -148,7 +149,7 @@ public:
     PragmaFact &pragma = facts_.pragmas[span];
     note_function(pragma, function);
     if (pragma.function.empty()) return;
-    look_up_names(span, function);
+    pragma.function[0].signature.redefinition = redefinition(function, look_up_names(span, function));
     if (function->getReturnType()->isVoidType())
       refuse_returned(pragma);
     else
@@ -191,8 +192,9 @@ private:
     pragma.function = {fact};
   }
 
-  void look_up_names(Span const &span, FunctionDecl const *function) {
+  std::vector<NamedItem> look_up_names(Span const &span, FunctionDecl const *function) {
     PragmaFact &pragma = facts_.pragmas[span];
+    std::vector<NamedItem> named;
     for (PragmaIndex::Name const &name : names_) {
       if (name.item.pragma != span) continue;
       ItemFact &item = pragma.clauses[name.item.clause].items[name.item.item];
@@ -204,6 +206,7 @@ private:
         item.seen = item.carries_real = true; // one error is enough
         continue;
       }
+      named.push_back({name.text, declaration});
       // Outputs are read when the function returns, so what says where they are must still say so then.
       bool const locates = !name.is_base || item.section_on_base;
       if (pragma.clauses[name.item.clause].name == "output" && locates && isa<ParmVarDecl>(declaration))
@@ -218,6 +221,7 @@ private:
     for (ClauseFact &clause : pragma.clauses) // expressions that begin with no plain name: nothing is known
       for (ItemFact &item : clause.items)
         if (!item.seen) item.seen = item.carries_real = true;
+    return named;
   }
 
   // The object itself, or what it points or refers to.

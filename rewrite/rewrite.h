@@ -8,6 +8,7 @@
 #pragma once
 
 #include "diagnostics/diagnostic.h"
+#include "rewrite/signature.h"
 
 #include <cstddef>
 #include <optional>
@@ -137,14 +138,6 @@ struct Annotation {
 };
 
 // What `generate`, or a function with a pragma, asks for.
-// Of the function of a kernel.
-struct Signature {
-  std::string declaration; // without its `;`
-  // What passes its parameters on, where it can be declared again under another name (plain_declaration.h).
-  std::optional<std::string> arguments;
-  bool returns_value = false;
-};
-
 struct Kernel {
   std::string name;
   bool is_function = false;

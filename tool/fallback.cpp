@@ -1,7 +1,5 @@
 #include "tool/fallback.h"
 
-#include "diagnostics/diagnostic.h"
-
 #include <cctype>
 #include <fmt/format.h>
 
@@ -17,15 +15,26 @@ static std::size_t name_in(std::string const &declaration, std::string const &na
 }
 
 Fallback fallback(rewrite::Kernel const &kernel, std::string const &name) {
-  std::string declaration = kernel.signature.declaration;
+  rewrite::Signature const &signature = kernel.signature;
+  Fallback result;
+  std::string call;
+  std::string declaration = signature.declaration;
   std::size_t const at = name_in(declaration, kernel.name);
-  if (!kernel.signature.arguments || at == declaration.npos)
-    fail(DiagnosticId::option_without_effect, kernel.place,
-         "--wrapper calls the original where a guard does not hold, but '" + kernel.name + "' is no plain function");
-  declaration.replace(at, kernel.name.size(), name);
-  std::string const call = fmt::format("{}({})", name, *kernel.signature.arguments);
-  return {declaration + ";\n", !kernel.signature.returns_value ? fmt::format("{{\n    {};\n    return;\n  }}\n", call)
-                                                               : fmt::format("return {};\n", call)};
+  if (signature.arguments && at != declaration.npos) {
+    declaration.replace(at, kernel.name.size(), name);
+    result.declaration = declaration + ";\n";
+    result.way = fmt::format("compile it with -D{}={}", kernel.name, name);
+    call = fmt::format("{}({})", name, *signature.arguments);
+  } else {
+    rewrite::Redefinition const &in = signature.redefinition;
+    result.declaration = fmt::format("extern \"C\" {} {}({});\n", in.returned, name, in.parameters);
+    result.way = fmt::format("in its object file,\n   objcopy --redefine-sym {}={} OBJECT", in.mangled, name);
+    call = fmt::format("{}({}{}{})", name, in.has_this ? "this" : "", in.has_this && !in.arguments.empty() ? ", " : "",
+                       in.arguments);
+  }
+  result.statement = !signature.returns_value ? fmt::format("{{\n    {};\n    return;\n  }}\n", call)
+                                              : fmt::format("return {};\n", call);
+  return result;
 }
 
 } // namespace symreal::tool

@@ -1,4 +1,5 @@
-// What a wrapper does where a guard does not hold: it calls the original, which the user compiles under another name.
+// What a wrapper does where the generated code is not the original: it calls that, which the user provides under
+// another name.
 #pragma once
 
 #include "rewrite/rewrite.h"
@@ -10,10 +11,11 @@ namespace symreal::tool {
 struct Fallback {
   std::string declaration; // of the original under the name `name`
   std::string statement;   // calls it with the wrapper's arguments and returns
+  std::string way;         // how the original gets the name
 };
 
-// Fails for a function whose declaration cannot be repeated under another name: a member, a template, one in a
-// namespace, one with variable arguments.
+// A plain function is compiled under another name; the symbol of any other (in a namespace, a member, overloaded) is
+// renamed in its object file, and called as a function of C linkage.
 Fallback fallback(rewrite::Kernel const &kernel, std::string const &name);
 
 } // namespace symreal::tool

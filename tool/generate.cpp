@@ -36,6 +36,7 @@ struct Product {
   Graph recorded;
   Optimised optimised;
   std::vector<OutputFile> files;
+  std::vector<Diagnostic> warnings;
   double seconds;
 };
 
@@ -72,13 +73,14 @@ void require_outputs(Options const &options) {
 
 Product make_product(program::Recorded &recorded, Options const &options, bool several) {
   auto start = std::chrono::steady_clock::now();
-  Product product{std::move(recorded.graph), {}, {}, 0};
+  Product product{std::move(recorded.graph), {}, {}, {}, 0};
   product.optimised = optimise(product.recorded, options.passes);
   std::string given = recorded.output_file.empty() ? recorded.kernel.name + ".c" : recorded.output_file;
   std::string path = place_output(options.output, given, several);
   product.files = emitted_files(product.optimised.graph, options.emitter, options.passes.floating_point(), path);
   if (options.wrapper)
-    product.files.push_back(wrapper_file(recorded.kernel, product.optimised.graph, options.emitter, path));
+    product.files.push_back(
+        wrapper_file(recorded.kernel, product.optimised.graph, options.emitter, path, product.warnings));
   if (!options.graph_file.empty()) {
     std::ostringstream text;
     write_graph(text, product.recorded);
@@ -130,6 +132,7 @@ int run(CLI::App &command, Options &options, Session &session) {
   std::vector<OutputFile> files;
   for (program::Recorded &recorded : front->kernels) {
     products.push_back(make_product(recorded, options, several));
+    for (Diagnostic const &warning : products.back().warnings) console.report(warning);
     files.insert(files.end(), products.back().files.begin(), products.back().files.end());
   }
   if (options.check) {
@@ -162,7 +165,8 @@ void add_generate(CLI::App &app, Session &session) {
   command->add_option("--lang", options->language, "Language of the result: c")->capture_default_str();
   options->passes.add_to(*command);
   options->emitter.add_to(*command);
-  command->add_flag("--wrapper", options->wrapper, "Also emit a function with the signature of the original");
+  command->add_flag("--wrapper", options->wrapper,
+                    "Also emit a file that defines the function in place of the original");
   command
       ->add_option("--decisions", options->decisions,
                    "What becomes of a decision on a symbolic value: error, guard or select")

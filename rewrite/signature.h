@@ -1,0 +1,41 @@
+// What is known of a kernel's function, so that another file can call it or define it in its place.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace symreal::rewrite {
+
+// An #include of the file that defines the function.
+struct Include {
+  std::string name;   // as it is written, with its quotes or angle brackets
+  std::string beside; // the real path of the header, where it was found beside the file; else empty
+  bool operator==(Include const &) const = default;
+};
+
+// What a file of its own needs to define the function instead of the original.
+struct Redefinition {
+  std::string obstacle;                  // why no other file can define it; else empty
+  std::string qualified;                 // its name, with all scopes
+  std::string head;                      // of the definition, behind these:
+  std::vector<Include> includes;         // in the order of the source
+  std::vector<std::string> declarations; // of variables that no header declares
+  std::vector<std::string> namespaces;   // to be opened, where no header declares it, the outermost first
+  std::vector<std::string> missing;      // names that only the file of the original has
+  std::vector<std::string> varying;      // names in its items that may have another value in each call
+  std::string mangled;
+  // What passes its parameters on, and how a function of C linkage takes them, `symreal_self` for `this` first.
+  std::string arguments, parameters, returned;
+  bool has_this = false;
+};
+
+struct Signature {
+  std::string declaration; // without its `;`
+  // What passes its parameters on, where it can be declared again under another name (plain_declaration.h).
+  std::optional<std::string> arguments;
+  bool returns_value = false;
+  Redefinition redefinition = {};
+};
+
+} // namespace symreal::rewrite

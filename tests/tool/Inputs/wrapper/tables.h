@@ -1,0 +1,1 @@
+extern double grip_table[2];
