@@ -34,6 +34,10 @@ bool report_all(std::vector<Diagnostic> const &diagnostics, Talk const &talk) {
 
 std::vector<rewrite::Kernel> wanted_kernels(rewrite::Result const &rewritten, FrontRequest const &request) {
   std::vector<rewrite::Kernel> wanted = rewritten.kernels;
+  if (!request.called.empty())
+    std::erase_if(wanted, [&](rewrite::Kernel const &kernel) {
+      return std::find(request.called.begin(), request.called.end(), kernel.name) == request.called.end();
+    });
   if (wanted.empty())
     fail(DiagnosticId::no_kernel, {rewrite::compilations_of(request.source).front().source},
          "no pragma generates a kernel");
@@ -106,6 +110,8 @@ std::optional<Front> run_front(FrontRequest const &request, Talk const &talk) {
   if (!report_all(rewritten.diagnostics, talk)) return {};
   std::vector<rewrite::Kernel> wanted = wanted_kernels(rewritten, request);
   front.read = rewritten.read;
+  for (rewrite::TextSource const &one : request.source.texts)
+    std::erase(front.read, rewrite::real_source({one.path, {}, {}}));
   front.rewrite_seconds = watch.lap();
 
   talk.stage("building");

@@ -18,9 +18,10 @@ struct FrontRequest {
   rewrite::Request source; // those that it excludes are compiled as they are
   BuildRequest build;      // the compiler and linking; the sources follow from the above
   RunOptions run;
-  std::string kernel;  // only this one; empty: all
-  bool keep = false;   // leave the workspace
-  bool replay = false; // build what verification runs too
+  std::string kernel;                   // only this one; empty: all
+  std::vector<std::string> called = {}; // only these, by name, if there are any: a driver program calls them
+  bool keep = false;                    // leave the workspace
+  bool replay = false;                  // build what verification runs too
 };
 
 // How a run talks to its user.

@@ -206,7 +206,8 @@ private:
         item.seen = item.carries_real = true; // one error is enough
         continue;
       }
-      named.push_back({name.text, declaration});
+      std::string const &clause = pragma.clauses[name.item.clause].name;
+      if (clause == "input" || clause == "parameter" || clause == "output") named.push_back({name.text, declaration});
       // Outputs are read when the function returns, so what says where they are must still say so then.
       bool const locates = !name.is_base || item.section_on_base;
       if (pragma.clauses[name.item.clause].name == "output" && locates && isa<ParmVarDecl>(declaration))

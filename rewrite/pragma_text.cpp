@@ -39,8 +39,8 @@ std::string annotation(std::string const &kind, ItemFact const &item) {
 std::string rebinding(ClauseFact const &clause, ItemFact const &item) {
   bool const writes = clause.name == "input" || clause.name == "parameter";
   if (!writes || item.base_kind != Base::pointer_to_const || !item.section_on_base) return "";
-  return "SYMREAL_REBIND(" + item.base.substr(0, item.base.find('[')) + ", " + with_real(item.sections[0].low) + ", " +
-         with_real(item.sections[0].length) + ") ";
+  return "SYMREAL_REBIND(" + item.expression.substr(0, item.expression.find('[')) + ", " +
+         with_real(item.sections[0].low) + ", " + with_real(item.sections[0].length) + ") ";
 }
 
 std::string clause_text(PragmaFact const &pragma, ClauseFact const &clause) {

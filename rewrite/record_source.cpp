@@ -222,8 +222,6 @@ bool leave_out_options(std::vector<CompilerError> const &errors, std::vector<std
   return flags.size() != before;
 }
 
-using FileSystem = IntrusiveRefCntPtr<llvm::vfs::FileSystem>;
-
 struct Parsed {
   Facts facts;
   std::vector<CompilerError> errors;
@@ -254,13 +252,22 @@ bool names_real(std::vector<CompilerError> const &errors, std::string const &typ
 
 } // namespace
 
-Facts record_source(Compilation const &compilation, Scope const &scope, Request const &request) {
-  // A file system with a directory of its own: several sources may be read at once.
+FileSystem file_system(Compilation const &compilation, Request const &request) {
   FileSystem const disk(llvm::vfs::createPhysicalFileSystem().release());
-  if (!compilation.directory.empty() && disk->setCurrentWorkingDirectory(compilation.directory))
+  IntrusiveRefCntPtr<llvm::vfs::OverlayFileSystem> const files(new llvm::vfs::OverlayFileSystem(disk));
+  IntrusiveRefCntPtr<llvm::vfs::InMemoryFileSystem> const texts(new llvm::vfs::InMemoryFileSystem);
+  for (TextSource const &one : request.texts)
+    texts->addFile(one.path, 0, llvm::MemoryBuffer::getMemBufferCopy(one.text));
+  if (!request.texts.empty()) files->pushOverlay(texts);
+  if (!compilation.directory.empty() && files->setCurrentWorkingDirectory(compilation.directory))
     fail(DiagnosticId::compile_commands, {}, "the directory '" + compilation.directory + "' does not exist");
-  if (!disk->exists(compilation.source))
+  if (!files->exists(compilation.source))
     fail(DiagnosticId::unreadable_file, {}, "'" + compilation.source + "' cannot be read");
+  return files;
+}
+
+Facts record_source(Compilation const &compilation, Scope const &scope, Request const &request) {
+  FileSystem const disk = file_system(compilation, request);
   Settings settings{scope, request, true, request.type_name};
   auto [facts, errors] = parse(compilation, disk, settings);
   if (names_real(errors, request.type_name)) {

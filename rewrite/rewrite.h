@@ -60,6 +60,12 @@ struct ConfiguredExternal {
   std::vector<ConfiguredClause> clauses = {};
 };
 
+// A source that lies in no file: read and compiled as if it stood at this path.
+struct TextSource {
+  std::string path; // real
+  std::string text;
+};
+
 // How the rewritten sources spell the number, if the request does not say: `usual_type_name`, or, where the sources use
 // that for something else, `reserved_type_name`.
 inline constexpr char const *usual_type_name = "REAL";
@@ -76,6 +82,7 @@ struct Request {
   std::string type_name = {}; // how the number is spelled; empty: see above
   std::vector<ConfiguredKernel> kernels = {};
   std::vector<ConfiguredExternal> externals = {};
+  std::vector<TextSource> texts = {}; // of those sources that are in no file
 };
 
 // The request's compilations, or its sources with its flags.

@@ -6,7 +6,11 @@ namespace symreal::rewrite {
 
 std::string real_path(std::string const &name) {
   llvm::SmallString<256> result;
-  return llvm::sys::fs::real_path(name, result) ? name : result.str().str();
+  if (!llvm::sys::fs::real_path(name, result)) return result.str().str();
+  llvm::StringRef const directory = llvm::sys::path::parent_path(name);
+  if (llvm::sys::fs::real_path(directory.empty() ? "." : directory, result)) return name;
+  llvm::sys::path::append(result, llvm::sys::path::filename(name));
+  return result.str().str();
 }
 
 bool is_own_header(llvm::StringRef path) { return path.contains("/include/symreal/"); }

@@ -99,7 +99,8 @@ private:
   mutable std::optional<llvm::DenseMap<clang::FileEntry const *, unsigned>> inclusions_;
 };
 
-// The real path of an existing file or directory, else the name itself.
+// The real path of a file or directory, of one that does not exist in its directory's; the name itself where that does
+// not exist either.
 std::string real_path(std::string const &name);
 
 } // namespace symreal::rewrite

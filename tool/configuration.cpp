@@ -84,7 +84,11 @@ Configuration read_configuration(std::string const &file) {
     else if (key.text == "options")
       for (Yaml::Entry const &one : value.entries()) result.options.push_back(read_option(one));
     else if (key.text == "kernels")
-      for (Yaml const &one : value.list()) result.kernels.push_back(read_kernel(one, result.directory));
+      for (Yaml const &one : value.list())
+        if (one.is_map())
+          result.kernels.push_back(read_kernel(one, result.directory));
+        else
+          result.calls.push_back(one.text());
     else if (key.text == "externals")
       for (Yaml const &one : value.list()) result.externals.push_back(read_external(one));
     else

@@ -23,6 +23,7 @@ struct Configuration {
   std::string type_name;
   std::vector<Option> options;
   std::vector<rewrite::ConfiguredKernel> kernels;
+  std::vector<rewrite::ConfiguredText> calls; // kernels that are text: call_spec.h
   std::vector<rewrite::ConfiguredExternal> externals;
 };
 

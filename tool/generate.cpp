@@ -2,6 +2,7 @@
 #include "program/make_rule.h"
 #include "support/files.h"
 #include "tool/console.h"
+#include "tool/driver_program.h"
 #include "tool/frozen.h"
 #include "tool/optimise.h"
 #include "tool/outputs.h"
@@ -122,7 +123,7 @@ int run(CLI::App &command, Options &options, Session &session) {
   request.run.decisions = options.decisions;
   request.run.floating_point = options.passes.mode;
   request.run.places = true;
-  auto front = program::run_front(request, console.talk());
+  auto front = run_front(request, options.source.project.calls, console);
   if (front && options.source.front.keep) console.note("the build directory is " + front->workspace->path());
   if (!front || !report_frozen(front->kernels, options.frozen, console)) return error;
 
@@ -172,7 +173,7 @@ void add_generate(CLI::App &app, Session &session) {
                    "What becomes of a decision on a symbolic value: error, guard or select")
       ->capture_default_str();
   options->frozen.add_to(*command);
-  options->source.add_to(*command, true);
+  options->source.add_to(*command);
   command->add_flag("--stats", options->statistics, "Print more than the table: every object, every pass");
   command->add_flag("--json", options->json, "Print the table as JSON to standard output");
   command->callback([options, command, &session] { session.status = run(*command, *options, session); });

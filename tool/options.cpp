@@ -7,7 +7,7 @@
 
 namespace symreal::tool {
 
-void SourceOptions::add_to(CLI::App &app, bool several_kernels) {
+void SourceOptions::add_to(CLI::App &app) {
   project.add_build_to(app);
   app.add_option("--cxx", front.build.compiler, "Compiler of the rewritten program")->capture_default_str();
   app.add_option("--link", link, "Words for the linker of the rewritten program, such as '-L. -lfoo'");
@@ -21,7 +21,9 @@ void SourceOptions::add_to(CLI::App &app, bool several_kernels) {
   app.add_flag("--run-on", front.run.run_on, "Let the program run to its end after the last kernel");
   app.add_flag("--keep", front.keep, "Keep the build directory and say where it is");
   app.add_flag("--no-cache", no_cache, "Compile everything, also what an earlier run has compiled");
-  if (several_kernels) app.add_option("--kernel", front.kernel, "Only the kernel of this name");
+  app.add_option("--kernel", front.kernel,
+                 "Only the kernel of this name; or a function that no program calls: 'f(x[0:3]=0.5, n=3) -> y[0:3]'")
+      ->type_name("NAME|CALL");
 }
 
 program::FrontRequest SourceOptions::request(CompilerFlags const &flags) const {

@@ -19,7 +19,7 @@ struct SourceOptions {
   program::FrontRequest front;
   bool no_cache = false;
 
-  void add_to(CLI::App &app, bool several_kernels);
+  void add_to(CLI::App &app);
   program::FrontRequest request(CompilerFlags const &flags) const;
 };
 

@@ -59,6 +59,7 @@ void ProjectOptions::configure(CLI::App &command, ConfiguredOptions &given) {
   request.exclude = std::move(read.exclude);
   if (request.type_name.empty()) request.type_name = read.type_name;
   request.kernels = std::move(read.kernels);
+  calls = std::move(read.calls);
   request.externals = std::move(read.externals);
 }
 

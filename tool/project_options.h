@@ -16,8 +16,9 @@ using CompilerFlags = std::vector<std::string>;
 
 struct ProjectOptions {
   rewrite::Request request;
-  std::string build;         // the directory of compile_commands.json
-  std::string configuration; // its file; empty: the nearest .symreal.yaml
+  std::vector<rewrite::ConfiguredText> calls; // of kernels that no program calls (call_spec.h)
+  std::string build;                          // the directory of compile_commands.json
+  std::string configuration;                  // its file; empty: the nearest .symreal.yaml
 
   void add_to(CLI::App &app); // the sources and all of these:
   void add_build_to(CLI::App &app);

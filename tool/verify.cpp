@@ -2,6 +2,7 @@
 #include "program/wrapped_original.h"
 #include "support/files.h"
 #include "tool/console.h"
+#include "tool/driver_program.h"
 #include "tool/subcommands.h"
 #include "tool/verify_numeric.h"
 #include "tool/verify_report.h"
@@ -54,7 +55,7 @@ std::optional<program::Front> make_front(Options const &options, Session &sessio
   request.run.decisions = banner.decisions;
   request.run.floating_point = to_string(banner.mode);
   run = request.run;
-  std::optional<program::Front> front = program::run_front(request, console.talk());
+  std::optional<program::Front> front = run_front(request, options.source.project.calls, console);
   if (front && request.keep) console.note("the build directory is " + front->workspace->path());
   return front;
 }
@@ -125,7 +126,7 @@ void add_verify(CLI::App &app, Session &session) {
   auto options = std::make_shared<Options>();
   command->add_option("files", options->files, "The sources of the program, then generated C files");
   options->numeric.add_to(*command);
-  options->source.add_to(*command, false);
+  options->source.add_to(*command);
   program::VerificationOptions &verification = options->verification;
   command->add_option("--samples", verification.samples, "How many inputs to try")
       ->check(CLI::PositiveNumber)

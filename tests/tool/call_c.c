@@ -1,0 +1,98 @@
+/* --kernel calls a function that no program calls: the tool writes that program, beside the source and in no file. A source in
+   C stays one, with its static functions, and its own main is not in the way.
+   RUN: rm -rf %t && mkdir %t && cp %s %t/arm.c && cd %t
+   DEFINE: %{call} =
+   DEFINE: %{options} =
+   DEFINE: %{run} = cd %t && %symreal generate arm.c --kernel %{call} %{options} -o k.c -- -std=c99 2> %t.log && %symreal verify arm.c k.c --kernel %{call} -- -std=c99 2>> %t.log
+
+   REDEFINE: %{call} = 'torque(q[0:n]=0.3, qd[0:n]={1, 2}, parameter m=1.2, n=2) -> tau[0:n]'
+   RUN: %{run} && FileCheck %s --check-prefix=ARRAYS < %t.log
+   ARRAYS: kernel torque: 4 inputs, 1 parameters, 2 outputs
+   ARRAYS: kernel torque, mode finite: 1000 samples
+   RUN: ls %t | FileCheck %s --check-prefix=FILES
+   FILES: arm.c
+   FILES-NEXT: k.c
+   FILES-NEXT: k.h
+   FILES-NOT: {{.}}
+
+   REDEFINE: %{call} = 'inertia(frame[0:2][0:2], gravity=9.81..9.82) -> return'
+   RUN: %{run} && FileCheck %s --check-prefix=STATIC < %t.log
+   STATIC: remark: no values are given for frame[0:2][0:2]: 'inertia' is recorded at numbers between 0 and 1 [SYM019]
+   STATIC: kernel inertia: 5 inputs, 0 parameters, 1 outputs
+   STATIC: kernel inertia, mode finite: 1000 samples
+
+   REDEFINE: %{call} = 'move(body->x=1, body->v[0:2]=-1..1, dt=0.1) -> body->x'
+   RUN: %{run} && FileCheck %s --check-prefix=STRUCT < %t.log
+   STRUCT: kernel move: 4 inputs, 0 parameters, 1 outputs
+   STRUCT: kernel move, mode finite: 1000 samples
+
+   REDEFINE: %{call} = 'rows(a[0:3][0:2]=0.5, at=&first) -> y[0:3]'
+   RUN: %{run} && FileCheck %s --check-prefix=ROWS < %t.log
+   ROWS: kernel rows: 6 inputs, 0 parameters, 3 outputs
+   ROWS: kernel rows, mode finite: 1000 samples
+
+   An argument has the name of the function.
+   REDEFINE: %{call} = 'slope(slope=2) -> return'
+   RUN: %{run} && FileCheck %s --check-prefix=HIDDEN < %t.log
+   HIDDEN: kernel slope: 1 inputs, 0 parameters, 1 outputs
+   HIDDEN: kernel slope, mode finite: 1000 samples
+
+   REDEFINE: %{call} = 'limit(x=3, mode=HARD) -> return'
+   REDEFINE: %{options} = --decisions=guard
+   RUN: %{run} && FileCheck %s --check-prefix=PATH < %t.log
+   PATH: kernel limit: 1 inputs
+   PATH: kernel limit, mode finite: 1000 samples
+   RUN: grep -F 'x > 2' %t/k.h
+*/
+#include <math.h>
+#include <stdio.h>
+
+double gravity = 9.8;
+struct body {
+    double x, v[2];
+    int id;
+};
+enum mode { SOFT, HARD };
+
+static double inertia(double frame[2][2])
+{
+    return gravity * (frame[0][0] * frame[1][1] - frame[0][1] * frame[1][0]);
+}
+
+void torque(const double *q, const double *qd, double m, double *tau, int n)
+{
+    int i;
+    for (i = 0; i < n; i++) tau[i] = pow(m, 3) * sin(q[i]) + qd[i] * qd[(i + 1) % n];
+}
+
+void move(struct body *body, double dt)
+{
+    body->x += dt * body->v[0] + body->v[1];
+}
+
+static double first(double const *row) { return row[0]; }
+static void rows(double **a, double *y, double (*at)(double const *))
+{
+    int i;
+    for (i = 0; i < 3; i++) y[i] = at(a[i]) - a[i][1];
+}
+
+double slope(double slope) { return slope * slope; }
+
+double limit(double x, enum mode mode)
+{
+    if (mode == SOFT) return x / (1 + x);
+    return x > 2 ? 2 : x;
+}
+
+int main(int argc, char **argv)
+{
+    double frame[2][2] = {{1, 2}, {3, 4}}, q[1] = {1}, qd[1] = {2}, tau[1];
+    struct body body = {1, {2, 3}, 4};
+    double *a[3] = {q, qd, tau};
+    torque(q, qd, 1, tau, argc);
+    move(&body, 1);
+    rows(a, tau, first);
+    printf("%g %g %s %g\n", inertia(frame), tau[0], argv[0], limit(1, HARD));
+    return 0;
+}

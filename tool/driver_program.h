@@ -1,0 +1,18 @@
+// The program that calls kernels which no program calls: main, beside the sources that define them. It lies in no file.
+#pragma once
+
+#include "program/front.h"
+#include "tool/console.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace symreal::tool {
+
+// As program::run_front, of the kernels that these words call (call_spec.h); without any of those that the sources
+// have.
+std::optional<program::Front> run_front(program::FrontRequest request,
+                                        std::vector<rewrite::ConfiguredText> const &calls, Console &console);
+
+} // namespace symreal::tool
