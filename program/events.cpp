@@ -43,7 +43,8 @@ void add(Events &events, std::vector<std::string> const &field) {
   if (kind == "started" && has(2)) events.started.push_back(field[1]);
   if (kind == "kernel" && has(4))
     events.kernels.push_back({field[1], field[2], field[3], events.started.empty() ? "" : events.started.back(),
-                              std::exchange(events.scratch, {})});
+                              std::exchange(events.scratch, {}), std::exchange(events.clauses, {})});
+  if (kind == "clause" && has(3)) events.clauses[field[1]] = field[2];
   if (kind == "scratch" && has(2)) events.scratch.push_back(field[1]);
   if ((kind == "diagnostic" || kind == "warning") && has(6)) {
     Place place{field[2], number<unsigned>(field[3]), number<unsigned>(field[4])};

@@ -8,6 +8,7 @@
 //   met         SYM0nn  message  address,address,...  count
 //   frozen      kernel  name  place  values  address,address,...
 //   scratch     name
+//   clause      input, output, scratch or constant  name, name, ...
 //   decision    count  condition  address,address,...   hexadecimal, relative to the load base, innermost first
 //   carried     count  condition  address,address,...
 //   settled     count  condition  address,address,...
@@ -16,6 +17,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -25,8 +27,9 @@ namespace symreal::program {
 
 struct RecordedKernel {
   std::string name, graph_file, output_file;
-  std::string begun_as;             // a kernel in a block learns its name at its end
-  std::vector<std::string> scratch; // static integers of functions in which nobody reads what is left
+  std::string begun_as;                            // a kernel in a block learns its name at its end
+  std::vector<std::string> scratch;                // static integers of functions in which nobody reads what is left
+  std::map<std::string, std::string> clauses = {}; // that its pragma lacks: what would stand in their parentheses
 };
 
 // A diagnostic whose place is where the program stood.
@@ -56,7 +59,8 @@ struct Events {
   std::vector<Decision> decisions, carried, settled;
   std::vector<Located> located;
   std::vector<FrozenRead> frozen;
-  std::vector<std::string> scratch; // of the kernel that has not ended yet
+  std::vector<std::string> scratch;           // of the kernel that has not ended yet
+  std::map<std::string, std::string> clauses; // of the same
 };
 
 // A file that does not exist holds no events.

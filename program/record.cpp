@@ -130,6 +130,19 @@ bool has_error(std::vector<Diagnostic> const &diagnostics) {
                      [](Diagnostic const &diagnostic) { return diagnostic.severity == Severity::error; });
 }
 
+// Behind the last complaint about what the kernel leaves.
+void add_clauses(Recorded const &recorded, std::vector<Diagnostic> &diagnostics) {
+  std::string text;
+  bool const leaves = recorded.clauses.contains("output") || recorded.clauses.contains("scratch");
+  if (!leaves) return; // what is only read is the option's matter
+  for (std::string const clause : {"input", "output", "constant", "scratch"})
+    if (auto const found = recorded.clauses.find(clause); found != recorded.clauses.end())
+      text += " " + clause + "(" + found->second + ")";
+  auto const last = std::find_if(diagnostics.rbegin(), diagnostics.rend(),
+                                 [](Diagnostic const &one) { return one.id == DiagnosticId::state_not_output; });
+  if (!text.empty() && last != diagnostics.rend()) last->notes.push_back(clause_note(recorded.kernel, text));
+}
+
 // Of a program whose sources are not at hand.
 std::vector<rewrite::Kernel> kernels_of(Events const &events) {
   std::vector<rewrite::Kernel> kernels;
@@ -150,6 +163,11 @@ Command command(std::string const &executable, RunOptions const &options) {
 }
 
 } // namespace
+
+Note clause_note(rewrite::Kernel const &kernel, std::string const &clauses) {
+  return {kernel.place,
+          "all of them at once: #pragma symreal" + std::string(kernel.is_function ? " function ..." : "") + clauses};
+}
 
 Recording record(std::string const &executable, RunOptions const &options, rewrite::Result const &rewritten,
                  std::vector<rewrite::Kernel> const &wanted, Overlay const &overlay, Workspace const &workspace,
@@ -190,6 +208,8 @@ Recording record(std::string const &executable, RunOptions const &options, rewri
       name_nodes(graph, rewritten.names);
       recording.kernels.push_back({std::move(graph), kernel, found->output_file, found->begun_as});
       recording.kernels.back().scratch = found->scratch;
+      recording.kernels.back().clauses = found->clauses;
+      add_clauses(recording.kernels.back(), recording.diagnostics);
       if (!events.frozen.empty()) locate_frozen(recording.kernels.back(), events.frozen, symbolizer);
     } else if (!explained) {
       bool begun = is_begun(kernel, events.started);

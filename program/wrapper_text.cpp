@@ -11,31 +11,57 @@ namespace {
 
 bool is_c(rewrite::Kernel const &kernel) { return kernel.source.ends_with(".c"); }
 
-// What is behind the sections: C has arrays alone there, C++ whatever can be annotated.
+// What is behind the sections: C has arrays alone there, C++ whatever can be annotated; members have their names.
 bool is_walked(rewrite::Kernel const &kernel, rewrite::Annotation const &annotation, Object const &object) {
-  return !is_c(kernel) && object.extents.size() > annotation.sections.size();
+  return !is_c(kernel) && object.members.empty() && object.extents.size() > annotation.sections.size();
 }
 
-// Loops over the elements of an object, around a statement on `element` (an lvalue in the words of the source) and
-// `slot` (of the flat array).
+// An object, or a member of one: an lvalue in the words of the source, and the slot of the flat array where its numbers
+// begin.
+struct Part {
+  std::string element, slot;
+  std::vector<std::size_t> extents;
+  std::vector<Member> const &members;
+  std::size_t inner = 1; // the numbers that a statement walks by itself
+};
+
+// Loops over the numbers of a part, around a statement on an `element` and its `slot`. `depth`: of the loops around it.
+template <class Statement> std::string for_elements(Part part, std::vector<rewrite::Section> const &sections,
+                                                    Statement const &statement, std::string indent = "  ",
+                                                    std::size_t depth = 0) {
+  std::string text, at;
+  for (std::size_t dimension = 0; dimension < part.extents.size(); ++dimension) {
+    std::string index = fmt::format("symreal_{}", depth++);
+    text += fmt::format("{0}for (int {1} = 0; {1} < {2}; ++{1})\n", indent, index, part.extents[dimension]);
+    indent += "  ";
+    bool section = dimension < sections.size();
+    part.element += section ? fmt::format("[({}) + {}]", sections[dimension].low, index) : "[" + index + "]";
+    at = at.empty() ? index : fmt::format("({}) * {} + {}", at, part.extents[dimension], index);
+  }
+  std::size_t const each = number_count({}, part.members) * part.inner;
+  if (each != 1 && !at.empty()) at = fmt::format("({}) * {}", at, each);
+  if (!at.empty()) part.slot += " + " + at;
+  if (part.members.empty()) return text + indent + statement(part.element, part.slot) + "\n";
+  if (!part.extents.empty()) text.back() = ' ', text += "{\n";
+  std::size_t first = 0;
+  for (Member const &member : part.members) {
+    std::string const slot = first == 0 ? part.slot : fmt::format("{} + {}", part.slot, first);
+    text += for_elements({part.element + "." + member.name, slot, member.extents, member.members}, {}, statement,
+                         indent, depth);
+    first += number_count(member.extents, member.members);
+  }
+  if (!part.extents.empty()) text += indent.substr(2) + "}\n";
+  return text;
+}
+
+// The same for the first dimensions of an object.
 template <class Statement> std::string for_elements(rewrite::Annotation const &annotation, Object const &object,
                                                     std::size_t dimensions, Statement const &statement) {
-  std::string loops, element = "(" + annotation.expression + ")", slot;
-  std::string indent = "  ";
-  for (std::size_t dimension = 0; dimension < dimensions; ++dimension) {
-    std::string index = fmt::format("symreal_{}", dimension);
-    loops += fmt::format("{0}for (int {1} = 0; {1} < {2}; ++{1})\n", indent, index, object.extents[dimension]);
-    indent += "  ";
-    bool section = dimension < annotation.sections.size();
-    element += section ? fmt::format("[({}) + {}]", annotation.sections[dimension].low, index) : "[" + index + "]";
-    slot = slot.empty() ? index : fmt::format("({}) * {} + {}", slot, object.extents[dimension], index);
-  }
-  std::size_t inner = 1;
-  for (std::size_t dimension = dimensions; dimension < object.extents.size(); ++dimension)
-    inner *= object.extents[dimension];
-  if (!slot.empty() && inner != 1) slot = fmt::format("({}) * {}", slot, inner);
-  slot = slot.empty() ? std::to_string(object.first) : fmt::format("{} + {}", object.first, slot);
-  return fmt::format("{}{}{}\n", loops, indent, statement(element, slot));
+  auto const inner = object.extents.begin() + static_cast<std::ptrdiff_t>(dimensions);
+  std::size_t const walked = number_count({inner, object.extents.end()}, {});
+  return for_elements({"(" + annotation.expression + ")", std::to_string(object.first),
+                       {object.extents.begin(), inner}, object.members, walked},
+                      annotation.sections, statement);
 }
 
 // In the order of the graph, which may differ from that of the pragma: a returned value comes first.

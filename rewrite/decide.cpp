@@ -66,7 +66,7 @@ Rewording rewording(Wrap const &wrap, bool is_shared) {
   case Use::external: return make("SYMREAL_REAL_EXTERNAL(", ", " + wrap.detail + ")");
   case Use::function: return make("SYMREAL_REAL_FUNCTION(" + wrap.detail + ", ", ")");
   case Use::cast: return make("(" + wrap.detail + ")(", ")");
-  case Use::returned: return make("SYMREAL_RETURN(" + wrap.detail + ", ", ")");
+  case Use::returned: return make("SYMREAL_RETURN" + wrap.detail + ", ", ")");
   }
   internal_failure("a use has a macro", __FILE__, __LINE__);
 }

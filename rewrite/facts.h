@@ -94,10 +94,10 @@ struct Wrap {
   Span span;
   Use use;
   // conversion, cast, argument, of_c: the type; state: the declaration's place; returned, and the uses between literal
-  // and state: the other arguments; value: the function of the program, if it is one, whose variadic argument the
-  // expression is; as_width, width: the bits, and whether they are signed; external, table, formatting: the other
-  // arguments; pasted: the text that the macro expands to; name: it; layout, padding: sizes and offsets; prototype: the
-  // parameters
+  // and state: the other arguments (returned: with the rest of the macro's name before them); value: the function of
+  // the program, if it is one, whose variadic argument the expression is; as_width, width: the bits, and whether they
+  // are signed; external, table, formatting: the other arguments; pasted: the text that the macro expands to; name: it;
+  // layout, padding: sizes and offsets; prototype: the parameters
   std::string detail;
   auto operator<=>(Wrap const &) const = default;
 };
@@ -120,6 +120,9 @@ struct ItemFact {
   bool holds_integer = false;
   std::string type;
   Base base_kind = Base::object;
+  ObjectLayout layout;               // of each element
+  std::vector<std::string> left_out; // its members that point to numbers
+  std::vector<std::string> kept;     // its members with numbers that are not converted
 };
 
 struct ClauseFact {

@@ -26,14 +26,38 @@ void check_item(ClauseFact const &clause, ItemFact const &item, Result &result) 
                           item.base_kind == Base::const_pointer_to_const;
   if (clause.name == "scratch") return; // whatever is left there, and wherever a pointer points to
   if (item.base_is_name && is_pointer && item.sections.empty())
-    return wrong("is a pointer, which does not say how much it points to");
+    return wrong("is a pointer, which does not say how much it points to: '*" + item.label + "' or '" + item.label +
+                 "[0:n]' does");
   if (clause.name == "constant" && !item.carries_real && !item.holds_integer)
     return wrong("holds neither doubles nor integers: it is " + item.type);
   if (clause.name != "constant" && !item.carries_real) return wrong("holds no double: it is " + item.type);
   if (!writes) return;
   if (item.base_kind == Base::const_object) return wrong("is const: the compiler may have used its value already");
-  if (item.base_kind == Base::const_pointer_to_const)
-    return wrong("is a const pointer to const, which can be given no copy to point to");
+}
+
+// Is this member named by an item of its own?
+bool is_named(PragmaFact const &pragma, std::string const &member) {
+  for (ClauseFact const &clause : pragma.clauses)
+    for (ItemFact const &item : clause.items) {
+      std::string const text = item.base + " ";
+      for (std::string const before : {".", "->"})
+        for (std::string const after : {" ", "[", ".", "-", ")"})
+          if (text.find(before + member + after) != text.npos) return true;
+    }
+  return false;
+}
+
+void warn_of_members(PragmaFact const &pragma, ItemFact const &item, Result &result) {
+  std::string pointers, others;
+  for (std::string const &member : item.left_out)
+    if (!is_named(pragma, member)) pointers += (pointers.empty() ? "'" : ", '") + member + "'";
+  for (std::string const &member : item.kept) others += (others.empty() ? "'" : ", '") + member + "'";
+  auto const warn = [&](std::string const &message) {
+    result.diagnostics.push_back(
+        {DiagnosticId::members_left_out, Severity::warning, item.place, "'" + item.label + "' " + message});
+  };
+  if (!pointers.empty()) warn("does not include what its members " + pointers + " point to");
+  if (!others.empty()) warn("has members that are no double and stay as they are: " + others);
 }
 
 void check_table(ItemFact const &item, Result &result) {
@@ -90,6 +114,7 @@ void check(PragmaFact const &pragma, Result &result) {
         return;
       }
       if (annotates(clause)) check_item(clause, item, result);
+      warn_of_members(pragma, item, result);
       if (clause.name == "table") check_table(item, result);
     }
     if (clause.name == "range" && (clause.items.size() != 2 || !after_input))
@@ -109,7 +134,7 @@ std::vector<Annotation> annotations(PragmaFact const &pragma) {
   for (ClauseFact const &clause : pragma.clauses)
     if (annotates(clause))
       for (ItemFact const &item : clause.items)
-        result.push_back({clause.name, item.label, item.place, item.base, item.sections});
+        result.push_back({clause.name, item.label, item.place, item.base, item.sections, item.layout});
   return result;
 }
 

@@ -24,10 +24,15 @@ std::string loops(std::vector<Section> const &sections) {
 }
 
 std::string annotation(std::string const &kind, ItemFact const &item) {
-  return fmt::format("if (symreal_original_object(\"{}\", {}, SYMREAL_ORIGINAL_FRAME)) {{ {}SYMREAL_ORIGINAL_{}({}); "
+  bool const has_layout = !item.layout.text.empty();
+  return fmt::format("if (symreal_original_object(\"{}\", {}, SYMREAL_ORIGINAL_FRAME)) {{ {}SYMREAL_ORIGINAL_{}({}{}); "
                      "symreal_original_object_end(); }} ",
                      kind, place_arguments(item.label, item.place), loops(item.sections),
-                     declares(kind) ? "BYTES" : "NUMBERS", item.expression);
+                     means_file(kind, item) ? "STATICS"
+                     : has_layout           ? "LAYOUT"
+                     : declares(kind)       ? "BYTES"
+                                            : "NUMBERS",
+                     has_layout ? layout_arguments(item.layout) + ", " : "", item.expression);
 }
 
 bool annotates(ClauseFact const &clause) {
@@ -89,7 +94,7 @@ std::vector<Edit> original_edits(Facts const &facts, std::string const &path) {
   if (rewordings.empty()) return {};
   for (Wrap const &wrap : facts.wraps)
     if (wrap.span.file == path && wrap.use == Use::returned)
-      rewordings.push_back({wrap.span.begin, wrap.span.end, "SYMREAL_RETURN(" + wrap.detail + ", ", ")"});
+      rewordings.push_back({wrap.span.begin, wrap.span.end, "SYMREAL_RETURN" + wrap.detail + ", ", ")"});
   return compose(facts.files.at(path).text, std::move(rewordings));
 }
 

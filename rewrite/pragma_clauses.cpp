@@ -1,5 +1,7 @@
 #include "rewrite/pragma_handler.h"
 
+#include "rewrite/pragma_text.h"
+
 namespace symreal::rewrite {
 namespace {
 
@@ -47,6 +49,10 @@ void add_clauses(PragmaFact &fact, Pragma const &pragma, PragmaWords const &word
     for (PragmaItem const &item : clause.items) {
       clause_fact.items.push_back(item_fact(words.tokens, item));
       clause_fact.items.back().place = words.places[item.tokens.begin];
+      if (means_file(clause_fact.name, clause_fact.items.back())) {
+        clause_fact.items.back().seen = true;
+        continue;
+      }
       if (pragma.is_function && clause_fact.name != "call" && !has_words(clause_fact.name))
         collect_names(words, item, {span, fact.clauses.size() - 1, clause_fact.items.size() - 1}, names);
     }

@@ -1,6 +1,7 @@
 #include "rewrite/pragma_handler.h"
 
 #include "rewrite/externals.h"
+#include "rewrite/pragma_text.h"
 
 namespace symreal::rewrite {
 namespace {
@@ -98,6 +99,8 @@ private:
     for (std::size_t c = 0; c < pragma.clauses.size(); ++c)
       for (std::size_t i = 0; is_looked_up(pragma.clauses[c], lexed) && i < pragma.clauses[c].items.size(); ++i) {
         PragmaItem const &item = pragma.clauses[c].items[i];
+        ClauseFact const &clause = facts_.pragmas[span].clauses[c];
+        if (means_file(clause.name, clause.items[i])) continue;
         SourceLocation const at = lexed[item.tokens.begin].getLocation();
         index_.statements[at.getRawEncoding()] = {span, c, i};
         open(preprocessor, stream, at);

@@ -1,5 +1,8 @@
 #include "rewrite/pragma_items.h"
 
+#include "rewrite/item_type.h"
+#include "rewrite/merge.h"
+#include "rewrite/object_layout.h"
 #include "rewrite/plain_declaration.h"
 #include "rewrite/pragma_text.h"
 #include "rewrite/redefinition.h"
@@ -37,7 +40,9 @@ Base kind_of(ValueDecl const *declaration, ASTContext const &context) {
     return type.isConstQualified() ? Base::const_pointer_to_const : Base::pointer_to_const;
   }
   bool const is_const = context.getBaseElementType(type).isConstQualified();
-  return is_const && isa<VarDecl>(declaration) ? Base::const_object : Base::object;
+  // The caller gives a parameter its value, so the compiler does not know it.
+  bool const may_be_known = isa<VarDecl>(declaration) && !isa<ParmVarDecl>(declaration);
+  return is_const && may_be_known ? Base::const_object : Base::object;
 }
 
 // A parameter `double a[3][3]` is a pointer, but its declaration says how much it points to.
@@ -53,11 +58,27 @@ void take_declared_extents(ItemFact &item, ValueDecl const *declaration) {
   }
 }
 
-void note_declaration(ItemFact &item, ValueDecl const *declaration, Reals const &reals) {
+void note_declaration(ItemFact &item, ValueDecl const *declaration) {
   if (!item.base_is_name) return;
   item.base_kind = kind_of(declaration, declaration->getASTContext());
   take_declared_extents(item, declaration);
-  (void)reals;
+}
+
+// What is annotated as a whole: its numbers are inputs, parameters or outputs.
+bool takes_numbers(ClauseFact const &clause) {
+  return clause.name == "input" || clause.name == "parameter" || clause.name == "output";
+}
+
+void note_layout(ClauseFact const &clause, ItemFact &item, ItemType const &type, ASTContext const &context,
+                 Reals const &reals, Facts &facts) {
+  if (!takes_numbers(clause)) return;
+  DescribedObject const object = describe_object(type.type, type.is_packed, context, reals);
+  item.layout = object.layout;
+  if (!object.refusal.empty())
+    add_diagnostic(facts, {DiagnosticId::pragma_item, Severity::error, item.place,
+                           "'" + item.label + "' " + object.refusal + ": name the numbers that are meant"});
+  item.left_out = object.pointers;
+  item.kept = object.others;
 }
 
 // The definition's own names, innermost scope first: parameters, members, namespaces.
@@ -217,11 +238,19 @@ private:
       item.type = declaration->getType().getAsString();
       item.carries_real = declaration->getType()->isDependentType() || reals_.mentions_real(declaration->getType());
       item.holds_integer = holds_integer(declaration->getType());
-      note_declaration(item, declaration, reals_);
+      note_declaration(item, declaration);
     }
-    for (ClauseFact &clause : pragma.clauses) // expressions that begin with no plain name: nothing is known
-      for (ItemFact &item : clause.items)
-        if (!item.seen) item.seen = item.carries_real = true;
+    for (ClauseFact &clause : pragma.clauses)
+      for (ItemFact &item : clause.items) {
+        if (!item.seen) item.seen = item.carries_real = true; // it begins with no plain name: nothing is known
+        auto const find = [function](std::string const &name) { return look_up(name, function); };
+        if (item.is_return || !takes_numbers(clause)) continue;
+        if (is_pointee(item))
+          if (ValueDecl const *pointer = find(item.label.substr(1)))
+            item.base_kind = kind_of(pointer, function->getASTContext());
+        note_layout(clause, item, type_of_item(item.expression, function, find), function->getASTContext(), reals_,
+                    facts_);
+      }
     return named;
   }
 
@@ -253,12 +282,18 @@ private:
                                         "'" + pragma.function[0].name + "' returns nothing"});
   }
 
-  void wrap_returns(PragmaFact const &pragma, FunctionDecl const *function) {
-    ItemFact const *returned = nullptr;
-    for (ClauseFact const &clause : pragma.clauses)
-      for (ItemFact const &item : clause.items)
-        if (clause.name == "output" && item.is_return) returned = &item;
+  void wrap_returns(PragmaFact &pragma, FunctionDecl const *function) {
+    ItemFact *returned = nullptr;
+    for (ClauseFact &clause : pragma.clauses)
+      for (ItemFact &item : clause.items)
+        if (clause.name == "output" && item.is_return) {
+          returned = &item;
+          note_layout(clause, item, {function->getReturnType(), false}, function->getASTContext(), reals_, facts_);
+        }
     if (!returned) return;
+    std::string const place = place_arguments("return", returned->place);
+    std::string const macro =
+        returned->layout.text.empty() ? "(" + place : "_LAYOUT(" + place + ", " + layout_arguments(returned->layout);
     Returns returns;
     returns.TraverseStmt(function->getBody());
     for (ReturnStmt const *statement : returns.found) {
@@ -267,7 +302,7 @@ private:
         report(DiagnosticId::pragma_item, statement->getReturnLoc(),
                "output(return) needs `return` with an expression");
       else
-        facts_.wraps.insert({*span, Use::returned, place_arguments("return", returned->place)});
+        facts_.wraps.insert({*span, Use::returned, macro});
     }
   }
 
@@ -280,23 +315,25 @@ private:
 
 } // namespace
 
-void note_item(Stmt const *statement, Reals const &reals, IntegerState const &integers, PragmaIndex const &index,
-               Facts &facts) {
+void note_item(Stmt const *statement, ASTContext const &context, Reals const &reals, IntegerState const &integers,
+               PragmaIndex const &index, Facts &facts) {
   auto const *expression = dyn_cast<Expr>(statement);
   auto const *cast = expression ? dyn_cast<CStyleCastExpr>(expression->IgnoreImplicit()) : nullptr;
   if (!cast) return;
   auto const at = index.statements.find(cast->getLParenLoc().getRawEncoding());
   if (at == index.statements.end()) return;
-  ItemFact &item = facts.pragmas[at->second.pragma].clauses[at->second.clause].items[at->second.item];
+  ClauseFact &clause = facts.pragmas[at->second.pragma].clauses[at->second.clause];
+  ItemFact &item = clause.items[at->second.item];
   if (item.seen) return;
   Expr const *what = cast->getSubExpr()->IgnoreParenImpCasts();
   item.seen = true;
   item.type = what->getType().getAsString();
-  if (ValueDecl const *base = base_of(what)) note_declaration(item, base, reals);
+  if (ValueDecl const *base = base_of(what)) note_declaration(item, base);
   bool const has_extents = !item.sections.empty() && what->getType()->isPointerType();
   item.carries_real = what->isTypeDependent() ||
                       (has_extents ? reals.mentions_real(what->getType()) : reals.carries_real(what->getType()));
   item.holds_integer = integers.holds(has_extents ? what->getType()->getPointeeType() : what->getType());
+  note_layout(clause, item, type_of_item(what), context, reals, facts);
 }
 
 void attach_function_pragmas(std::vector<FunctionDecl const *> const &definitions, SourceMap const &map,

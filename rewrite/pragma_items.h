@@ -14,8 +14,8 @@
 namespace symreal::rewrite {
 
 // If the statement of a block is one that a pragma stands for, notes that its item was seen there, and its type.
-void note_item(clang::Stmt const *statement, Reals const &reals, IntegerState const &integers, PragmaIndex const &index,
-               Facts &facts);
+void note_item(clang::Stmt const *statement, clang::ASTContext const &context, Reals const &reals,
+               IntegerState const &integers, PragmaIndex const &index, Facts &facts);
 
 // Gives each function pragma of this source the definition that follows it, and records its return statements.
 void attach_function_pragmas(std::vector<clang::FunctionDecl const *> const &definitions, SourceMap const &map,

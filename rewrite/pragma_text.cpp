@@ -2,6 +2,7 @@
 
 #include "rewrite/scan_text.h"
 
+#include <algorithm>
 #include <cctype>
 #include <utility>
 
@@ -25,20 +26,28 @@ std::string without_comments(std::string const &source) {
 }
 
 std::string annotation(std::string const &kind, ItemFact const &item) {
-  std::string const declare = kind == "constant" || kind == "scratch" ? "SYMREAL_DECLARE" : "";
-  std::string const head = "(" + kind + ", " + place_arguments(item.label, item.place) + ", ";
-  if (item.sections.empty())
-    return (declare.empty() ? "SYMREAL_OBJECT" : declare) + head + with_real(item.expression) + ")";
+  if (means_file(kind, item)) return "SYMREAL_FILE(" + place_arguments(item.label, item.place) + ")";
+  bool const is_object = item.sections.empty();
+  std::string macro = kind == "constant" || kind == "scratch" ? "SYMREAL_DECLARE" : "SYMREAL_OBJECT";
+  std::string layout;
+  if (!item.layout.text.empty()) {
+    macro = "SYMREAL_LAYOUT";
+    layout = layout_arguments(item.layout) + ", ";
+  }
+  if (!is_object) macro = macro == "SYMREAL_OBJECT" ? "SYMREAL_SECTION" : macro + "_SECTION";
   std::string extents;
   for (Section const &section : item.sections) extents += (extents.empty() ? "" : ", ") + section.length;
-  return (declare.empty() ? "SYMREAL_SECTION" : declare + "_SECTION") + head + "::symreal::extents(" +
-         with_real(extents) + "), " + with_real(item.expression) + ")";
+  return macro + "(" + kind + ", " + place_arguments(item.label, item.place) + ", " +
+         (is_object ? "" : "::symreal::extents(" + with_real(extents) + "), ") + layout + with_real(item.expression) +
+         ")";
 }
 
 // The program's own copy of what a pointer to const points to takes its place before the kernel writes nodes there.
 std::string rebinding(ClauseFact const &clause, ItemFact const &item) {
   bool const writes = clause.name == "input" || clause.name == "parameter";
-  if (!writes || item.base_kind != Base::pointer_to_const || !item.section_on_base) return "";
+  if (!writes || item.base_kind != Base::pointer_to_const) return "";
+  if (is_pointee(item)) return "SYMREAL_REBIND(" + item.label.substr(1) + ", 0, 1) ";
+  if (!item.section_on_base) return "";
   return "SYMREAL_REBIND(" + item.expression.substr(0, item.expression.find('[')) + ", " +
          with_real(item.sections[0].low) + ", " + with_real(item.sections[0].length) + ") ";
 }
@@ -90,6 +99,19 @@ std::string quoted(std::string const &text) {
 std::string place_arguments(std::string const &label, Place const &place) {
   return quoted(label) + ", " + quoted(place.file) + ", " + std::to_string(place.line) + ", " +
          std::to_string(place.column);
+}
+
+bool is_pointee(ItemFact const &item) {
+  return item.label.size() > 1 && item.label[0] == '*' && !std::isdigit(static_cast<unsigned char>(item.label[1])) &&
+         std::all_of(item.label.begin() + 1, item.label.end(), is_word);
+}
+
+bool means_file(std::string const &clause, ItemFact const &item) { return clause == "scratch" && item.label == "file"; }
+
+std::string layout_arguments(ObjectLayout const &layout) {
+  std::string types;
+  for (std::string const &type : layout.containers) types += (types.empty() ? "" : ", ") + with_real(type);
+  return quoted(layout.text) + ", (" + types + ")";
 }
 
 std::string normalised(std::string const &source) {

@@ -13,6 +13,15 @@ std::string quoted(std::string const &text);
 // `"label", "file", line, column`: what every annotation macro begins with.
 std::string place_arguments(std::string const &label, Place const &place);
 
+// `*p`, all that p points to.
+bool is_pointee(ItemFact const &item);
+
+// `scratch(file)`: the static variables of the pragma's file. A variable of that name is meant by scratch((file)).
+bool means_file(std::string const &clause, ItemFact const &item);
+
+// `"layout", (types)`: what the annotation macros of structures take besides.
+std::string layout_arguments(ObjectLayout const &layout);
+
 // Comments away, each run of white space one blank.
 std::string normalised(std::string const &source);
 

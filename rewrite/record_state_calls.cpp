@@ -109,6 +109,7 @@ void Recorder::operator_call(CXXOperatorCallExpr const *call, FunctionDecl const
   case OO_LessLess: // the comma initialiser of Eigen; a stream holds no numbers
     object(left, Use::written);
     break;
+  case OO_Arrow: break; // a smart pointer: whoever uses the member behind it is looked at
   case OO_PlusEqual:
   case OO_MinusEqual:
   case OO_StarEqual:

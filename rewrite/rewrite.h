@@ -130,6 +130,12 @@ struct File {
   std::vector<Edit> annotations = {}; // those that leave the original with its annotations alone; may be none
 };
 
+// Where the numbers of a structure lie, as <symreal/object_layout.h> reads it.
+struct ObjectLayout {
+  std::string text;                    // empty: the object's type tells
+  std::vector<std::string> containers; // the types that the text refers to by number
+};
+
 // One dimension of an array section [low:length], in the source's own words.
 struct Section {
   std::string low;
@@ -142,6 +148,7 @@ struct Annotation {
   Place place;
   std::string expression; // the item without its sections; "return" for the returned value
   std::vector<Section> sections;
+  ObjectLayout layout = {};
 };
 
 // What `generate`, or a function with a pragma, asks for.

@@ -5,6 +5,7 @@
 #include "rewrite/configured.h"
 #include "rewrite/context_walk.h"
 #include "rewrite/externals.h"
+#include "rewrite/file_statics.h"
 #include "rewrite/instances.h"
 #include "rewrite/layouts.h"
 #include "rewrite/operand_order.h"
@@ -26,6 +27,7 @@ public:
   Visitor(ASTContext &context, SourceMap const &map, Reals const &reals, IntegerState const &integers,
           Surroundings const &surroundings, PragmaIndex const &index, Facts &facts)
       : ContextWalk(map, reals),
+        context_(context),
         integers_(integers),
         index_(index),
         facts_(facts),
@@ -213,7 +215,7 @@ public:
     return true;
   }
   bool VisitCompoundStmt(CompoundStmt *block) {
-    for (Stmt const *statement : block->body()) note_item(statement, reals_, integers_, index_, facts_);
+    for (Stmt const *statement : block->body()) note_item(statement, context_, reals_, integers_, index_, facts_);
     return true;
   }
 
@@ -288,6 +290,7 @@ private:
     if (!passive_ && !no_state_) record_.state(variable, reference, in_template_);
   }
 
+  ASTContext const &context_;
   IntegerState const &integers_;
   PragmaIndex const &index_;
   Facts &facts_;
@@ -311,6 +314,7 @@ void record_tree(ASTContext &context, SourceMap const &map, PragmaIndex const &i
   record_layouts(context, map, reals, facts);
   attach_function_pragmas(visitor.definitions, map, reals, integers, index, facts);
   attach_configured_kernels(request, visitor.definitions, map, reals, integers, facts);
+  note_file_statics(context, map, facts);
   record_c_declarations(context, map, facts);
   record_decisions(context, map, reals, index, facts);
   record_boundaries(context, visitor.definitions, map, reals, facts);

@@ -12,6 +12,20 @@ static std::string include_guard(EmitOptions const &options) {
   return std::isdigit(static_cast<unsigned char>(name[0])) ? "H_" + name : name;
 }
 
+// Numbers, or structs of them without tags: a struct of doubles alone has no gaps.
+static std::string declare(std::string const &indent, std::string const &name, std::vector<std::size_t> const &extents,
+                           std::vector<Member> const &members) {
+  if (number_count(extents, members) == 0) return {};
+  std::string text = indent + (members.empty() ? "double " : "struct {\n");
+  std::vector<std::string> const names = identifiers(members);
+  for (std::size_t i = 0; i < members.size(); ++i)
+    text += declare(indent + "  ", names[i], members[i].extents, members[i].members);
+  if (!members.empty()) text += indent + "} ";
+  text += name;
+  for (std::size_t extent : extents) text += fmt::format("[{}]", extent);
+  return text + ";\n";
+}
+
 // The index of each object's first element, and a struct of doubles with the objects in order: a pointer to it is a
 // pointer to the array.
 static std::string describe(EmitOptions const &options, std::string const &role, std::vector<Object> const &objects) {
@@ -21,9 +35,7 @@ static std::string describe(EmitOptions const &options, std::string const &role,
     if (objects[i].count == 0) continue;
     if (!indices.empty()) indices += ",";
     indices += fmt::format("\n  {} = {}", prefixed(options, role + "_" + names[i]), objects[i].first);
-    members += "  double " + names[i];
-    for (std::size_t extent : objects[i].extents) members += fmt::format("[{}]", extent);
-    members += ";\n";
+    members += declare("  ", names[i], objects[i].extents, objects[i].members);
   }
   if (members.empty()) return {};
   std::string type = prefixed(options, role);

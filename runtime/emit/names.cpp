@@ -1,5 +1,6 @@
 #include "emit/names.h"
 
+#include <algorithm>
 #include <cctype>
 #include <set>
 #include <string_view>
@@ -36,24 +37,51 @@ static std::string identifier(std::string const &label) {
   return name;
 }
 
-std::vector<std::string> identifiers(std::vector<Object> const &objects) {
-  std::vector<std::string> names;
+// Made different from each other.
+static std::vector<std::string> numbered(std::vector<std::string> names) {
   std::set<std::string> taken;
-  for (Object const &object : objects) {
-    std::string base = identifier(object.label), name = base;
+  for (std::string &name : names) {
+    std::string const base = name;
     for (int copy = 2; !taken.insert(name).second; ++copy) name = base + "_" + std::to_string(copy);
-    names.push_back(name);
   }
   return names;
 }
 
-std::string element_name(std::string const &identifier, Object const &object, std::uint32_t element) {
-  std::string subscripts;
-  for (std::size_t dimension = object.extents.size(); dimension-- > 0;) {
-    subscripts = "[" + std::to_string(element % object.extents[dimension]) + "]" + subscripts;
-    element = static_cast<std::uint32_t>(element / object.extents[dimension]);
+std::vector<std::string> identifiers(std::vector<Object> const &objects) {
+  std::vector<std::string> names;
+  for (Object const &object : objects) names.push_back(identifier(object.label));
+  return numbered(std::move(names));
+}
+
+std::vector<std::string> identifiers(std::vector<Member> const &members) {
+  std::vector<std::string> names;
+  for (Member const &member : members) {
+    bool const is_plain = std::all_of(member.name.begin(), member.name.end(),
+                                      [](unsigned char c) { return std::isalnum(c) || c == '_'; });
+    names.push_back(is_plain && !is_keyword(member.name) ? member.name : identifier(member.name));
   }
-  return identifier + subscripts;
+  return numbered(std::move(names));
+}
+
+static std::string element_name(std::string const &name, std::vector<std::size_t> const &extents,
+                                std::vector<Member> const &members, std::size_t number) {
+  std::size_t const each = number_count({}, members);
+  std::size_t element = number / each, rest = number % each;
+  std::string subscripts;
+  for (std::size_t dimension = extents.size(); dimension-- > 0; element /= extents[dimension])
+    subscripts = "[" + std::to_string(element % extents[dimension]) + "]" + subscripts;
+  std::vector<std::string> const names = identifiers(members);
+  for (std::size_t i = 0; i < members.size(); ++i) {
+    std::size_t const count = number_count(members[i].extents, members[i].members);
+    if (rest < count)
+      return element_name(name + subscripts + "." + names[i], members[i].extents, members[i].members, rest);
+    rest -= count;
+  }
+  return name + subscripts;
+}
+
+std::string element_name(std::string const &identifier, Object const &object, std::uint32_t element) {
+  return element_name(identifier, object.extents, object.members, element);
 }
 
 } // namespace symreal

@@ -14,7 +14,7 @@ std::string value_list(std::vector<double> const &values) {
 }
 
 std::optional<Severity> frozen_severity(Frozen const &state, std::string const &policy) {
-  if (policy == "allow" || (state.is_around && policy == "state")) return {};
+  if (policy == "allow" || state.is_member || (state.is_around && policy == "state")) return {};
   return policy == "warn" ? Severity::warning : Severity::error;
 }
 

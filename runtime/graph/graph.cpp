@@ -2,6 +2,13 @@
 
 namespace symreal {
 
+std::size_t number_count(std::vector<std::size_t> const &extents, std::vector<Member> const &members) {
+  std::size_t count = 1, each = 0;
+  for (std::size_t extent : extents) count *= extent;
+  for (Member const &member : members) each += number_count(member.extents, member.members);
+  return members.empty() ? count : count * each;
+}
+
 Graph without_nodes(Graph const &graph) {
   Graph rest;
   rest.kernel = graph.kernel;

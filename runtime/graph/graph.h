@@ -16,15 +16,27 @@ struct Range {
   double low, high;
 };
 
-// An annotated object: `label` is the text of its annotation, its elements occupy slots first .. first+count-1 of the
-// array of its role. `extents` is empty for a scalar; otherwise their product is `count`.
+// Of a structure: numbers, or structures again, `extents` many.
+struct Member {
+  std::string name;
+  std::vector<std::size_t> extents = {};
+  std::vector<Member> members = {}; // none: numbers
+  bool operator==(Member const &) const = default;
+};
+
+// How many numbers there are in an array of this, or of these members one after the other.
+std::size_t number_count(std::vector<std::size_t> const &extents, std::vector<Member> const &members);
+
+// An annotated object: `label` is the text of its annotation, its numbers occupy slots first .. first+count-1 of the
+// array of its role. `extents` is empty where it is no array.
 struct Object {
   std::string label;
   std::vector<std::size_t> extents;
   std::uint32_t first = 0;
   std::uint32_t count = 1;
   Place place = {};
-  std::optional<Range> range = {}; // inputs: where verification samples
+  std::optional<Range> range = {};  // inputs: where verification samples
+  std::vector<Member> members = {}; // of each element, if these are structures
 };
 
 // State that was read while recording and is neither input nor parameter: its value is baked into the program.
@@ -33,6 +45,7 @@ struct Frozen {
   Place place;
   std::vector<double> values;
   bool is_around = false;                 // a local of the function around a block kernel
+  bool is_member = false;                 // integers of a structure that is annotated
   std::vector<std::uintptr_t> stack = {}; // return addresses of the first read, which the text does not keep
 };
 

@@ -82,9 +82,9 @@ private:
   static void read_object(Line &line, std::vector<Object> &objects, std::vector<double> *values) {
     Object object;
     object.label = line.string("the label");
-    std::size_t count = 1;
     object.extents = line.extents();
-    for (std::size_t extent : object.extents) count *= extent;
+    object.members = read_members(line);
+    std::size_t const count = number_count(object.extents, object.members);
     object.place = line.optional_place();
     if (line.accept("range")) {
       double low = line.number("lower end of the range");
@@ -98,9 +98,24 @@ private:
     for (std::size_t k = 0; k < count; ++k) values->push_back(given ? line.number("a value") : 0);
   }
 
+  // { "name" [n] { ... } ... }, or nothing.
+  static std::vector<Member> read_members(Line &line) {
+    std::vector<Member> members;
+    if (!line.accept("{")) return members;
+    while (!line.accept("}")) {
+      Member member{line.string("the name of a member")};
+      member.extents = line.extents();
+      member.members = read_members(line);
+      members.push_back(std::move(member));
+    }
+    if (members.empty()) line.error("a structure without members");
+    return members;
+  }
+
   void read_frozen(Line &line) {
     Frozen frozen{line.string("the name"), line.optional_place(), {}};
     frozen.is_around = line.accept("around");
+    frozen.is_member = line.accept("member");
     if (line.accept("="))
       while (!line.done()) frozen.values.push_back(line.number("a value"));
     graph_.frozen.push_back(std::move(frozen));

@@ -19,11 +19,23 @@ void write_place(std::ostream &out, Place const &place) {
   if (!place.file.empty()) out << " at " << quoted(place.file) << ' ' << place.line << ' ' << place.column;
 }
 
+static void write_shape(std::ostream &out, std::vector<std::size_t> const &extents,
+                        std::vector<Member> const &members) {
+  for (std::size_t extent : extents) out << " [" << extent << ']';
+  if (members.empty()) return;
+  out << " {";
+  for (Member const &member : members) {
+    out << ' ' << quoted(member.name);
+    write_shape(out, member.extents, member.members);
+  }
+  out << " }";
+}
+
 static void write_objects(std::ostream &out, char const *role, std::vector<Object> const &objects,
                           std::vector<double> const *values) {
   for (Object const &object : objects) {
     out << role << ' ' << quoted(object.label);
-    for (std::size_t extent : object.extents) out << " [" << extent << ']';
+    write_shape(out, object.extents, object.members);
     write_place(out, object.place);
     if (object.range) out << " range " << shortest(object.range->low) << ' ' << shortest(object.range->high);
     if (values) {
@@ -52,6 +64,7 @@ void write_graph(std::ostream &out, Graph const &graph) {
     out << "frozen " << quoted(frozen.name);
     write_place(out, frozen.place);
     if (frozen.is_around) out << " around";
+    if (frozen.is_member) out << " member";
     out << " =";
     for (double value : frozen.values) out << ' ' << shortest(value);
     out << '\n';

@@ -9,9 +9,8 @@ namespace symreal {
 static std::string check_objects(std::vector<Object> const &objects) {
   std::uint32_t next = 0;
   for (Object const &object : objects) {
-    std::size_t product = 1;
-    for (std::size_t extent : object.extents) product *= extent;
-    if (object.first != next || object.count != product) return "object '" + object.label + "' does not fit its slots";
+    if (object.first != next || object.count != number_count(object.extents, object.members))
+      return "object '" + object.label + "' does not fit its slots";
     next += object.count;
   }
   return {};

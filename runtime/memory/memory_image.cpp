@@ -124,7 +124,14 @@ std::vector<Change> MemoryImage::changes(std::vector<Known> known) const {
   return found;
 }
 
-std::vector<Known> MemoryImage::owned(Known object) const {
+std::vector<Known> MemoryImage::owned(Known object, std::vector<HeapBlock> const &blocks) const {
+  auto const block_at = [&blocks](char const *address) -> HeapBlock const * {
+    auto next = std::upper_bound(blocks.begin(), blocks.end(), address,
+                                 [](char const *wanted, HeapBlock const &block) { return wanted < block.begin; });
+    if (next == blocks.begin()) return nullptr;
+    --next;
+    return address < next->begin + next->size ? &*next : nullptr;
+  };
   std::vector<Known> result = {object};
   std::set<char const *> met;
   for (std::size_t next = 0; next < result.size(); ++next) {
@@ -141,6 +148,8 @@ std::vector<Known> MemoryImage::owned(Known object) const {
         Part const *part = part_at(pointer);
         if (part && part->region == Region::heap_block && met.insert(part->begin).second)
           result.push_back({part->begin, part->size});
+        if (HeapBlock const *block = part ? nullptr : block_at(pointer); block && met.insert(block->begin).second)
+          result.push_back({block->begin, block->size});
       }
     }
   }

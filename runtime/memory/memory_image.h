@@ -43,8 +43,8 @@ public:
   char const *before(void const *address) const;
 
   // All that can be reached from these bytes: the blocks of the heap that they point into, what those point into, and
-  // so on. For an object that owns others, in whatever way.
-  std::vector<Known> owned(Known object) const;
+  // so on. For an object that owns others, in whatever way. `blocks`: those that there are now, if they count as well.
+  std::vector<Known> owned(Known object, std::vector<HeapBlock> const &blocks = {}) const;
 
 private:
   struct Part {

@@ -36,6 +36,7 @@ public:
   };
   enum class First { read, written };
 
+  static double value_of(IntegerObject integer) { return Noted{integer, {}, bits(integer), false}.value(); }
   bool is_noted(void const *address) const { return index_.contains(address); }
   void note(IntegerObject integer, Site const &site, First first);
   void change(void const *address);

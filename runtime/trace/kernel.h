@@ -26,6 +26,13 @@ public:
   virtual void begin(std::string const &name, void const *frame) = 0;
   virtual void begin_object(Kind kind, std::string const &label, Place const &place) = 0;
   virtual void element(void *number, bool is_temporary) = 0;
+  // An integer of a structure that is annotated.
+  virtual void integer(IntegerObject) {}
+  // Of a structure the elements are those of its members.
+  virtual void begin_members() {}
+  virtual void begin_member(std::string const &) {}
+  virtual void end_member(std::vector<std::size_t> const &) {}
+  virtual void end_members() {}
   // The bytes of a constant or scratch object, where nothing tells its numbers.
   virtual void bytes(void const *, std::size_t) {}
   // An object that holds annotated numbers, maybe elsewhere.

@@ -1,7 +1,9 @@
 // The original: its own text, annotated by <symreal/original.h>. It is fed and read like the replay, and what a kernel
 // leaves in the memory that outlives it is told as well.
+#include "memory/static_objects.h"
 #include "trace/again.h"
 #include "trace/kernel.h"
+#include "trace/object_layout.h"
 #include "trace/own_memory.h"
 #include "verify/replay_server.h"
 
@@ -10,8 +12,6 @@
 #include <algorithm>
 #include <cstring>
 #include <map>
-#include <sys/mman.h>
-#include <unistd.h>
 
 namespace symreal::trace {
 
@@ -19,16 +19,6 @@ namespace {
 
 using memory::Known;
 using memory::MemoryImage;
-
-// The caller's data may be constant.
-void make_writable(double *number) {
-  static std::vector<MemoryRange> const constant = find_constant_memory();
-  if (std::none_of(constant.begin(), constant.end(), [number](MemoryRange one) { return one.contains(number); }))
-    return;
-  auto const page = static_cast<std::uintptr_t>(sysconf(_SC_PAGESIZE));
-  std::uintptr_t const at = reinterpret_cast<std::uintptr_t>(number), first = at / page * page;
-  mprotect(reinterpret_cast<void *>(first), at + sizeof *number - first, PROT_READ | PROT_WRITE);
-}
 
 class Original final : public Sink {
 public:
@@ -52,6 +42,7 @@ public:
     }
   }
   void bytes(void const *begin, std::size_t size) override {
+    if (kind_ == Kind::output) return returned_.assign(static_cast<char const *>(begin), size), void();
     (kind_ == Kind::scratch ? scratch_ : constant_).push_back({static_cast<char const *>(begin), size});
   }
   void holder(void const *begin, std::size_t size) override {
@@ -71,7 +62,9 @@ public:
     if (!is_wanted_) return;
     bool const is_function = output_file.empty();
     if (!is_again_) {
-      replay::replay_left(image_.changes(known()));
+      std::vector<memory::Change> left = image_.changes(known());
+      std::erase_if(left, [this](memory::Change const &change) { return is_returned(change); });
+      replay::replay_left(left);
       for (double const *one : inputs_) replay::replay_link(output_at(one));
     }
     if (!is_function || !replay::replay_again()) replay::replay_end();
@@ -113,6 +106,12 @@ private:
     }
   }
 
+  // The caller's room for a structure that C returns, which no name leads to, holds it by now.
+  bool is_returned(memory::Change const &change) const {
+    std::string_view const bytes(change.object + change.first, change.end - change.first);
+    return change.region == memory::Region::stack && returned_.find(bytes) != returned_.npos;
+  }
+
   // Which output the number is as well, or -1.
   int output_at(double const *number) const {
     auto const found = std::find(outputs_.begin(), outputs_.end(), number);
@@ -134,6 +133,7 @@ private:
   std::vector<double *> outputs_;
   std::vector<Known> holders_, scratch_, constant_;
   std::map<char *, std::string> own_; // and what was there
+  std::string returned_;              // the bytes of a structure
   Graph interface_;
 };
 
@@ -189,6 +189,27 @@ void symreal_original_bytes(void const volatile *begin, std::size_t size, int is
   for (std::size_t k = 0; k + sizeof(double) <= size; k += sizeof(double)) sink.element(bytes + k, is_temporary != 0);
 }
 
+void symreal_original_layout(void const volatile *begin, char const *layout, symreal_original_visit const *containers,
+                             int is_temporary) {
+  OwnWork const own;
+  struct Numbers final : symreal::trace::LayoutVisitor {
+    void number(void const volatile *address) override { symreal_original_bytes(address, sizeof(double), temporary); }
+    int temporary = 0;
+  } numbers;
+  numbers.temporary = is_temporary;
+  symreal::trace::visit_layout(begin, layout, containers, numbers, nullptr);
+}
+
+void symreal_original_statics(char const *names) {
+  OwnWork const own;
+  std::string const wanted = " " + std::string(names) + " ";
+  for (symreal::memory::StaticObject const &one : symreal::memory::find_static_objects()) {
+    bool const is_c = !one.name.starts_with("_Z"); // gcc numbers the static variables of functions
+    std::string const name = is_c ? one.name.substr(0, one.name.find('.')) : one.name;
+    if (wanted.find(" " + name + " ") != wanted.npos) Kernel::current().sink().bytes(one.begin, one.size);
+  }
+}
+
 void symreal_original_holder(void const volatile *begin, std::size_t size) {
   OwnWork const own;
   if (!symreal::trace::is_later) Kernel::current().sink().holder(const_cast<void const *>(begin), size);
@@ -227,10 +248,14 @@ void symreal_original_function_end(int active) {
 }
 
 void symreal_original_returned(int active, char const *label, char const *file, unsigned line, unsigned column,
-                               void const *value, std::size_t size) {
+                               void const *value, std::size_t size, char const *layout) {
   if (!symreal_original_leaving(active)) return;
   if (!symreal_original_object("output", label, file, line, column, nullptr)) return;
-  symreal_original_bytes(value, size, 1);
+  if (layout) {
+    symreal_original_layout(value, layout, nullptr, 1);
+    Kernel::current().sink().bytes(value, size);
+  } else
+    symreal_original_bytes(value, size, 1);
   symreal_original_object_end();
 }
 

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <link.h>
 #include <pthread.h>
+#include <sys/mman.h>
+#include <unistd.h>
 
 namespace symreal {
 
@@ -49,6 +51,16 @@ std::vector<MemoryRange> find_constant_memory() {
       },
       &found);
   return found;
+}
+
+void make_writable(double *number) {
+  memory::OwnWork const own;
+  static std::vector<MemoryRange> const constant = find_constant_memory();
+  if (std::none_of(constant.begin(), constant.end(), [number](MemoryRange one) { return one.contains(number); }))
+    return;
+  auto const page = static_cast<std::uintptr_t>(sysconf(_SC_PAGESIZE));
+  std::uintptr_t const at = reinterpret_cast<std::uintptr_t>(number), first = at / page * page;
+  mprotect(reinterpret_cast<void *>(first), at + sizeof *number - first, PROT_READ | PROT_WRITE);
 }
 
 } // namespace trace

@@ -26,6 +26,9 @@ void widen_around(void const *begin, std::size_t size);
 // Read-only memory of the program and its libraries.
 std::vector<MemoryRange> find_constant_memory();
 
+// The caller's data may be constant, which an input is not.
+void make_writable(double *number);
+
 // What the bookkeeping itself allocates is no memory of the kernel.
 class Pause {
 public:

@@ -1,5 +1,6 @@
 // Recording: annotated numbers become nodes, and at the kernel's end the graph is checked, handed over, and every
 // annotated number becomes an ordinary one again.
+#include "emit/names.h"
 #include "support/number.h"
 #include "trace/deliver.h"
 #include "trace/environment.h"
@@ -13,7 +14,6 @@
 #include "trace/trap.h"
 
 #include <algorithm>
-#include <numeric>
 #include <set>
 #include <unordered_map>
 
@@ -45,7 +45,9 @@ public:
 
   void begin_object(Kind kind, std::string const &label, Place const &place) override {
     kind_ = kind;
-    object_ = {label, {}, 0, 0, place, {}};
+    object_ = {label, {}, 0, 0, place};
+    shape_.clear();
+    is_ragged_ = false;
     kept_.clear();
     for (Object const &met : objects(kind)) {
       if (met.label != label || met.place.line != place.line || met.place.column != place.column) continue;
@@ -71,7 +73,10 @@ public:
       break;
     case Kind::input:
     case Kind::parameter: {
-      if (!is_temporary) claim(number);
+      if (!is_temporary) {
+        claim(number);
+        make_writable(static_cast<double *>(number));
+      }
       bool is_input = kind_ == Kind::input;
       std::vector<double> &values = is_input ? graph_.input_values : graph_.parameter_values;
       double value = pool.carried_value(real);
@@ -86,9 +91,43 @@ public:
     ++object_.count;
   }
 
+  void integer(IntegerObject integer) override {
+    Pause const pause;
+    std::string name = object_.label;
+    for (Level const &level : shape_) name += "." + level.members.back().name;
+    if (kind_ == Kind::input || kind_ == Kind::parameter) State::current().member(integer, name, object_.place);
+  }
+
+  void begin_members() override { shape_.emplace_back(); }
+  void begin_member(std::string const &name) override {
+    shape_.back().members.push_back({name});
+    shape_.back().count_before = object_.count;
+  }
+  void end_member(std::vector<std::size_t> const &extents) override {
+    Level &level = shape_.back();
+    Member &member = level.members.back();
+    member.extents = extents;
+    std::size_t const count = object_.count - level.count_before;
+    if (number_count(extents, member.members) != count) member = {member.name, {count}};
+    if (count == 0) level.members.pop_back(); // an integer, or nothing
+  }
+  // The elements of an array of structures are of one shape, or the object is one long row.
+  void end_members() override {
+    std::vector<Member> members = std::move(shape_.back().members);
+    shape_.pop_back();
+    std::vector<Member> &known = shape_.empty() ? object_.members : shape_.back().members.back().members;
+    if (known.empty())
+      known = std::move(members);
+    else if (known != members)
+      is_ragged_ = true;
+  }
+
   void end_object(std::vector<std::size_t> extents) override {
-    std::size_t product = std::accumulate(extents.begin(), extents.end(), std::size_t{1}, std::multiplies<>());
-    if (product != object_.count) extents = {object_.count}; // ragged: one long row
+    if (is_ragged_) object_.members.clear();
+    if (number_count(extents, object_.members) != object_.count) { // ragged: one long row
+      object_.members.clear();
+      extents = {object_.count};
+    }
     object_.extents = std::move(extents);
     if (kind_ == Kind::constant || kind_ == Kind::scratch) return;
     if (!kept_.empty()) report_kept();
@@ -152,10 +191,14 @@ private:
 
   // Elements of the output that the kernel did not write hold what the caller had there.
   void report_kept() const {
-    std::string elements = object_.count == 1 ? "" : kept_.size() == 1 ? " in element" : " in elements";
+    std::string const what = object_.members.empty() ? "element" : "member";
+    std::string elements = object_.count == 1 ? "" : " in " + what + (kept_.size() == 1 ? "" : "s");
     constexpr std::size_t most = 4;
-    for (std::size_t k = 0; object_.count > 1 && k < std::min(kept_.size(), most); ++k)
-      elements += (k ? ", " : " ") + std::to_string(kept_[k].element);
+    for (std::size_t k = 0; object_.count > 1 && k < std::min(kept_.size(), most); ++k) {
+      auto const element = static_cast<std::uint32_t>(kept_[k].element);
+      elements += k ? ", " : " ";
+      elements += object_.members.empty() ? std::to_string(element) : element_name("", object_, element).substr(1);
+    }
     if (kept_.size() > most) elements += ", ...";
     report({DiagnosticId::output_keeps_value, Severity::error, object_.place,
             "output '" + object_.label + "' is not written by the kernel" + elements +
@@ -220,6 +263,12 @@ private:
     std::size_t element;
     double value;
   };
+  struct Level {
+    std::vector<Member> members;
+    std::size_t count_before; // of the numbers of the object, when the last of them began
+  };
+  std::vector<Level> shape_; // of the structure that is walked through, outermost first
+  bool is_ragged_ = false;
   std::vector<Kept> kept_;         // of this output
   std::set<std::string> overlaps_; // that are reported
   OperationCounts executed_before_;

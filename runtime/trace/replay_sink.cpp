@@ -1,5 +1,6 @@
 // Replay: the same annotations on ordinary doubles, fed and read by the client of verify/replay_server.h.
 #include "trace/kernel.h"
+#include "trace/own_memory.h"
 #include "verify/replay_server.h"
 
 namespace symreal::trace {
@@ -13,8 +14,8 @@ public:
   void element(void *number, bool) override {
     auto *real = static_cast<double *>(number);
     switch (kind_) {
-    case Kind::input: return replay::replay_input(real);
-    case Kind::parameter: return replay::replay_parameter(real);
+    case Kind::input: make_writable(real); return replay::replay_input(real);
+    case Kind::parameter: make_writable(real); return replay::replay_parameter(real);
     case Kind::output: return replay::replay_output(*real);
     case Kind::constant:
     case Kind::scratch: return;

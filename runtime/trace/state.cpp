@@ -186,6 +186,16 @@ void State::input(RealNumber const *number, std::string const &label, Place cons
   inputs_.push_back({number, number->to_bits(), &*labels_.insert(label).first, place});
 }
 
+void State::member(IntegerObject integer, std::string const &label, Place const &place) {
+  if (!members_.insert(integer.address).second) return;
+  // Where the kernel reads it, it is its own: an argument by value.
+  if (detail::on_own_stack(integer.address) || is_private(site_of(integer.address, "", ""))) {
+    Frozen &copy = copies_.try_emplace(label, Frozen{label, place, {}}).first->second;
+    copy.values.push_back(Integers::value_of(integer));
+    copy.is_member = true;
+  }
+}
+
 bool State::output(RealNumber const *number) {
   Marks const before = shadow_.at(number);
   shadow_.add(number, sizeof *number, mark::output);
@@ -233,8 +243,27 @@ void State::report_lost(Site const &site) {
           "'" + std::string(site.name) + "' is written by the kernel and is no output"});
 }
 
+// Nothing that is left in this object is lost, nor in the blocks of the heap that can be reached from it: what owns
+// them, a container, a smart pointer, a plain pointer to what is hidden elsewhere, cannot be told from the bytes.
+void State::leave(memory::Known object, std::vector<memory::HeapBlock> const &blocks) {
+  std::vector<memory::Known> const all = image_ ? image_->owned(object, blocks) : std::vector<memory::Known>{object};
+  for (memory::Known const &one : all) {
+    if ((shadow_.at(one.begin) & mark::freed) != 0) continue;
+    for (std::size_t k = 0; k < one.size / sizeof(RealNumber); ++k) {
+      RealNumber const *number = reinterpret_cast<RealNumber const *>(one.begin) + k;
+      shadow_.add(number, sizeof *number, mark::scratch);
+      make_plain(number);
+    }
+    integers_.forget(one.begin, one.size);
+  }
+}
+
 // Nothing that a scratch object holds is lost.
 void State::mark_scratch() {
+  std::vector<memory::HeapBlock> const blocks = memory::heap_blocks();
+  for (auto const &[begin, object] : names_)
+    if (scratch_files_.contains(place_of(object.site).file))
+      scratch_.push_back({begin, object.size, [](void const *, Numbers &) {}});
   for (Scratch const &one : scratch_) {
     if ((shadow_.at(one.object) & mark::freed) != 0) continue;
     struct {
@@ -245,11 +274,9 @@ void State::mark_scratch() {
       }
       void operator()(IntegerObject integer) const { state.integers_.forget(integer); }
     } left{*this};
-    for (std::size_t k = 0; k < one.size / sizeof(RealNumber); ++k)
-      left(static_cast<RealNumber const *>(one.object) + k);
     Numbers numbers(left);
     one.visit(one.object, numbers);
-    integers_.forget(one.object, one.size);
+    leave({static_cast<char const *>(one.object), one.size}, blocks);
   }
 }
 
@@ -281,7 +308,8 @@ void State::judge_integers() {
     else if (one.is_lost() && !is_private(one.site))
       report_lost(one.site);
     else if (one.is_read && !is_constant)
-      reads_[one.site].integers.push_back(one.value());
+      (members_.contains(one.integer.address) ? reads_[one.site].members : reads_[one.site].integers)
+          .push_back(one.value());
   }
 }
 
@@ -296,10 +324,7 @@ void State::warn_overlooked() const {
 // What was read keeps the value that it had then, unless it has changed.
 void State::judge_reads(std::vector<Frozen> &frozen) {
   for (auto &[site, read] : reads_) {
-    Frozen state{std::string(site.name),
-                 written_place(site.place),
-                 {},
-                 site.scope == detail::Scope::around,
+    Frozen state{std::string(site.name), written_place(site.place), {}, site.scope == detail::Scope::around, false,
                  std::move(read.stack)};
     std::vector<double> kept; // by outputs
     for (std::size_t k = 0; k < read.numbers.size(); ++k) {
@@ -318,8 +343,13 @@ void State::judge_reads(std::vector<Frozen> &frozen) {
       report({DiagnosticId::output_keeps_value, Severity::error, state.place,
               "'" + state.name + "' is an output, and what it held before (" + shortest(kept[0]) +
                   (kept.size() > 1 ? ", ...)" : ")") + " is part of a result"});
+    Frozen members = state;
+    members.values = std::move(read.members);
+    members.is_member = true;
+    if (!members.values.empty()) frozen.push_back(std::move(members));
     if (!state.values.empty()) frozen.push_back(std::move(state));
   }
+  for (auto &[label, copy] : copies_) frozen.push_back(std::move(copy));
 }
 
 void State::judge_writes() {
@@ -349,7 +379,7 @@ std::vector<Frozen> State::end(Place const &kernel) {
   std::vector<Frozen> frozen;
   judge_reads(frozen);
   for (auto &[function, values] : outside_)
-    frozen.push_back({function.first, {}, std::move(values), false, function.second});
+    frozen.push_back({function.first, {}, std::move(values), false, false, function.second});
   judge_writes();
   judge_memory(kernel);
   image_.reset();
@@ -359,6 +389,7 @@ std::vector<Frozen> State::end(Place const &kernel) {
            std::tie(b.place.file, b.place.line, b.place.column, b.name);
   });
   if (overlooked_) warn_overlooked();
+  tell_clauses(frozen, kernel);
   shadow_.clear();
   return frozen;
 }

@@ -40,10 +40,13 @@ public:
   void check_bits(void const *begin, std::size_t size, char const *name, char const *place);
   void const *other_range_end(void const *end, bool is_last, char const *place);
   void constant(void const *begin, std::size_t size);
+  // An integer of a structure that is annotated: it is baked in, which is known.
+  void member(IntegerObject integer, std::string const &label, Place const &place);
   void input(RealNumber const *number, std::string const &label, Place const &place);
   // Whether the kernel wrote it, as far as is known, or it is an input. If not, it holds what it held before.
   bool output(RealNumber const *number);
   void scratch(void const *object, std::size_t size, detail::Visit visit);
+  void scratch_file(char const *file) { scratch_files_.insert(file); }
   // For arms that are both executed (<symreal/branch.h>). Is it somewhere that outlives the kernel, and not met yet?
   bool is_foreign(RealNumber const *number);
   bool take_written(RealNumber const *number);
@@ -72,6 +75,7 @@ private:
     std::vector<RealNumber const *> numbers;
     std::vector<double> values;
     std::vector<double> integers;      // that are frozen, known when the kernel ends
+    std::vector<double> members;       // those of them that belong to annotated structures
     std::vector<std::uintptr_t> stack; // of the first
   };
   struct Written {
@@ -111,6 +115,7 @@ private:
   void make_plain(RealNumber const *number);
   void report_lost(Site const &site);
   void mark_scratch();
+  void leave(memory::Known object, std::vector<memory::HeapBlock> const &blocks);
   void judge_inputs();
   void judge_reads(std::vector<Frozen> &frozen);
   void judge_writes();
@@ -120,6 +125,8 @@ private:
   void judge_memory(Place const &kernel);
   void judge_integers();
   static Place place_of(Site const &site);
+  // state_clauses.cpp
+  void tell_clauses(std::vector<Frozen> const &frozen, Place const &kernel) const;
   void warn_overlooked() const;
 
   Shadow shadow_;
@@ -133,8 +140,11 @@ private:
   std::vector<RealNumber const *> outputs_;
   std::optional<memory::MemoryImage> image_; // from when the kernel began
   std::set<std::string> labels_;             // of inputs
+  std::set<void const *> members_;           // integers of annotated structures
+  std::map<std::string, Frozen> copies_;     // those that lie in the kernel's own arguments, by name
   std::vector<Changed> changed_;
   std::vector<Scratch> scratch_;
+  std::set<std::string> scratch_files_;
   std::vector<RangeEnd> range_ends_;
   std::map<std::pair<std::string, std::vector<std::uintptr_t>>, std::vector<double>> outside_; // by name and stack
   std::set<Site> reported_;

@@ -69,6 +69,12 @@ void scratch(void const *object, std::size_t size, Visit visit) noexcept {
   State::current().scratch(object, size, visit);
 }
 
+void scratch_file(char const *file) noexcept {
+  if (!recording) return;
+  Pause const pause;
+  State::current().scratch_file(file);
+}
+
 void constant_bytes(void const *object, std::size_t size) noexcept {
   if (!recording) return;
   Pause const pause;

@@ -63,7 +63,7 @@ double f(double x) { return x; }
 #pragma symreal function input(x, z) output(return)
 double f(double x) { return x; }
 //--- i.cpp
-// I: i.cpp:2:32: error: 'x' is a pointer, which does not say how much it points to [SYM026]
+// I: i.cpp:2:32: error: 'x' is a pointer, which does not say how much it points to: '*x' or 'x[0:n]' does [SYM026]
 #pragma symreal function input(x) output(return)
 double f(double *x) { return x[0]; }
 //--- j.cpp

@@ -40,6 +40,9 @@ template <class T> void visit(void const *object, Numbers &numbers) { numbers.vi
 // What these bytes, and the numbers that the object owns when the kernel ends, hold then does not matter.
 void scratch(void const *object, std::size_t size, Visit visit) noexcept;
 
+// The same of the objects of static storage duration that a file defines.
+void scratch_file(char const *file) noexcept;
+
 bool begin_function(Program, char const *name, SourcePlace, unsigned call) noexcept;
 void end_function() noexcept;
 void end_region(Program, char const *file_name, SourcePlace) noexcept;
@@ -171,6 +174,12 @@ template <Kind kind, class T> void declare(char const *label, SourcePlace place,
   detail::end_object(nullptr, 0);
 }
 
+inline void declare_file(char const *label, SourcePlace place) {
+  if (!detail::begin_object(detail::program, Kind::scratch, label, place)) return;
+  detail::scratch_file(place.file);
+  detail::end_object(nullptr, 0);
+}
+
 template <Kind kind, class Element>
 void declare_section(char const *label, SourcePlace place, Extents const &shape, Element element) {
   if (!detail::begin_object(detail::program, kind, label, place)) return;
@@ -195,8 +204,9 @@ inline void generate(char const *file_name, SourcePlace place) noexcept {
 // The pointer itself; where it points to memory that cannot be written, a private copy of pointer[0 .. low+count).
 // Memory behind the copy cannot be accessed: what the annotation does not declare is not read by accident.
 template <class T> T const *rebind(T const *pointer, std::size_t low, std::size_t count) noexcept {
-  static_assert(std::is_trivially_copyable_v<T>);
-  return static_cast<T const *>(detail::private_copy(pointer, low * sizeof(T), count * sizeof(T)));
+  if constexpr (std::is_trivially_copyable_v<T>)
+    return static_cast<T const *>(detail::private_copy(pointer, low * sizeof(T), count * sizeof(T)));
+  return pointer;
 }
 
 // The kernel of a function with a pragma: recorded during the chosen outermost call, inert in every other.
@@ -258,6 +268,10 @@ public:
     }
     return copy;
   }
+
+  // The same for a structure (<symreal/object_layout.h>).
+  template <class... Containers, class T>
+  auto returned_layout(char const *label, SourcePlace place, char const *layout, T &&result);
 
   // A function with selects among its `return`s knows what it returns at the last of them: until then each only says
   // what the output is called.

@@ -59,7 +59,10 @@
 #define SYMREAL_OBJECT(...)
 #define SYMREAL_DECLARE(...)
 #define SYMREAL_DECLARE_SECTION(...)
+#define SYMREAL_FILE(...)
 #define SYMREAL_SECTION(...)
+#define SYMREAL_LAYOUT(...)
+#define SYMREAL_LAYOUT_SECTION(...)
 #define SYMREAL_RANGE(...)
 #define SYMREAL_TABLE(...)
 #define SYMREAL_REBIND(...)
@@ -68,12 +71,14 @@
 #define SYMREAL_OUTPUTS_BEGIN
 #define SYMREAL_OUTPUTS_END
 #define SYMREAL_RETURN(label, file, line, column, ...) __VA_ARGS__
+#define SYMREAL_RETURN_LAYOUT(label, file, line, column, layout, types, ...) __VA_ARGS__
 #define SYMREAL_GENERATE(...)
 
 #else
 
 #include <symreal/annotate.h>
 #include <symreal/fit.h>
+#include <symreal/object_layout.h>
 
 /* A type of C, whose sources are compiled as C++ here. */
 #ifndef _Bool
@@ -224,6 +229,7 @@ public:                                                                         
   ::symreal::annotate(::symreal::Kind::kind, label, SYMREAL_PLACE(file, line, column), __VA_ARGS__);
 #define SYMREAL_DECLARE(kind, label, file, line, column, ...)                                                          \
   ::symreal::declare<::symreal::Kind::kind>(label, SYMREAL_PLACE(file, line, column), __VA_ARGS__);
+#define SYMREAL_FILE(label, file, line, column) ::symreal::declare_file(label, SYMREAL_PLACE(file, line, column));
 #define SYMREAL_SECTION(kind, label, file, line, column, extents, ...)                                                 \
   ::symreal::annotate_section(::symreal::Kind::kind, label, SYMREAL_PLACE(file, line, column), extents,                \
                               [&](std::size_t const *symreal_i) -> decltype(auto) {                                    \
@@ -236,6 +242,18 @@ public:                                                                         
                                                       (void)symreal_i;                                                 \
                                                       return (__VA_ARGS__);                                            \
                                                     });
+/* Structures: `types` are those of the containers in them, in parentheses. */
+#define SYMREAL_LAYOUT(kind, label, file, line, column, layout, types, ...)                                            \
+  ::symreal::detail::annotate_layout<SYMREAL_WORDS types>(                                                             \
+      ::symreal::Kind::kind, label, SYMREAL_PLACE(file, line, column), layout, __builtin_addressof(__VA_ARGS__));
+#define SYMREAL_LAYOUT_SECTION(kind, label, file, line, column, extents, layout, types, ...)                           \
+  ::symreal::detail::annotate_layout_section<SYMREAL_WORDS types>(                                                     \
+      ::symreal::Kind::kind, label, SYMREAL_PLACE(file, line, column), extents,                                        \
+      layout, [&](std::size_t const *symreal_i) -> void const volatile * {                                             \
+        (void)symreal_i;                                                                                               \
+        return __builtin_addressof(__VA_ARGS__);                                                                       \
+      });
+#define SYMREAL_WORDS(...) __VA_ARGS__
 #define SYMREAL_RANGE(low, high) ::symreal::set_range(low, high);
 #ifdef MBD_SYMBOLIC
 #define SYMREAL_TABLE(pointer, ...) ::symreal::declare_table(pointer, static_cast<std::size_t>(__VA_ARGS__));
@@ -253,6 +271,8 @@ public:                                                                         
   });
 #define SYMREAL_RETURN(label, file, line, column, ...)                                                                 \
   (symreal_kernel.returned(label, SYMREAL_PLACE(file, line, column), __VA_ARGS__))
+#define SYMREAL_RETURN_LAYOUT(label, file, line, column, layout, types, ...)                                           \
+  (symreal_kernel.returned_layout<SYMREAL_WORDS types>(label, SYMREAL_PLACE(file, line, column), layout, __VA_ARGS__))
 #define SYMREAL_GENERATE(name, file, line, column) ::symreal::generate(name, SYMREAL_PLACE(file, line, column));
 
 #endif

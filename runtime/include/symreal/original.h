@@ -15,6 +15,15 @@ int symreal_original_object(char const *kind, char const *label, char const *fil
                             void const *frame);
 /* Its numbers, row by row, each sizeof(double) bytes; of a constant or scratch object its bytes. */
 void symreal_original_bytes(void const volatile *begin, __SIZE_TYPE__ size, int is_temporary);
+/* The same of a structure, by where its numbers lie (object_layout.h); `containers` visit the elements of those in it.
+ */
+typedef void (*symreal_original_each)(void *context, void const volatile *element);
+typedef __SIZE_TYPE__ (*symreal_original_visit)(void const volatile *container, symreal_original_each each,
+                                                void *context, __SIZE_TYPE__ *extents);
+void symreal_original_layout(void const volatile *begin, char const *layout, symreal_original_visit const *containers,
+                             int is_temporary);
+/* All objects of static storage duration with these names of the linker, separated by blanks. */
+void symreal_original_statics(char const *names);
 /* An object that holds such numbers, maybe elsewhere: of an output its own bytes may change as well. */
 void symreal_original_holder(void const volatile *begin, __SIZE_TYPE__ size);
 void symreal_original_object_end(void);
@@ -30,9 +39,9 @@ int symreal_original_leaving(int active);
 void symreal_original_function_end(int active);
 /* The generated code of the kernel: 0, or the guard that does not hold. */
 int symreal_original_compute(double const *input, double const *parameters, double *output);
-/* The returned value, as an output. */
+/* The returned value, as an output; of a structure with its layout. */
 void symreal_original_returned(int active, char const *label, char const *file, unsigned line, unsigned column,
-                               void const *value, __SIZE_TYPE__ size);
+                               void const *value, __SIZE_TYPE__ size, char const *layout);
 void symreal_original_generate(char const *name, char const *file, unsigned line, unsigned column);
 /* Objects are looked up when the function is entered, and read when it returns. */
 void symreal_original_later(int active);
@@ -63,19 +72,31 @@ void symreal_original_keep(void const *frame);
 #define SYMREAL_ORIGINAL_AGAIN(active)
 #endif
 
+#define SYMREAL_WORDS(...) __VA_ARGS__
+#define SYMREAL_ORIGINAL_STATICS(names) symreal_original_statics(names)
+#define SYMREAL_REAL double
+
 #ifndef __cplusplus
 
 #define SYMREAL_ORIGINAL_IS_ACTIVE symreal_kernel
 #define SYMREAL_ORIGINAL_OWN(object) symreal_original_own(&(object), sizeof(object));
 #define SYMREAL_ORIGINAL_NUMBERS(...) symreal_original_bytes(&(__VA_ARGS__), sizeof(__VA_ARGS__), 0)
 #define SYMREAL_ORIGINAL_BYTES SYMREAL_ORIGINAL_NUMBERS
+#define SYMREAL_ORIGINAL_LAYOUT(layout, types, ...) symreal_original_layout(&(__VA_ARGS__), layout, 0, 0)
 #define SYMREAL_ORIGINAL_FUNCTION(name, file, line, column, call)                                                      \
   int const symreal_kernel = symreal_original_function(name, file, line, column, call, SYMREAL_ORIGINAL_FRAME);        \
   SYMREAL_ORIGINAL_AGAIN(symreal_kernel)
 #define SYMREAL_RETURN(label, file, line, column, ...)                                                                 \
   (__extension__({                                                                                                     \
     double const symreal_value = (__VA_ARGS__);                                                                        \
-    symreal_original_returned(symreal_kernel, label, file, line, column, &symreal_value, sizeof symreal_value);        \
+    symreal_original_returned(symreal_kernel, label, file, line, column, &symreal_value, sizeof symreal_value, 0);     \
+    symreal_value;                                                                                                     \
+  }))
+#define SYMREAL_RETURN_LAYOUT(label, file, line, column, layout, types, ...)                                           \
+  (__extension__({                                                                                                     \
+    __typeof__(__VA_ARGS__) const symreal_value = (__VA_ARGS__);                                                       \
+    symreal_original_returned(symreal_kernel, label, file, line, column, &symreal_value, sizeof symreal_value,         \
+                              layout);                                                                                 \
     symreal_value;                                                                                                     \
   }))
 #ifndef __clang__
@@ -148,6 +169,33 @@ template <class T> void walk(T &object, bool is_temporary) {
   look(object, is_temporary, Choice<9>());
 }
 template <class T> void numbers(T &&object) { walk(object, !IsLvalue<T &&>::value); }
+/* What is in a container of a structure. */
+template <class T> struct Elements {
+  symreal_original_each each;
+  void *context;
+  template <class Element> void operator()(Element &element) const {
+    each(context, &reinterpret_cast<char const volatile &>(element));
+  }
+};
+template <class T> auto visit_elements(T &object, Elements<T> const &visit, Choice<1>)
+    -> decltype(object.rows(), object.cols(), static_cast<void>(object(0, 0))) {
+  for (decltype(object.rows() + 0) i = 0; i < object.rows(); ++i)
+    for (decltype(object.cols() + 0) j = 0; j < object.cols(); ++j) visit(object(i, j));
+}
+template <class T> void visit_elements(T &object, Elements<T> const &visit, Choice<0>) {
+  for (decltype(object.size() + 0) i = 0; i < object.size(); ++i) visit(object[i]);
+}
+template <class T> __SIZE_TYPE__ visit_container(void const volatile *container, symreal_original_each each,
+                                                 void *context, __SIZE_TYPE__ *) {
+  visit_elements(*static_cast<T *>(const_cast<void *>(container)), Elements<T>{each, context}, Choice<1>());
+  return 0; /* the recording knows them */
+}
+template <class... Containers> struct Visits {
+  static symreal_original_visit const *list() {
+    static symreal_original_visit const visits[] = {visit_container<Containers>..., 0};
+    return visits;
+  }
+};
 template <class T> void bytes(T const &object) {
   symreal_original_bytes(&reinterpret_cast<char const volatile &>(object), sizeof object, 0);
 }
@@ -183,6 +231,19 @@ public:
     return result;
   }
 
+  template <class... Containers, class Value>
+  typename Returned<Value>::Type returned_layout(char const *label, char const *file, unsigned line, unsigned column,
+                                                 char const *layout, Value &&value) {
+    typename Returned<Value>::Type result(static_cast<Value &&>(value));
+    if (symreal_original_leaving(active_) && symreal_original_object("output", label, file, line, column, 0)) {
+      symreal_original_holder(&reinterpret_cast<char const volatile &>(result), sizeof result);
+      symreal_original_layout(&reinterpret_cast<char const volatile &>(result), layout, Visits<Containers...>::list(),
+                              1);
+      symreal_original_object_end();
+    }
+    return result;
+  }
+
 private:
   int active_;
 };
@@ -212,10 +273,15 @@ template <class Outputs> OnReturn<Outputs> on_return(int active, Outputs outputs
   symreal_original_own(&reinterpret_cast<char const volatile &>(object), sizeof(object));
 #define SYMREAL_ORIGINAL_NUMBERS(...) ::symreal_original::numbers(__VA_ARGS__)
 #define SYMREAL_ORIGINAL_BYTES(...) ::symreal_original::bytes(__VA_ARGS__)
+#define SYMREAL_ORIGINAL_LAYOUT(layout, types, ...)                                                                    \
+  symreal_original_layout(__builtin_addressof(__VA_ARGS__), layout,                                                    \
+                          ::symreal_original::Visits<SYMREAL_WORDS types>::list(), 0)
 #define SYMREAL_ORIGINAL_FUNCTION(name, file, line, column, call)                                                      \
   ::symreal_original::Kernel symreal_kernel(name, file, line, column, call, SYMREAL_ORIGINAL_FRAME);                   \
   SYMREAL_ORIGINAL_AGAIN(symreal_kernel.active())
 #define SYMREAL_RETURN(label, file, line, column, ...) (symreal_kernel.returned(label, file, line, column, __VA_ARGS__))
+#define SYMREAL_RETURN_LAYOUT(label, file, line, column, layout, types, ...)                                           \
+  (symreal_kernel.returned_layout<SYMREAL_WORDS types>(label, file, line, column, layout, __VA_ARGS__))
 #define SYMREAL_ORIGINAL_OUTPUTS(...)                                                                                  \
   auto symreal_outputs = ::symreal_original::on_return(symreal_kernel.active(), [&] { __VA_ARGS__ });                  \
   (void)symreal_outputs;
