@@ -41,11 +41,16 @@ Rewording rewording(Wrap const &wrap, bool is_shared) {
   case Use::counted: return make("SYMREAL_REAL_COUNTED(", ")");
   case Use::as_width:
   case Use::width: return make("SYMREAL_REAL_WIDTH(" + wrap.detail + ", ", ")");
+  case Use::fit: return make("SYMREAL_REAL_FIT(", ")");
+  case Use::before: return make("SYMREAL_REAL_ONLY(" + wrap.detail + ") ", "");
+  case Use::behind: return make("", " SYMREAL_REAL_ONLY(" + wrap.detail + ")");
+  case Use::instead: return make("SYMREAL_REAL_EITHER((", "), " + wrap.detail + ")");
   case Use::division: return make("", " ");
   case Use::conversion: return make("SYMREAL_REAL_TO(" + wrap.detail + ", ", ")");
   case Use::range_begin: return make("SYMREAL_REAL_FIRST(" + wrap.detail + ", ", ")");
   case Use::range_end: return make("SYMREAL_REAL_LAST(" + wrap.detail + ", ", ")");
   case Use::bits: return make("SYMREAL_REAL_BITS(" + wrap.detail + ", ", ")");
+  case Use::view: return make("SYMREAL_REAL_VIEW(" + wrap.detail + ", ", ")");
   case Use::bytes: return make("SYMREAL_REAL_BYTES(" + wrap.detail + ", ", ")");
   case Use::environment: return make("SYMREAL_REAL_ENVIRONMENT(" + wrap.detail + ", ", ")");
   case Use::formatting:
@@ -126,6 +131,15 @@ bool is_laid_out(std::string const &text, Wrap const &wrap) {
   return text.substr(wrap.span.end, end - wrap.span.end).find("REAL_LAYOUT(") != text.npos;
 }
 
+// And for words that only symbolic mode has.
+bool is_inserted(std::string const &text, Wrap const &wrap) {
+  std::string_view const whole = text;
+  std::string const words = "REAL_ONLY(" + wrap.detail + ")";
+  if (wrap.use == Use::before) return whole.substr(0, wrap.span.begin).ends_with(words + " ");
+  std::string_view const behind = whole.substr(wrap.span.end);
+  return wrap.use == Use::behind && (behind.starts_with(" " + words) || behind.starts_with(" SYMREAL_" + words));
+}
+
 void add_wraps(Facts const &facts, std::set<Span> const &pragmas, ByFile &rewordings, Result &result) {
   Wrap const *before = nullptr;
   for (Wrap const &wrap : facts.wraps) {
@@ -139,6 +153,7 @@ void add_wraps(Facts const &facts, std::set<Span> const &pragmas, ByFile &reword
     before = &wrap;
     if (wrap.use >= Use::layout && is_laid_out(facts.files.at(wrap.span.file).text, wrap)) continue;
     if (again || is_rewritten(facts.files.at(wrap.span.file).text, wrap.span)) continue;
+    if (is_inserted(facts.files.at(wrap.span.file).text, wrap)) continue;
     // The function reads the REALs itself, as REALs.
     if (wrap.use == Use::value && facts.number_readers.count(wrap.detail) != 0) continue;
     bool const is_text = wrap.use != Use::pasted && is_quoted(facts, wrap.span);

@@ -51,6 +51,7 @@ enum class Use {
   returned,
   declared, // a variable that another line defines
   cast,
+  fit, // to what the context expects, whose type has no name
   conversion,
   integer, // the type of an integer that stays symbolic
   linkage,
@@ -68,6 +69,7 @@ enum class Use {
   range_begin, // the ends of a range that a library reads
   range_end,
   bits,    // its bytes are used as something else than numbers
+  view,    // a pointer to numbers, or a REAL, that is taken for one to something else
   read,    // its value is used, and it may outlive the kernel
   written, // it gets a new value
   changed, // a library changes it
@@ -81,6 +83,9 @@ enum class Use {
   environment, // errno, and what reads or sets the floating-point environment
   formatting,  // the name of a function that makes text of numbers, or moves text
   text,        // text is read: characters, strings, files
+  before,      // in symbolic mode other words stand in front of it
+  behind,      // in symbolic mode other words stand behind it
+  instead,     // in symbolic mode other words stand there
   // Around all of these:
   later,    // a right operand, where the order of evaluation matters
   now,      // an argument, where it does
@@ -97,7 +102,7 @@ struct Wrap {
   // and state: the other arguments (returned: with the rest of the macro's name before them); value: the function of
   // the program, if it is one, whose variadic argument the expression is; as_width, width: the bits, and whether they
   // are signed; external, table, formatting: the other arguments; pasted: the text that the macro expands to; name: it;
-  // layout, padding: sizes and offsets; prototype: the parameters
+  // layout, padding: sizes and offsets; prototype: the parameters; before, behind, instead: the words
   std::string detail;
   auto operator<=>(Wrap const &) const = default;
 };

@@ -1,15 +1,12 @@
 // Uses of the bytes of a REAL: unions, casts of pointers, functions that move bytes. A node must not be taken for the
 // bytes of its value; where only the run can tell, it is asked.
+#include "rewrite/byte_functions.h"
 #include "rewrite/pragma_text.h"
 #include "rewrite/recorder.h"
 
 namespace symreal::rewrite {
 using namespace clang;
 
-namespace {
-
-// Functions to which the address of REAL objects may go: they move bytes, which carry nodes as well as numbers, or are
-// watched (record_bits.cpp).
 bool moves_bytes(FunctionDecl const *function) {
   static llvm::StringSet<> const names = {"memcpy", "memmove",         "memset", "memcmp",  "bzero",
                                           "free",   "realloc",         "qsort",  "bsearch", "calloc",
@@ -19,15 +16,12 @@ bool moves_bytes(FunctionDecl const *function) {
   return names.contains(name);
 }
 
-} // namespace
-
 // The address of an object goes to a function outside the roots that takes any.
 void Recorder::given_bytes(FunctionDecl const *function, unsigned index, Expr const *argument) {
   if (index >= function->getNumParams() || !function->getParamDecl(index)->getType()->isVoidPointerType()) return;
   QualType const pointee = Reals::pointee(argument);
   if (!pointee.isNull() && !moves_bytes(function) && reals_.carries_real(pointee))
-    report(DiagnosticId::reinterpretation, argument->getBeginLoc(),
-           "the bytes of a REAL go to '" + function->getQualifiedNameAsString() + "', which is outside the roots");
+    looked_into(argument->IgnoreParenImpCasts());
 }
 
 // Functions of the library that look at bytes by themselves.
@@ -45,8 +39,9 @@ void Recorder::bytes_of_arguments(CallExpr const *call, FunctionDecl const *func
                : QualType();
   };
   bool used = false;
-  if (name == "bit_cast" && call->getNumArgs() == 1)
-    used = reals_.carries_real(call->getArg(0)->getType()) != reals_.carries_real(call->getType());
+  if (name == "bit_cast" && call->getNumArgs() == 1 && reals_.carries_real(call->getArg(0)->getType()) &&
+      !reals_.carries_real(call->getType()))
+    note(call->getArg(0)->IgnoreParenImpCasts(), Use::bits);
   if ((name == "as_bytes" || name == "as_writable_bytes") && call->getNumArgs() == 1)
     used = reals_.carries_real(argument_of_class(call->getArg(0)->getType()));
   if (used) report(DiagnosticId::reinterpretation, call->getBeginLoc(), "the bytes of a REAL are used as another type");
@@ -109,9 +104,9 @@ static BuiltinType const *innermost(QualType type) {
 // A cast between pointers says what the bytes are taken for.
 void Recorder::reinterpretation(ExplicitCastExpr const *cast) {
   Expr const *from = cast->getSubExpr();
-  if (cast->getCastKind() == CK_LValueToRValueBitCast &&
-      reals_.carries_real(from->getType()) != reals_.carries_real(cast->getType()))
-    report(DiagnosticId::reinterpretation, cast->getBeginLoc(), "the bytes of a REAL are used as another type");
+  if (cast->getCastKind() == CK_LValueToRValueBitCast && reals_.carries_real(from->getType()) &&
+      !reals_.carries_real(cast->getType()))
+    note(from->IgnoreParenImpCasts(), Use::bits);
   if (cast->getCastKind() != CK_BitCast && cast->getCastKind() != CK_LValueBitCast) return;
   QualType const source = cast->getSubExprAsWritten()->getType();
   BuiltinType const *before = innermost(source), *after = innermost(cast->getType());
@@ -129,14 +124,11 @@ void Recorder::reinterpretation(ExplicitCastExpr const *cast) {
   if (RecordDecl const *record = innermost_type(cast->getType())->getAsRecordDecl();
       record && record->getDefinition() && before && before->getKind() == BuiltinType::Double &&
       !record->getDefinition()->field_empty() && !reals_.carries_real(innermost_type(cast->getType())))
-    report(DiagnosticId::reinterpretation, cast->getBeginLoc(),
-           "the bytes of a REAL are looked at as " + cast->getType().getAsString());
+    view(cast, false);
   if (!before || !after || before->getKind() == after->getKind()) return;
   bool const was_double = before->getKind() == BuiltinType::Double, is_double = after->getKind() == BuiltinType::Double;
   bool const only_counts = is_bytes(after) && counting_casts_.contains(cast);
-  if (was_double && !after->isVoidType() && !only_counts)
-    report(DiagnosticId::reinterpretation, cast->getBeginLoc(),
-           "the bytes of a REAL are looked at as " + cast->getType().getAsString());
+  if (was_double && !after->isVoidType() && !only_counts) view(cast, after->isInteger());
   if (is_double && !is_bytes(before))
     report(DiagnosticId::reinterpretation, cast->getBeginLoc(), source.getAsString() + " is looked at as a REAL");
 }

@@ -8,10 +8,20 @@ using namespace clang;
 
 namespace {
 
-// The definition, if it has parameters.
+// The definition or another declaration, if it has parameters.
 FunctionDecl const *parameters_of_c(FunctionDecl const *function) {
   FunctionDecl const *definition = function->getDefinition();
-  return definition && definition->getNumParams() > 0 ? definition : nullptr;
+  if (definition && definition->getNumParams() > 0) return definition;
+  for (FunctionDecl const *other : function->redecls())
+    if (other->hasWrittenPrototype() && other->getNumParams() > 0) return other;
+  return nullptr;
+}
+
+// The name NULL is a null pointer of any type in C++ as well.
+bool is_null(ImplicitCastExpr const *cast, SourceMap const &map, LangOptions const &language) {
+  SourceLocation const begin = cast->getSubExpr()->getBeginLoc();
+  return cast->getCastKind() == CK_NullToPointer && begin.isMacroID() &&
+         Lexer::getImmediateMacroName(begin, map.sources(), language) == "NULL";
 }
 
 } // namespace
@@ -30,6 +40,12 @@ void Recorder::c_declaration(NamedDecl const *declaration) {
 void Recorder::c_prototype(FunctionDecl const *function) {
   FunctionDecl const *definition = parameters_of_c(function);
   if (function->hasWrittenPrototype() || !definition || !map_.in_roots(function->getLocation())) return;
+  if (!map_.in_roots(definition->getLocation())) { // known from a header, which C++ has with other words
+    std::optional<Span> const name = map_.token(function->getLocation(), function->getName());
+    if (name && !map_.is_argument_of(function->getLocation(), "REAL_EITHER"))
+      facts_.wraps.insert({*name, Use::instead, "symreal_" + function->getNameAsString()});
+    return;
+  }
   std::string parameters;
   for (ParmVarDecl const *parameter : definition->parameters()) {
     std::string declarator = parameter->getNameAsString();
@@ -98,7 +114,8 @@ void Recorder::c_choice(ConditionalOperator const *choice) {
   for (Expr const *arm : {choice->getTrueExpr(), choice->getFalseExpr()})
     if (Expr const *written = arm->IgnoreImpCasts(); isa<StringLiteral>(written->IgnoreParens()))
       wrap(written, Use::cast, spelled(choice->getType()));
-    else if (auto const *cast = dyn_cast<ImplicitCastExpr>(arm); cast && is_pointer_of_c(cast)) {
+    else if (auto const *cast = dyn_cast<ImplicitCastExpr>(arm);
+             cast && is_pointer_of_c(cast) && !is_null(cast, map_, map_.language())) {
       compared_pointers_.insert(cast); // an arm has no context to go by
       wrap(cast->getSubExpr(), Use::cast, spelled(cast->getType()));
     }

@@ -175,6 +175,10 @@ bool DecisionRecorder::becomes_number(ConditionalOperator const *choice) const {
          (isa<BinaryOperator>(*parent) || isa<DeclStmt>(*parent) || isa<ReturnStmt>(*parent));
 }
 
+bool DecisionRecorder::is_symbolic_integer(Expr const *arm) const {
+  return arm->getType()->isIntegerType() && reals_.is_symbolic_integer(arm->IgnoreParenImpCasts());
+}
+
 bool DecisionRecorder::is_lvalue_used(ConditionalOperator const *choice) const {
   if (!choice->isGLValue()) return false;
   Expr const *part = choice;
@@ -193,13 +197,14 @@ void DecisionRecorder::choose_value(ConditionalOperator const *choice) {
   std::optional<Site> const at = site(choice->getQuestionLoc(), choice->getCond());
   if (!at) return;
   bool const in_macro = !map_.sources().getSLocEntry(at->frame).isFile();
-  if (!condition.is_real) {
+  bool const yes = is_symbolic_integer(choice->getTrueExpr()), no = is_symbolic_integer(choice->getFalseExpr());
+  if (!condition.is_real && yes == no) {
     // The macro's text may be changed for other uses.
     if (in_macro && is_lvalue_used(choice) && !choice->isTypeDependent())
       refuse(*at, {choice->getQuestionLoc(), "a use of its macro where the result is an object"});
     return;
   }
-  if (!becomes_number(choice))
+  if (!becomes_number(choice) && !yes && !no)
     return refuse(*at, {choice->getQuestionLoc(), "a '?:' that is no number but " + choice->getType().getAsString()});
   if (is_lvalue_used(choice))
     return refuse(*at, {choice->getQuestionLoc(), "a '?:' that stands for an object, not for its value"});

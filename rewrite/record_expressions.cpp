@@ -103,8 +103,10 @@ void Recorder::implicit_cast(ImplicitCastExpr const *cast, bool decides) {
   case CK_IntegralCast:
     if (!map_.language().CPlusPlus && to->isEnumeralType() && !cast->isPartOfExplicitCast() &&
         !from->IgnoreParens()->getType()->isEnumeralType() &&
-        enumeration_of(from) != to->getAsTagDecl()->getCanonicalDecl())
-      convert(from, Use::cast, spelled(to));
+        enumeration_of(from) != to->getAsTagDecl()->getCanonicalDecl()) {
+      bool const is_named = to->getAsTagDecl()->getIdentifier() || to->getAs<TypedefType>();
+      convert(from, is_named ? Use::cast : Use::fit, spelled(to));
+    }
     return;
   default: return;
   }

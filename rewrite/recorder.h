@@ -124,6 +124,7 @@ public:
   // Bytes of a REAL that are used as something else (record_bits.cpp).
   void union_member(clang::MemberExpr const *member);
   void pointer_cast(clang::CastExpr const *cast);
+  void read_view(clang::Expr const *value);
   void atomic_builtin(clang::AtomicExpr const *call);
   // The operand of sizeof or decltype, or what a concept asks of.
   void looked_at(clang::Expr const *operand);
@@ -159,6 +160,8 @@ private:
   void bytes_of_arguments(clang::CallExpr const *call, clang::FunctionDecl const *function);
 
   void reinterpretation(clang::ExplicitCastExpr const *cast);
+  void view(clang::ExplicitCastExpr const *cast, bool of_integers);
+  void looked_into(clang::Expr const *address);
   void moved_bytes(clang::CallExpr const *call, clang::FunctionDecl const *function);
   void given_bytes(clang::FunctionDecl const *function, unsigned index, clang::Expr const *argument);
   // `named`: the expression that gives the name and the place, if it is another one.
@@ -205,6 +208,7 @@ private:
   Facts &facts_;
   llvm::SmallPtrSet<clang::Expr const *, 32> judged_;           // names whose use is noted already
   llvm::SmallPtrSet<clang::Expr const *, 4> counting_casts_;    // to bytes, which nobody looks at
+  llvm::SmallPtrSet<clang::VarDecl const *, 4> views_;          // local pointers to integers, where numbers lie
   llvm::SmallPtrSet<clang::Expr const *, 4> compared_exactly_;  // conversions to long double that change nothing
   llvm::SmallPtrSet<clang::Expr const *, 4> compared_pointers_; // conversions that C++ makes as well
   llvm::SmallPtrSet<clang::Expr const *, 8> promoted_;          // conversions of arguments that are written out

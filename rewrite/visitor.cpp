@@ -1,7 +1,9 @@
 #include "rewrite/visitor.h"
 
+#include "rewrite/anonymous_structs.h"
 #include "rewrite/boundaries.h"
 #include "rewrite/c_declarations.h"
+#include "rewrite/c_jumps.h"
 #include "rewrite/configured.h"
 #include "rewrite/context_walk.h"
 #include "rewrite/externals.h"
@@ -112,6 +114,7 @@ public:
     if (no_state_ || cast->isTypeDependent()) return true;
     if (cast->getCastKind() == CK_LValueToRValue) {
       record_.read(cast->getSubExpr());
+      record_.read_view(cast->getSubExpr());
       record_.error_read(cast->getSubExpr());
       record_.characters(cast->getSubExpr());
     }
@@ -316,6 +319,8 @@ void record_tree(ASTContext &context, SourceMap const &map, PragmaIndex const &i
   attach_configured_kernels(request, visitor.definitions, map, reals, integers, facts);
   note_file_statics(context, map, facts);
   record_c_declarations(context, map, facts);
+  record_c_jumps(context, map, facts);
+  record_anonymous_structs(context, map, reals, facts);
   record_decisions(context, map, reals, index, facts);
   record_boundaries(context, visitor.definitions, map, reals, facts);
 }

@@ -1,4 +1,5 @@
 // What the macros of a rewritten program tell: on to the State of the thread.
+#include "memory/object_end.h"
 #include "trace/own_memory.h"
 #include "trace/state.h"
 
@@ -55,6 +56,12 @@ void note_changed(void const *object, Visit visit, char const *name, char const 
 
 void check_bits(void const *begin, std::size_t size, char const *name, char const *place) noexcept {
   Pause const pause;
+  State::current().check_bits(begin, size, name, place);
+}
+
+void check_view(void const *begin, char const *name, char const *place) noexcept {
+  Pause const pause;
+  auto const size = static_cast<std::size_t>(memory::object_end(begin) - static_cast<char const *>(begin));
   State::current().check_bits(begin, size, name, place);
 }
 

@@ -46,10 +46,13 @@ template <class C, class Yes, class No>
 [[gnu::always_inline]] inline auto choose(C const &condition, Yes const &yes, No const &no) {
   using Y = decltype(yes());
   using N = decltype(no());
-  if constexpr (!is_symbolic_truth<C>) {
+  using Result = detail::Chosen<Y, N>;
+  if constexpr (!is_symbolic_truth<C> && detail::is_symbolic_int<Y> != detail::is_symbolic_int<N>) {
+    if (condition) return Result(yes()); // neither converts to the other rather than the other way
+    return Result(no());
+  } else if constexpr (!is_symbolic_truth<C>) {
     return condition ? yes() : no();
   } else {
-    using Result = detail::Chosen<Y, N>;
     static_assert(std::is_constructible_v<Result, Y> && std::is_constructible_v<Result, N>,
                   "symreal: only numbers can be chosen symbolically");
     SymbolicBool const chosen(truth(condition));

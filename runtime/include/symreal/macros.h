@@ -39,6 +39,7 @@
 #define SYMREAL_REAL_FIRST(name, place, ...) __VA_ARGS__
 #define SYMREAL_REAL_LAST(name, place, ...) __VA_ARGS__
 #define SYMREAL_REAL_BITS(name, place, ...) __VA_ARGS__
+#define SYMREAL_REAL_VIEW(name, place, ...) __VA_ARGS__
 #define SYMREAL_REAL_BYTES(how, name, place, ...) __VA_ARGS__
 #define SYMREAL_REAL_ENVIRONMENT(what, name, place, ...) __VA_ARGS__
 #define SYMREAL_REAL_FORMAT(how, is_used, place, ...) __VA_ARGS__
@@ -47,6 +48,7 @@
 #define SYMREAL_REAL_PASTED(text, ...) __VA_ARGS__
 #define SYMREAL_REAL_EITHER(original, ...) SYMREAL_ORIGINAL original
 #define SYMREAL_ORIGINAL(...) __VA_ARGS__
+#define SYMREAL_REAL_ONLY(...)
 #define SYMREAL_REAL_BUILTIN(name) __builtin_##name
 #define SYMREAL_REAL_NAME(name) name
 #define SYMREAL_REAL_TYPE(name, ...) name
@@ -126,6 +128,7 @@
 #define SYMREAL_REAL_FIRST(name, place, ...) (::symreal::range_begin(__VA_ARGS__, name, place))
 #define SYMREAL_REAL_LAST(name, place, ...) (::symreal::range_end(__VA_ARGS__, name, place))
 #define SYMREAL_REAL_BITS(name, place, ...) (::symreal::bits(__VA_ARGS__, name, place))
+#define SYMREAL_REAL_VIEW(name, place, ...) (::symreal::view(__VA_ARGS__, name, place))
 /* Stands for memmove (and memcpy) or memset. */
 #define SYMREAL_REAL_BYTES(how, name, place, ...) ::symreal::Bytes(name, place).how
 #define SYMREAL_REAL_ENVIRONMENT(what, name, place, ...) (::symreal::what(name, place), __VA_ARGS__)
@@ -177,6 +180,7 @@ public:                                                                         
 #define SYMREAL_REAL_FIRST(name, place, ...) (__VA_ARGS__)
 #define SYMREAL_REAL_LAST(name, place, ...) (__VA_ARGS__)
 #define SYMREAL_REAL_BITS(name, place, ...) (__VA_ARGS__)
+#define SYMREAL_REAL_VIEW(name, place, ...) (__VA_ARGS__)
 #define SYMREAL_REAL_BYTES(how, name, place, ...) __VA_ARGS__
 #define SYMREAL_REAL_ENVIRONMENT(what, name, place, ...) (__VA_ARGS__)
 #define SYMREAL_REAL_FORMAT(how, is_used, place, ...) __VA_ARGS__
@@ -215,6 +219,8 @@ public:                                                                         
    keeps it. */
 #define SYMREAL_REAL_NAME(name) symreal_##name
 #define SYMREAL_REAL_EITHER(original, ...) __VA_ARGS__
+/* What C++ needs and C has no words for. */
+#define SYMREAL_REAL_ONLY(...) __VA_ARGS__
 #define SYMREAL_REAL_BUILTIN(name) ::std::name
 #define SYMREAL_REAL_TYPE(name, ...) __VA_ARGS__
 #define SYMREAL_REAL_PROTOTYPE(parameters, ...) parameters

@@ -59,6 +59,28 @@ template <int bits, bool is_signed, class T> [[gnu::always_inline]] constexpr au
     return value;
 }
 
+// `T x = value;` that a jump passes: C++ has no jump past an initialisation, so the object gets its value behind its
+// declaration.
+template <class T> class Initialised {
+public:
+  explicit constexpr Initialised(T &object) noexcept : object_(object) {}
+  constexpr void operator=(T const &value) const noexcept { object_ = value; }
+
+private:
+  T &object_;
+};
+template <class T, std::size_t n> class Initialised<T[n]> {
+public:
+  explicit constexpr Initialised(T (&object)[n]) noexcept : object_(object) {}
+  constexpr void operator=(T const (&value)[n]) const noexcept {
+    for (std::size_t k = 0; k < n; ++k) Initialised<T>(object_[k]) = value[k];
+  }
+
+private:
+  T (&object_)[n];
+};
+template <class T> constexpr Initialised<T> initialised(T &object) noexcept { return Initialised<T>(object); }
+
 } // namespace symreal
 
 // Words of C, as gcc has them in C++. What `restrict` promises to the compiler means nothing for the values.

@@ -46,6 +46,8 @@ void note_written(void const *begin, std::size_t size, char const *name, char co
 void note_changed(void const *object, Visit visit, char const *name, char const *place) noexcept;
 // Bytes that are used as something else than numbers: an error where a node is among them.
 void check_bits(void const *begin, std::size_t size, char const *name, char const *place) noexcept;
+// The same, for all that may lie behind a pointer.
+void check_view(void const *begin, char const *name, char const *place) noexcept;
 // The ends of a range come in any order; the second to come gets the other.
 void const *other_range_end(void const *end, bool is_last, char const *place) noexcept;
 
@@ -183,6 +185,17 @@ template <class T> constexpr T &&bits(T &&object, char const *name, char const *
       detail::check_bits(detail::bytes_of(object), 1, name, place);
   }
   return static_cast<T &&>(object);
+}
+
+// Numbers that are looked at as something else: an array, or those that a pointer leads to.
+template <class T> constexpr T &&view(T &&object, char const *name, char const *place) noexcept {
+  if constexpr (!std::is_pointer_v<std::remove_cvref_t<T>>)
+    return bits(static_cast<T &&>(object), name, place);
+  else {
+    if (!__builtin_is_constant_evaluated() && detail::recording && object)
+      detail::check_view(detail::bytes_of(object), name, place);
+    return static_cast<T &&>(object);
+  }
 }
 
 // memcpy, memmove, memset, memcmp, fread and fwrite: what they read and write, where the types tell.
