@@ -59,8 +59,11 @@ template <class Statement> std::string for_elements(rewrite::Annotation const &a
                                                     std::size_t dimensions, Statement const &statement) {
   auto const inner = object.extents.begin() + static_cast<std::ptrdiff_t>(dimensions);
   std::size_t const walked = number_count({inner, object.extents.end()}, {});
-  return for_elements({"(" + annotation.expression + ")", std::to_string(object.first),
-                       {object.extents.begin(), inner}, object.members, walked},
+  return for_elements({"(" + annotation.expression + ")",
+                       std::to_string(object.first),
+                       {object.extents.begin(), inner},
+                       object.members,
+                       walked},
                       annotation.sections, statement);
 }
 

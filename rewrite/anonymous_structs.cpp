@@ -34,6 +34,7 @@ public:
   }
 
   bool VisitMemberExpr(MemberExpr *member) {
+    if (!member->getMemberDecl()->getDeclName()) return true; // part of the way to one that is written
     std::string names;
     for (auto const *base = dyn_cast<MemberExpr>(member->getBase()->IgnoreParenImpCasts());
          base && !base->getMemberDecl()->getDeclName();

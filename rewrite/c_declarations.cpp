@@ -111,7 +111,7 @@ private:
     }
   }
 
-  // What a structure declares, used behind it: in C++ that is another of the name, if there is one.
+  // What a structure declares, used behind it: in C++ that is the structure's, or another of the name if there is one.
   void leave(NamedDecl const *declaration, TagDecl const *tag, SourceLocation use) {
     auto const *record = dyn_cast<RecordDecl>(tag->getLexicalDeclContext());
     if (!record || !declaration->getIdentifier()) return;
@@ -120,6 +120,17 @@ private:
     for (NamedDecl const *other : context_.getTranslationUnitDecl()->lookup(declaration->getDeclName()))
       if (other->getCanonicalDecl() != declaration->getCanonicalDecl())
         return report(use, "'" + declaration->getName().str() + "' is declared in a structure, and is another in C++");
+    std::string words;
+    for (auto const *outer = record; outer; outer = dyn_cast<RecordDecl>(outer->getLexicalDeclContext())) {
+      TypedefNameDecl const *alias = outer->getTypedefNameForAnonDecl();
+      if (outer->isAnonymousStructOrUnion()) continue; // its names are those of the structure around it
+      if (!alias && !outer->getIdentifier())
+        return report(use, "'" + declaration->getName().str() + "' is declared in a structure without a name");
+      words.insert(0, (alias ? alias->getName() : outer->getName()).str() + "::");
+    }
+    if (!map_.in_roots(use)) return;
+    if (std::optional<Span> const token = map_.token(use, declaration->getName()))
+      facts_.wraps.insert({*token, Use::before, words});
   }
 
   ASTContext &context_;

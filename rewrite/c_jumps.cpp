@@ -86,7 +86,7 @@ private:
     auto const first = std::find_if(variables.begin(), variables.end(), is_initialised);
     if (first == variables.end()) return;
     std::vector<Wrap> words;
-    bool possible = !declaration.getBeginLoc().isMacroID() && unlock(declaration, variables, words);
+    bool possible = unlock(declaration, variables, words);
     for (auto one = first; one != variables.end() && possible; ++one) {
       if (one != first) possible = separate(**(one - 1), **one, words);
       if (is_initialised(*one)) possible = possible && assign(**one, words);
@@ -102,7 +102,8 @@ private:
 
   // Objects that get their value later are not const.
   bool unlock(DeclStmt const &declaration, std::vector<VarDecl const *> const &variables, std::vector<Wrap> &words) {
-    SourceLocation from = declaration.getBeginLoc();
+    SourceLocation const begin = context_.getSourceManager().getExpansionLoc(declaration.getBeginLoc());
+    SourceLocation from = begin; // the type may be a macro, such as REAL
     bool const any_pointer = std::any_of(variables.begin(), variables.end(),
                                          [](VarDecl const *one) { return one->getType()->isPointerType(); });
     for (VarDecl const *variable : variables) {
@@ -110,7 +111,7 @@ private:
       if (!type.isConstQualified()) continue;
       if (type->isPointerType()) {
         if (!remove_const(from, variable->getLocation(), true, words)) return false;
-      } else if (any_pointer || !remove_const(declaration.getBeginLoc(), variables[0]->getLocation(), false, words))
+      } else if (any_pointer || !remove_const(begin, variables[0]->getLocation(), false, words))
         return false;
       from = variable->getLocation();
     }
@@ -129,7 +130,9 @@ private:
       at = token.getEndLoc();
     }
     for (SourceLocation const at : found) {
-      if (map_.is_argument_of(at, "REAL_EITHER")) continue; // from the rewriting before
+      auto const [file, offset] = sources.getDecomposedLoc(at);
+      if (sources.getBufferData(file).substr(0, offset).ends_with("REAL_EITHER(("))
+        continue; // from the rewriting before
       std::optional<Span> const token = map_.token(at);
       if (!token) return false;
       words.push_back({*token, Use::instead, ""});
@@ -141,8 +144,8 @@ private:
   bool separate(VarDecl const &before, VarDecl const &variable, std::vector<Wrap> &words) {
     std::optional<Token> const comma = next_token(before.getEndLoc());
     std::string const type = specifier(variable);
+    if (comma && is_ours(*comma, "REAL_EITHER")) return true;
     if (!comma || comma->isNot(tok::comma) || type.empty()) return false;
-    if (map_.is_argument_of(comma->getLocation(), "REAL_EITHER")) return true;
     std::optional<Span> const span = map_.token(comma->getLocation());
     if (span) words.push_back({*span, Use::instead, "; " + type});
     return span.has_value();
@@ -178,6 +181,7 @@ private:
                                           return context_.getSourceManager().isBeforeInTranslationUnit(a, b);
                                         });
     std::optional<Token> const equals = next_token(end);
+    if (equals && is_ours(*equals, "REAL_ONLY")) return true;
     if (!equals || equals->isNot(tok::equal)) return false;
     std::optional<Span> const span = map_.token(equals->getLocation());
     std::string const name = variable.getNameAsString();
@@ -185,6 +189,10 @@ private:
     return span.has_value();
   }
 
+  // From the rewriting before.
+  static bool is_ours(Token const &token, llvm::StringRef macro) {
+    return token.is(tok::raw_identifier) && token.getRawIdentifier().ends_with(macro);
+  }
   std::optional<Token> next_token(SourceLocation end) const {
     if (end.isMacroID()) return std::nullopt;
     return Lexer::findNextToken(end, context_.getSourceManager(), context_.getLangOpts());

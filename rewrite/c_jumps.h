@@ -6,8 +6,8 @@
 
 namespace symreal::rewrite {
 
-// For a source in C: an initialisation that a `case`, a `default` or a `goto` passes becomes an assignment, since C++ has
-// no jump past one.
+// For a source in C: an initialisation that a `case`, a `default` or a `goto` passes becomes an assignment, since C++
+// has no jump past one.
 void record_c_jumps(clang::ASTContext &context, SourceMap const &map, Facts &facts);
 
 } // namespace symreal::rewrite

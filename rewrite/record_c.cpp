@@ -17,6 +17,12 @@ FunctionDecl const *parameters_of_c(FunctionDecl const *function) {
   return nullptr;
 }
 
+// Before it became a pointer to const; an array is a pointer to its elements, which are const in a const object.
+Expr const *as_pointer(Expr const *argument) {
+  auto const *cast = dyn_cast<ImplicitCastExpr>(argument->IgnoreParens());
+  return cast && cast->getCastKind() != CK_ArrayToPointerDecay ? as_pointer(cast->getSubExpr()) : argument;
+}
+
 // The name NULL is a null pointer of any type in C++ as well.
 bool is_null(ImplicitCastExpr const *cast, SourceMap const &map, LangOptions const &language) {
   SourceLocation const begin = cast->getSubExpr()->getBeginLoc();
@@ -129,7 +135,7 @@ void Recorder::c_search(CallExpr const *call) {
   if (map_.language().CPlusPlus || !function || reals_.in_roots(function) || !function->getIdentifier()) return;
   if (!searches.contains(function->getName())) return;
   Expr const *searched = call->getArg(0);
-  QualType const pointee = Reals::pointee(searched);
+  QualType const pointee = as_pointer(searched)->getType()->getPointeeType();
   bool const is_literal = isa<StringLiteral>(searched->IgnoreParenImpCasts()); // whose characters are const in C++ only
   if (is_literal || (!pointee.isNull() && pointee.isConstQualified())) wrap(call, Use::cast, spelled(call->getType()));
 }

@@ -175,8 +175,16 @@ bool DecisionRecorder::becomes_number(ConditionalOperator const *choice) const {
          (isa<BinaryOperator>(*parent) || isa<DeclStmt>(*parent) || isa<ReturnStmt>(*parent));
 }
 
+// The same conversion may stand in a macro's argument, which is expanded into the condition and into the arms.
 bool DecisionRecorder::is_symbolic_integer(Expr const *arm) const {
-  return arm->getType()->isIntegerType() && reals_.is_symbolic_integer(arm->IgnoreParenImpCasts());
+  if (!arm->getType()->isIntegerType() || arm->isTypeDependent()) return false;
+  return reals_.integer_depends(arm, [this](CastExpr const *cast) {
+    auto const *written = dyn_cast<ExplicitCastExpr>(cast);
+    if (!written) return reals_.keeps_integer(cast);
+    TypeLoc const type = written->getTypeInfoAsWritten()->getTypeLoc().getUnqualifiedLoc();
+    std::optional<Span> const span = map_.range(type.getSourceRange());
+    return span && facts_.wraps.contains({*span, Use::integer, ""});
+  });
 }
 
 bool DecisionRecorder::is_lvalue_used(ConditionalOperator const *choice) const {

@@ -3,6 +3,7 @@
 #include "rewrite/anonymous_structs.h"
 #include "rewrite/boundaries.h"
 #include "rewrite/c_declarations.h"
+#include "rewrite/c_generic.h"
 #include "rewrite/c_jumps.h"
 #include "rewrite/configured.h"
 #include "rewrite/context_walk.h"
@@ -320,6 +321,7 @@ void record_tree(ASTContext &context, SourceMap const &map, PragmaIndex const &i
   note_file_statics(context, map, facts);
   record_c_declarations(context, map, facts);
   record_c_jumps(context, map, facts);
+  record_c_generic(context, map, facts);
   record_anonymous_structs(context, map, reals, facts);
   record_decisions(context, map, reals, index, facts);
   record_boundaries(context, visitor.definitions, map, reals, facts);

@@ -61,8 +61,11 @@ void check_bits(void const *begin, std::size_t size, char const *name, char cons
 
 void check_view(void const *begin, char const *name, char const *place) noexcept {
   Pause const pause;
-  auto const size = static_cast<std::size_t>(memory::object_end(begin) - static_cast<char const *>(begin));
-  State::current().check_bits(begin, size, name, place);
+  // Of the kernel's own part of the stack no more is looked at: what its callers have there is another matter.
+  auto const first = reinterpret_cast<std::uintptr_t>(begin);
+  std::uintptr_t const end =
+      on_own_stack(begin) ? own_stack + own_stack_size : reinterpret_cast<std::uintptr_t>(memory::object_end(begin));
+  State::current().check_bits(begin, end - first, name, place);
 }
 
 void const *other_range_end(void const *end, bool is_last, char const *place) noexcept {

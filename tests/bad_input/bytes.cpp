@@ -1,30 +1,20 @@
-// The bytes of a REAL looked at as something else, where the source shows it.
-// RUN: not %symreal generate %s -o %t.c -- -std=c++20 2>&1 | FileCheck %s
+// Pointers to the bytes of REALs that are kept: nobody can tell when they are read.
+// RUN: not %symreal generate %s -o %t.c 2>&1 | FileCheck %s
 // RUN: not ls %t.c
 
-#include <bit>
-#include <cstdint>
-#include <cstdio>
-#include <cstring>
-#include <ostream>
-#include <unistd.h>
-
-struct State {
-  double v[3];
-  int n;
+struct View {
+  unsigned char const *bytes;
 };
 
-// CHECK: bytes.cpp:[[@LINE+1]]:41: error: the bytes of a REAL are looked at as uint64_t *
-uint64_t by_pointer(double x) { return *(uint64_t *)&x; }
-// CHECK: bytes.cpp:[[@LINE+1]]:41: error: the bytes of a REAL are used as another type
-uint64_t by_bit_cast(double x) { return std::bit_cast<uint64_t>(x); }
-// CHECK: bytes.cpp:[[@LINE+1]]:40: error: the bytes of a REAL are used as another type
-uint64_t by_builtin(double x) { return __builtin_bit_cast(uint64_t, x); }
-// CHECK: bytes.cpp:[[@LINE+1]]:42: error: the bytes of a REAL are looked at as uint64_t [
-uint64_t by_reference(double x) { return reinterpret_cast<uint64_t &>(x); }
-// CHECK: bytes.cpp:[[@LINE+1]]:{{[0-9]+}}: error: the bytes of a REAL go to 'write'
-void written(double x, int file) { (void)!write(file, &x, sizeof x); }
-// CHECK: bytes.cpp:[[@LINE+1]]:{{[0-9]+}}: error: the bytes of a REAL are looked at as const char *
-void streamed(double x, std::ostream &out) { out.write(reinterpret_cast<char const *>(&x), sizeof x); }
+unsigned char const *kept;
+
+// CHECK: bytes.cpp:[[@LINE+1]]:42: error: the bytes of a REAL are looked at as const unsigned char *, by a pointer that is kept [SYM035]
+void in_static(double const *x) { kept = (unsigned char const *)x; }
+// CHECK: bytes.cpp:[[@LINE+1]]:{{[0-9]+}}: error: the bytes of a REAL are looked at as const unsigned char *, by a pointer that is kept
+void in_member(View &view, double const *x) { view.bytes = (unsigned char const *)x; }
+// CHECK: bytes.cpp:[[@LINE+1]]:{{[0-9]+}}: error: the bytes of a REAL are looked at as const unsigned char *, by a pointer that is kept
+View in_list(double const *x) { return View{(unsigned char const *)x}; }
+// CHECK: bytes.cpp:[[@LINE+1]]:{{[0-9]+}}: error: the bytes of a REAL are looked at as const unsigned char *, by a pointer that is kept
+unsigned char const *returned(double const *x) { return (unsigned char const *)x; }
 
 int main() {}

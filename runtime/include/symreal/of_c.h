@@ -73,7 +73,7 @@ template <class T, std::size_t n> class Initialised<T[n]> {
 public:
   explicit constexpr Initialised(T (&object)[n]) noexcept : object_(object) {}
   constexpr void operator=(T const (&value)[n]) const noexcept {
-    for (std::size_t k = 0; k < n; ++k) Initialised<T>(object_[k]) = value[k];
+    for (std::size_t k = 0; k < n; ++k) Initialised<T>{object_[k]} = value[k];
   }
 
 private:
@@ -81,7 +81,32 @@ private:
 };
 template <class T> constexpr Initialised<T> initialised(T &object) noexcept { return Initialised<T>(object); }
 
+// Of _Generic: is it the type of the controlling expression's value? The default is looked at last.
+struct Otherwise {};
+template <class Control, bool is_last, class Type> constexpr bool is_associated() noexcept {
+  bool const is_default = std::is_same_v<Type, Otherwise>;
+  return is_last ? is_default : !is_default && std::is_same_v<std::decay_t<Control>, Type>;
+}
+
 } // namespace symreal
+
+// The associations are pairs of a type and a value here.
+#define _Generic(control, ...)                                                                                         \
+  ([&]() -> decltype(auto) {                                                                                           \
+    using symreal_control = decltype(control);                                                                         \
+    SYMREAL_REPEATED(SYMREAL_ASSOCIATIONS(false, __VA_ARGS__))                                                         \
+    SYMREAL_REPEATED(SYMREAL_ASSOCIATIONS(true, __VA_ARGS__));                                                         \
+  }())
+#define SYMREAL_ASSOCIATIONS(is_last, type, value, ...)                                                                \
+  if constexpr (::symreal::is_associated<symreal_control, is_last, type>())                                            \
+    return (value);                                                                                                    \
+  else                                                                                                                 \
+    __VA_OPT__(SYMREAL_ASSOCIATIONS_AGAIN SYMREAL_NO_ARGUMENTS(is_last, __VA_ARGS__))
+#define SYMREAL_NO_ARGUMENTS ()
+#define SYMREAL_ASSOCIATIONS_AGAIN() SYMREAL_ASSOCIATIONS
+#define SYMREAL_REPEATED(...) SYMREAL_THRICE(SYMREAL_THRICE(SYMREAL_THRICE(__VA_ARGS__)))
+#define SYMREAL_THRICE(...) SYMREAL_ONCE(SYMREAL_ONCE(SYMREAL_ONCE(__VA_ARGS__)))
+#define SYMREAL_ONCE(...) __VA_ARGS__
 
 // Words of C, as gcc has them in C++. What `restrict` promises to the compiler means nothing for the values.
 #ifndef SYMREAL_BEFORE_C99

@@ -1,0 +1,28 @@
+/* _Generic: a macro of C++ takes it apart. */
+// RUN: %rewrite %s -- -std=c11 | FileCheck %s
+// RUN: %same %s -- -std=c11
+// RUN: %rewrite %s -- -std=c11 > %t.rewritten.c && %rewrite %t.rewritten.c -- -std=c11 | diff %t.rewritten.c -
+// RUN: %symreal generate %s -o %t.c -- -std=c11 && %symreal verify %s %t.c -- -std=c11 2>&1 | FileCheck %s --check-prefix=SAME
+// SAME: y {{ *}}1 {{ *}}0 {{ *}}0
+#include <stdio.h>
+
+// CHECK: #define NAME(x) _Generic((x), REAL REAL_EITHER((:), ,) "double", REAL_EITHER((default), ::symreal::Otherwise)REAL_EITHER((:), ,) "other", int const *REAL_EITHER((:), ,) "pointer")
+#define NAME(x) _Generic((x), double: "double", default: "other", int const *: "pointer")
+#define SIZE(array) _Generic(&(array), char (*)[sizeof(array)]: sizeof(array))
+
+static double twice(double x) { return 2 * x; }
+static int twice_int(int n) { return 2 * n + 1; }
+#define TWICE(x) _Generic((x), double: twice, int: twice_int)(x)
+
+int main(void)
+{
+    char text[9];
+    int const *p = 0;
+    double x = 1.5, y;
+#pragma symreal input(x)
+    y = TWICE(x) + TWICE(3) + (double)SIZE(text);
+    y += NAME(x)[0] + 2 * NAME(p)[0] + 3 * NAME('c')[0];
+#pragma symreal output(y) generate("y.c")
+    printf("%.17g\n", y);
+    return 0;
+}
