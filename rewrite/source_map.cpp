@@ -103,6 +103,7 @@ std::optional<Span> SourceMap::range(clang::SourceRange range) const {
       clang::Lexer::makeFileCharRange(clang::CharSourceRange::getTokenRange(range), sources_, language_);
   if (written.isValid()) return characters(written.getBegin(), written.getEnd());
   clang::SourceLocation begin = range.getBegin(), end = range.getEnd();
+  llvm::SmallString<16> scratch;
   if (!begin.isMacroID() || !end.isMacroID()) return std::nullopt;
   // Where one end is an argument and the other stands in the macro's body, the body names the parameter.
   if (sources_.getFileID(begin) != sources_.getFileID(end)) {
@@ -110,6 +111,9 @@ std::optional<Span> SourceMap::range(clang::SourceRange range) const {
     if (sources_.isMacroArgExpansion(end)) end = sources_.getImmediateExpansionRange(end).getEnd();
   }
   if (sources_.getFileID(begin) != sources_.getFileID(end)) return std::nullopt;
+  for (clang::SourceLocation const side : {begin, end}) // where `...` names one argument here, it names more elsewhere
+    if (clang::Lexer::getSpelling(sources_.getSpellingLoc(side), scratch, sources_, language_) == "__VA_ARGS__")
+      return std::nullopt;
   clang::SourceLocation const last = sources_.getSpellingLoc(end);
   unsigned const length = clang::Lexer::MeasureTokenLength(last, sources_, language_);
   return characters(sources_.getSpellingLoc(begin), last.getLocWithOffset(static_cast<int>(length)));
