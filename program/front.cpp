@@ -106,6 +106,8 @@ std::optional<Front> run_front(FrontRequest const &request, Talk const &talk) {
   if (!report_all(rewritten.diagnostics, talk)) return {};
   std::vector<rewrite::Kernel> wanted = wanted_kernels(rewritten, request);
   front.read = rewritten.read;
+  front.sources_read = rewritten.sources_read;
+  front.sources_kept = rewritten.sources_kept;
   front.rewrite_seconds = watch.lap();
 
   talk.stage("building");

@@ -222,8 +222,6 @@ bool leave_out_options(std::vector<CompilerError> const &errors, std::vector<std
   return flags.size() != before;
 }
 
-using FileSystem = IntrusiveRefCntPtr<llvm::vfs::FileSystem>;
-
 struct Parsed {
   Facts facts;
   std::vector<CompilerError> errors;
@@ -254,9 +252,8 @@ bool names_real(std::vector<CompilerError> const &errors, std::string const &typ
 
 } // namespace
 
-Facts record_source(Compilation const &compilation, Scope const &scope, Request const &request) {
-  // A file system with a directory of its own: several sources may be read at once.
-  FileSystem const disk(llvm::vfs::createPhysicalFileSystem().release());
+Facts record_source(Compilation const &compilation, Scope const &scope, Request const &request,
+                    FileSystem const &disk) {
   if (!compilation.directory.empty() && disk->setCurrentWorkingDirectory(compilation.directory))
     fail(DiagnosticId::compile_commands, {}, "the directory '" + compilation.directory + "' does not exist");
   if (!disk->exists(compilation.source))
