@@ -2,14 +2,14 @@
 
 #include "program/compiler_errors.h"
 #include "program/parallel.h"
+#include "program/runtime_header.h"
 #include "support/installation.h"
 
 #include <algorithm>
+#include <thread>
 
 namespace symreal::program {
 namespace {
-
-constexpr unsigned compilations_at_a_time = 2;
 
 bool is_rewritten(Variant variant) { return variant == Variant::symbolic || variant == Variant::replay; }
 std::string_view name(Variant variant) {
@@ -169,7 +169,8 @@ Words link_command(BuildRequest const &request, Variant variant, Words const &ob
 
 template <class Run> std::vector<Captured> run_all(std::vector<Command> const &commands, Run run) {
   std::vector<Captured> results(commands.size());
-  in_parallel(commands.size(), compilations_at_a_time, [&](std::size_t k) { results[k] = run(commands[k]); });
+  in_parallel(commands.size(), std::thread::hardware_concurrency(),
+              [&](std::size_t k) { results[k] = run(commands[k]); });
   return results;
 }
 
@@ -200,9 +201,16 @@ std::vector<std::string> build_programs(BuildRequest const &request, std::span<V
     links.push_back(compiler_run(link_command(request, variant, objects, executables.back()), {}));
   }
 
-  std::vector<Captured> compiled =
-      run_all(compilations, [&](Command const &command) { return request.cache->compile(command, workspace.path()); });
-  request.cache->prune(usual_cache_size);
+  FilesNow files;
+  RuntimeHeader header(*request.cache, request.cache->directory(), workspace.path());
+  auto const compile = [&](Command const &plain) {
+    std::optional<Command> const fast = header.use(plain, files);
+    Captured result = capture(fast ? *fast : plain);
+    return fast && !result.outcome.success() ? capture(plain) : result; // whose messages are those of the text
+  };
+  std::vector<Captured> compiled = run_all(compilations, [&](Command const &compilation) {
+    return request.cache->compile(compilation, workspace.path(), files, compile);
+  });
   for (std::size_t i = 0; i < compiled.size(); ++i) {
     if (compiled[i].outcome.success()) continue;
     bool const as_rewritten =

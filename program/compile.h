@@ -30,8 +30,9 @@ struct BuildRequest {
   std::vector<std::string> link;                    // further words for the linker
   std::string type_name = rewrite::usual_type_name; // how the rewritten sources spell the number
   std::string compiler = "c++", c_compiler = "cc";
-  std::map<std::string, std::vector<std::string>> source_flags = {};      // of a source besides, by its real path
-  std::shared_ptr<ObjectCache> cache = std::make_shared<ObjectCache>(""); // where objects of earlier runs may be
+  std::map<std::string, std::vector<std::string>> source_flags = {}; // of a source besides, by its real path
+  // Where objects of earlier runs may be.
+  std::shared_ptr<ObjectCache> cache = std::make_shared<ObjectCache>(std::make_shared<CacheDirectory>(""));
 };
 
 // What becomes of the user's flags where rewritten text is compiled: options that change the numbers, choose outputs or
@@ -68,7 +69,8 @@ std::vector<std::string> unchanged_flags(std::vector<std::string> const &flags);
 // Those with which a build may give other numbers than the reference build.
 std::vector<std::string> flags_of_numbers(std::vector<std::string> const &flags);
 
-// Builds the program in each of the variants, two compilations at a time, and returns the paths of the executables in
+// Builds the program in each of the variants, as many compilations at a time as there are
+// processors, and returns the paths of the executables in
 // the same order. Throws compiler_missing, build_failed or link_failed with places in the user's sources.
 // `rewritten` and `annotated`: the texts of the one and of the other two variants.
 std::vector<std::string> build_programs(BuildRequest const &request, std::span<Variant const> variants,

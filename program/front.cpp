@@ -112,6 +112,8 @@ std::optional<Front> run_front(FrontRequest const &request, Talk const &talk) {
   front.read = rewritten.read;
   for (rewrite::TextSource const &one : request.source.texts)
     std::erase(front.read, rewrite::real_source({one.path, {}, {}}));
+  front.sources_read = rewritten.sources_read;
+  front.sources_kept = rewritten.sources_kept;
   front.rewrite_seconds = watch.lap();
 
   talk.stage("building");

@@ -42,6 +42,7 @@ struct Front {
   std::string own_flags_program;      // empty when there are none
   std::vector<Recorded> kernels;      // at least one, names distinct
   std::vector<std::string> read;      // the files that it was made from
+  std::size_t sources_read = 0, sources_kept = 0; // see rewrite::Result
   double rewrite_seconds = 0, build_seconds = 0, run_seconds = 0;
 };
 

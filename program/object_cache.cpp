@@ -4,21 +4,16 @@
 #include "support/files.h"
 #include "support/version.h"
 
-#include <llvm/ADT/SmallString.h>
 #include <llvm/ADT/StringExtras.h>
-#include <llvm/Support/CachePruning.h>
-#include <llvm/Support/Path.h>
 #include <llvm/Support/Program.h>
 #include <llvm/Support/SHA256.h>
 
 #include <algorithm>
 #include <cstdlib>
-#include <fcntl.h>
 #include <filesystem>
 #include <fmt/format.h>
 #include <optional>
 #include <sys/stat.h>
-#include <unistd.h>
 
 namespace symreal::program {
 namespace {
@@ -26,18 +21,11 @@ namespace {
 namespace fs = std::filesystem;
 using Words = std::vector<std::string>;
 
-constexpr std::string_view prefix = "llvmcache-"; // what llvm::pruneCache takes for an entry
-
 // Its output depends on more than the words and the text.
 bool reads_more(std::string_view word) {
   for (std::string_view start : {"-fplugin", "-fprofile", "-fauto-profile", "-specs", "--specs", "-save-temps", "@"})
     if (word.starts_with(start)) return true;
   return false;
-}
-
-std::size_t after(Words const &words, std::string_view option) {
-  auto const found = std::find(words.begin(), words.end(), option);
-  return found == words.end() || found + 1 == words.end() ? 0 : static_cast<std::size_t>(found - words.begin()) + 1;
 }
 
 // What is hashed, without the path of the workspace.
@@ -65,28 +53,49 @@ void add_compiler(Key &key, std::string const &name) {
   key.add(fmt::format("{} {} {}.{}", *path, status.st_size, status.st_mtim.tv_sec, status.st_mtim.tv_nsec));
 }
 
+// What both keys have: the compiler, the words and the environment.
+void add_compilation(Key &key, Command const &compilation) {
+  key.add(version);
+  key.add(compilation.directory.empty() ? fs::current_path().string() : compilation.directory);
+  add_compiler(key, compilation.arguments.front());
+  for (std::string const &word : compilation.arguments) key.add(word);
+  for (char const *name : {"COMPILER_PATH", "GCC_EXEC_PREFIX", "SOURCE_DATE_EPOCH", "NIX_CFLAGS_COMPILE", "CPATH",
+                           "C_INCLUDE_PATH", "CPLUS_INCLUDE_PATH", "CCC_OVERRIDE_OPTIONS"})
+    if (char const *value = std::getenv(name)) key.add(fmt::format("{}={}", name, value));
+}
+
+std::string key_of_words(Command const &compilation, std::string const &workspace) {
+  Key key(workspace);
+  key.add("read");
+  add_compilation(key, compilation);
+  return key.result();
+}
+
+// What preprocessing tells.
+struct Preprocessed {
+  std::string key;
+  std::optional<CompiledFrom> from;
+};
+
 // Nothing where the compilation cannot be told by its words and text, or does not begin well.
-std::optional<std::string> key_of(Command const &compilation, std::string const &object, std::string const &workspace) {
+std::optional<Preprocessed> preprocess(Command const &compilation, std::string const &object,
+                                       std::string const &workspace) {
   Command preprocessing = compilation;
   Words &words = preprocessing.arguments;
-  if (std::any_of(words.begin(), words.end(), reads_more)) return {};
   std::string const text = object + ".i", rule = object + ".d";
-  words[after(words, "-o")] = text;
+  words[position_after(words, "-o")] = text;
   std::replace(words.begin(), words.end(), std::string("-c"), std::string("-E"));
-  words.insert(words.end(), {"-MD", "-MF", rule});
-  if (!capture(preprocessing).outcome.success()) return {};
+  words.insert(words.end(), {"-MD", "-MF", rule, "-v"});
+  Captured const run = capture(preprocessing);
+  if (!run.outcome.success()) return {};
 
   Key key(workspace);
-  key.add(version);
-  key.add(compilation.directory);
-  add_compiler(key, words.front());
-  for (std::string const &word : compilation.arguments) key.add(word);
-  for (char const *name : {"COMPILER_PATH", "GCC_EXEC_PREFIX", "SOURCE_DATE_EPOCH", "NIX_CFLAGS_COMPILE"})
-    if (char const *value = std::getenv(name)) key.add(fmt::format("{}={}", name, value));
+  add_compilation(key, compilation);
   std::string const preprocessed = read_file(text);
   if (preprocessed.find(".incbin") != preprocessed.npos) return {};
   key.add(preprocessed);
-  for (std::string const &file : read_make_rule(read_file(rule))) {
+  std::vector<std::string> const files = read_make_rule(read_file(rule));
+  for (std::string const &file : files) {
     std::string const path = (fs::path(compilation.directory) / file).string();
     if (!fs::is_regular_file(path)) return {};
     key.add(file);
@@ -94,87 +103,70 @@ std::optional<std::string> key_of(Command const &compilation, std::string const 
   }
   fs::remove(text);
   fs::remove(rule);
-  return key.result();
-}
-
-// A reader sees all of it or nothing.
-void store(std::string const &object, std::string const &entry) {
-  std::error_code error;
-  fs::create_directories(fs::path(entry).parent_path(), error);
-  std::string const temporary = fmt::format("{}.{}", entry, getpid());
-  if (!error) fs::copy_file(object, temporary, fs::copy_options::overwrite_existing, error);
-  if (!error) fs::rename(temporary, entry, error);
-  if (error) fs::remove(temporary, error); // a cache that cannot be written is none
-}
-
-bool take(std::string const &entry, std::string const &object) {
-  std::error_code error;
-  if (!fs::copy_file(entry, object, fs::copy_options::overwrite_existing, error)) return false;
-  utimensat(AT_FDCWD, entry.c_str(), nullptr, 0); // used now
-  return true;
+  return Preprocessed{key.result(), compiled_from(compilation, files, run.output, workspace)};
 }
 
 } // namespace
 
-Captured ObjectCache::compile(Command const &compilation, std::string const &workspace) {
-  std::string const &object = compilation.arguments[after(compilation.arguments, "-o")];
-  std::optional<std::string> const key = directory_.empty() ? std::nullopt : key_of(compilation, object, workspace);
-  std::string const entry = key ? fmt::format("{}/{}{}.o", directory_, prefix, *key) : "";
-  if (key && take(entry, object)) {
-    ++reused_;
-    return {{Ending::exited, 0, 0}, {}};
-  }
-  Captured result = capture(compilation);
+bool ObjectCache::take_as_before(std::string const &key, std::string const &object, std::string const &workspace,
+                                 FilesNow &files) {
+  std::optional<std::string> const bytes = directory_->find(key);
+  auto const before = bytes ? compiled_from_bytes(*bytes) : std::nullopt;
+  return before && before->first.still_holds(files, workspace) && directory_->take_file(before->second, object);
+}
+
+struct ObjectCache::Search {
+  std::string object, by_words; // the latter is empty where nothing may be kept
+  std::optional<Preprocessed> found;
+  bool taken = false;
+};
+
+ObjectCache::Search ObjectCache::search(Command const &compilation, std::string const &workspace, FilesNow &files) {
+  Words const &words = compilation.arguments;
+  Search search{words[position_after(words, "-o")], {}, {}};
+  if (!directory_->exists() || std::any_of(words.begin(), words.end(), reads_more)) return search;
+  search.by_words = key_of_words(compilation, workspace);
+  search.taken = take_as_before(search.by_words, search.object, workspace, files);
+  if (search.taken) return search;
+  search.found = preprocess(compilation, search.object, workspace);
+  search.taken = search.found && directory_->take_file(search.found->key, search.object);
+  if (search.taken) keep(search, workspace);
+  return search;
+}
+
+void ObjectCache::keep(Search const &search, std::string const &workspace) {
+  if (!search.found) return;
+  if (!search.taken) directory_->keep_file(search.found->key, search.object);
+  // A file that was changed meanwhile, by an editor, was compiled before or after that.
+  FilesNow now;
+  if (search.found->from && search.found->from->still_holds(now, workspace))
+    directory_->keep(search.by_words, to_bytes(*search.found->from, search.found->key));
+}
+
+Captured ObjectCache::compile(Command const &compilation, std::string const &workspace, FilesNow &files,
+                              Run const &run) {
+  Search const search = this->search(compilation, workspace, files);
+  if (search.taken) return ++reused_, Captured{{Ending::exited, 0, 0}, {}};
+  Captured result = run(compilation);
   ++compiled_;
-  if (key && result.outcome.success()) store(object, entry);
+  if (result.outcome.success()) keep(search, workspace);
   return result;
 }
 
-void ObjectCache::prune(std::uint64_t most_bytes) const {
-  std::error_code error;
-  if (compiled_ == 0 || directory_.empty() || !fs::is_directory(directory_, error)) return;
-  llvm::CachePruningPolicy policy;
-  policy.Interval = std::chrono::seconds(0);
-  policy.Expiration = std::chrono::hours(24 * 30);
-  policy.MaxSizePercentageOfAvailableSpace = 10;
-  policy.MaxSizeBytes = most_bytes;
-  llvm::pruneCache(directory_, policy);
+bool ObjectCache::take(Command const &compilation, std::string const &workspace, FilesNow &files) {
+  return search(compilation, workspace, files).taken;
 }
 
-std::string cache_directory() {
-  llvm::SmallString<128> directory;
-  if (!llvm::sys::path::cache_directory(directory)) return {};
-  llvm::sys::path::append(directory, "symreal");
-  return std::string(directory);
+Captured ObjectCache::make(Command const &compilation, std::string const &workspace, FilesNow &files) {
+  Search const search = this->search(compilation, workspace, files);
+  Captured result = search.taken ? Captured{{Ending::exited, 0, 0}, {}} : capture(compilation);
+  if (!search.taken && result.outcome.success()) keep(search, workspace);
+  return result;
 }
 
-namespace {
-
-template <class Use> CacheContents for_each_entry(std::string const &directory, Use use) {
-  CacheContents contents;
-  std::error_code error;
-  if (directory.empty() || !fs::is_directory(directory, error)) return contents;
-  for (fs::directory_entry const &entry : fs::directory_iterator(directory)) {
-    if (!entry.path().filename().string().starts_with(prefix)) continue;
-    std::uint64_t const size = entry.file_size(error);
-    if (error || !use(entry.path())) continue; // another run has removed it
-    ++contents.objects;
-    contents.bytes += size;
-  }
-  return contents;
-}
-
-} // namespace
-
-CacheContents cache_contents(std::string const &directory) {
-  return for_each_entry(directory, [](fs::path const &) { return true; });
-}
-
-CacheContents clear_cache(std::string const &directory) {
-  return for_each_entry(directory, [](fs::path const &path) {
-    std::error_code error;
-    return fs::remove(path, error);
-  });
+std::size_t position_after(Words const &words, std::string_view option) {
+  auto const found = std::find(words.begin(), words.end(), option);
+  return found == words.end() || found + 1 == words.end() ? 0 : static_cast<std::size_t>(found - words.begin()) + 1;
 }
 
 } // namespace symreal::program

@@ -1,50 +1,54 @@
 // Objects that were compiled before, in earlier runs as well.
 //
 // A compilation gives the same object when its compiler, its words, the files that it reads and its preprocessed text
-// are the same. So each compilation is preprocessed first, which takes a tenth of its time: no list of headers of an
-// earlier run is believed. (The files count besides the text, since debug information has columns, which preprocessing
-// does not keep.) The files of a run stand in a workspace of its own; its path does not count.
+// are the same: that is the key of an object. (The files count besides the text, since debug information has columns,
+// which preprocessing does not keep.) The files of a run stand in a workspace of its own; its path does not count.
+//
+// Preprocessing is a tenth of compiling, but that of hundreds of headers. So what it has read is kept too, under the
+// compiler, the words and the environment (compiled_from.h): while all of that is as it was, the object is the one of
+// that time. Where it cannot be told, as where a macro names what is included, each run preprocesses.
 #pragma once
 
+#include "program/cache_directory.h"
+#include "program/compiled_from.h"
 #include "program/process.h"
 
 #include <atomic>
-#include <cstdint>
+#include <functional>
+#include <memory>
 #include <string>
 
 namespace symreal::program {
 
 class ObjectCache {
 public:
-  // In this directory, which is made when it is needed; empty: there is none, and everything is compiled.
-  explicit ObjectCache(std::string directory) : directory_(std::move(directory)) {}
+  explicit ObjectCache(std::shared_ptr<CacheDirectory> directory) : directory_(std::move(directory)) {}
 
   // Runs a compilation, "... -c SOURCE -o OBJECT", or copies the object that it gave before. Several at a time.
-  Captured compile(Command const &compilation, std::string const &workspace);
+  // `files`: of this build, in which they do not change. `run`: how to run it, if it must be.
+  using Run = std::function<Captured(Command const &)>;
+  Captured compile(Command const &compilation, std::string const &workspace, FilesNow &files, Run const &run);
+
+  // The same for what is not an object of the program, and does not count as one. False: it was not compiled before.
+  bool take(Command const &compilation, std::string const &workspace, FilesNow &files);
+  Captured make(Command const &compilation, std::string const &workspace, FilesNow &files);
 
   std::size_t compiled() const { return compiled_; }
   std::size_t reused() const { return reused_; }
 
-  // Removes what was not used for long, until the rest has at most so many bytes.
-  void prune(std::uint64_t most_bytes) const;
+  CacheDirectory &directory() { return *directory_; }
 
 private:
-  std::string directory_;
+  struct Search;
+  Search search(Command const &compilation, std::string const &workspace, FilesNow &files);
+  void keep(Search const &search, std::string const &workspace);
+  bool take_as_before(std::string const &key, std::string const &object, std::string const &workspace, FilesNow &files);
+
+  std::shared_ptr<CacheDirectory> directory_;
   std::atomic<std::size_t> compiled_ = 0, reused_ = 0;
 };
 
-constexpr std::uint64_t usual_cache_size = std::uint64_t{1} << 30;
-
-// Of this user: $XDG_CACHE_HOME/symreal or ~/.cache/symreal; empty where there is neither.
-std::string cache_directory();
-
-struct CacheContents {
-  std::size_t objects = 0;
-  std::uint64_t bytes = 0;
-};
-CacheContents cache_contents(std::string const &directory);
-
-// Removes all of it, and says what that was.
-CacheContents clear_cache(std::string const &directory);
+// Of the words: the position after this one; 0 where it is not among them.
+std::size_t position_after(std::vector<std::string> const &words, std::string_view option);
 
 } // namespace symreal::program

@@ -219,7 +219,7 @@ std::vector<Callable> find_callables(Request const &request, std::string const &
     std::vector<Callable> found;
     IgnoringDiagConsumer ignore;
     IntrusiveRefCntPtr<FileManager> const files(
-        new FileManager(FileSystemOptions(), file_system(compilations[i], request)));
+        new FileManager(FileSystemOptions(), file_system(compilations[i], request, own_disk())));
     tooling::ToolInvocation invocation(command_line(compilations[i]), std::make_unique<Action>(name, found),
                                        files.get());
     invocation.setDiagnosticConsumer(&ignore);

@@ -57,10 +57,15 @@ public:
   }
 
   bool names(FunctionDecl const *function) const {
-    std::string qualified = function->getQualifiedNameAsString();
-    for (std::string const unnamed = "(anonymous namespace)::"; qualified.find(unnamed) != qualified.npos;)
-      qualified.erase(qualified.find(unnamed), unnamed.size());
-    return qualified == name_ && (!types_ || has_types(function));
+    return qualified(function) == name_ && (!types_ || has_types(function));
+  }
+  // Without types.
+  std::string const &name() const { return name_; }
+  static std::string qualified(FunctionDecl const *function) {
+    std::string name = function->getQualifiedNameAsString();
+    for (std::string const unnamed = "(anonymous namespace)::"; name.find(unnamed) != name.npos;)
+      name.erase(name.find(unnamed), unnamed.size());
+    return name;
   }
 
 private:
@@ -161,12 +166,17 @@ void index_configured_externals(Request const &request, ASTContext &context, Pra
 void attach_configured_kernels(Request const &request, std::vector<FunctionDecl const *> const &definitions,
                                SourceMap const &map, Reals const &reals, IntegerState const &integers, Facts &facts) {
   Kernels kernels(map, reals, integers, facts);
+  for (FunctionDecl const *function : definitions)
+    if (block_of(function) && map.token(block_of(function)->getBeginLoc()))
+      facts.kernel_functions.insert(FunctionName::qualified(function));
   for (std::size_t i = 0; i < request.kernels.size(); ++i) {
     FunctionName const name(request.kernels[i].function.text);
     for (FunctionDecl const *function : definitions)
       if (block_of(function) && name.names(function)) kernels.attach(request.kernels[i], i, function);
   }
 }
+
+std::string configured_name(ConfiguredKernel const &kernel) { return FunctionName(kernel.function.text).name(); }
 
 void report_configured(Request const &request, Facts &facts) {
   for (std::size_t i = 0; i < request.kernels.size(); ++i) {

@@ -20,6 +20,10 @@ void index_configured_externals(Request const &request, clang::ASTContext &conte
 void attach_configured_kernels(Request const &request, std::vector<clang::FunctionDecl const *> const &definitions,
                                SourceMap const &map, Reals const &reals, IntegerState const &integers, Facts &facts);
 
+// The qualified name of the function that it asks for, without types: one of Facts::kernel_functions where the kernel
+// matters to a source at all.
+std::string configured_name(ConfiguredKernel const &kernel);
+
 // What no source defines or declares, or more than one function answers to; once all sources are read.
 void report_configured(Request const &request, Facts &facts);
 

@@ -274,6 +274,7 @@ struct Facts {
   std::map<Span, DecisionFact> decisions;       // by the token `if`, `?`, `for`, `while`, `do`, or the function's brace
   std::map<std::string, Note> externals;        // by mangled name: where the pragma says so, and the function's name
   std::set<std::size_t> configured_externals;   // those of the request that a source declares
+  std::set<std::string> kernel_functions;       // qualified names of what a configured kernel may name
   std::map<std::string, Place> taken_names;     // that the rewriter might write, by first use in the sources
   std::vector<std::string> include_dirs;
   std::set<std::string> read; // real paths, those of the system's headers left out

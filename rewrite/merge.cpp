@@ -97,8 +97,8 @@ void merge(Facts &facts, Facts &&other) {
   // Named one by one, so that a new kind of fact does not compile until it is merged as well.
   auto &[files, types, doubles, wraps, shared, members, reached, skipped, consumed, conversions, comparisons, printed,
          quoted, pasted, text_calls, pragmas, number_readers, by_hand, definitions, exported, uses, names, deciding,
-         decisions, externals, configured_externals, taken_names, include_dirs, read, diagnostics, broken, makes_text] =
-      other;
+         decisions, externals, configured_externals, kernel_functions, taken_names, include_dirs, read, diagnostics,
+         broken, makes_text] = other;
   use_known_names(diagnostics, files, facts.files);
   for (auto &[path, file] : files)
     if (auto const [at, is_new] = facts.files.try_emplace(path, std::move(file)); !is_new)
@@ -134,6 +134,7 @@ void merge(Facts &facts, Facts &&other) {
       merge_decision(at->second, std::move(decision));
   facts.externals.merge(externals);
   facts.configured_externals.merge(configured_externals);
+  facts.kernel_functions.merge(kernel_functions);
   facts.taken_names.merge(taken_names);
   for (std::string &directory : include_dirs)
     if (std::find(facts.include_dirs.begin(), facts.include_dirs.end(), directory) == facts.include_dirs.end())

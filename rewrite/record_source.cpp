@@ -252,8 +252,7 @@ bool names_real(std::vector<CompilerError> const &errors, std::string const &typ
 
 } // namespace
 
-FileSystem file_system(Compilation const &compilation, Request const &request) {
-  FileSystem const disk(llvm::vfs::createPhysicalFileSystem().release());
+FileSystem file_system(Compilation const &compilation, Request const &request, FileSystem const &disk) {
   IntrusiveRefCntPtr<llvm::vfs::OverlayFileSystem> const files(new llvm::vfs::OverlayFileSystem(disk));
   IntrusiveRefCntPtr<llvm::vfs::InMemoryFileSystem> const texts(new llvm::vfs::InMemoryFileSystem);
   for (TextSource const &one : request.texts)
@@ -266,10 +265,13 @@ FileSystem file_system(Compilation const &compilation, Request const &request) {
   return files;
 }
 
-Facts record_source(Compilation const &compilation, Scope const &scope, Request const &request) {
-  FileSystem const disk = file_system(compilation, request);
+FileSystem own_disk() { return llvm::vfs::createPhysicalFileSystem().release(); }
+
+Facts record_source(Compilation const &compilation, Scope const &scope, Request const &request,
+                    FileSystem const &disk) {
+  FileSystem const files = file_system(compilation, request, disk);
   Settings settings{scope, request, true, request.type_name};
-  auto [facts, errors] = parse(compilation, disk, settings);
+  auto [facts, errors] = parse(compilation, files, settings);
   if (names_real(errors, request.type_name)) {
     // Rewritten before: with the header that says what REAL is it compiles as it did.
     settings.type_name.clear();
@@ -277,14 +279,14 @@ Facts record_source(Compilation const &compilation, Scope const &scope, Request 
       if (name.empty()) continue;
       Compilation rewritten = compilation;
       for (std::string const &flag : type_name_flags(name)) rewritten.flags.push_back(flag);
-      if (Parsed again = parse(rewritten, disk, settings); again.errors.empty()) return std::move(again.facts);
+      if (Parsed again = parse(rewritten, files, settings); again.errors.empty()) return std::move(again.facts);
     }
   }
   if (errors.empty()) return std::move(facts);
   facts.broken = true;
   // Are the errors the source's own, or do they come from what its pragmas put in?
   Settings const bare{scope, request, false, request.type_name};
-  std::vector<CompilerError> const own = facts.pragmas.empty() ? errors : parse(compilation, disk, bare).errors;
+  std::vector<CompilerError> const own = facts.pragmas.empty() ? errors : parse(compilation, files, bare).errors;
   for (CompilerError const &error : own)
     add(facts, DiagnosticId::source_error, error.place, error.message, error.notes);
   if (own.empty()) report_pragma_errors(errors, facts);

@@ -3,19 +3,22 @@
 
 #include "rewrite/clang.h"
 #include "rewrite/facts.h"
+#include "rewrite/lookups.h"
 
 namespace symreal::rewrite {
 
 struct Scope;
 
-// Facts::broken says that it does not compile. Throws DiagnosticError where it cannot be read. Several may be read at
-// once, in threads.
-Facts record_source(Compilation const &compilation, Scope const &scope, Request const &request);
+// A file system that other threads do not change: each has a working directory of its own.
+FileSystem own_disk();
 
-// A file system of the source's own, since several may be read at once: the disk, the request's texts, and the
-// directory in which the compiler runs. Throws where it or the source does not exist.
-using FileSystem = llvm::IntrusiveRefCntPtr<llvm::vfs::FileSystem>;
-FileSystem file_system(Compilation const &compilation, Request const &request);
+// What the source's compiler sees: the disk, the request's texts, and the directory in which it runs. Throws where that
+// or the source does not exist.
+FileSystem file_system(Compilation const &compilation, Request const &request, FileSystem const &disk);
+
+// Facts::broken says that it does not compile. Throws DiagnosticError where it cannot be read. Several may be read at
+// once, in threads, each with a disk of its own.
+Facts record_source(Compilation const &compilation, Scope const &scope, Request const &request, FileSystem const &disk);
 
 // The words with which Clang is asked to read it.
 std::vector<std::string> command_line(Compilation const &compilation);

@@ -11,6 +11,7 @@
 #include "rewrite/signature.h"
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -71,6 +72,14 @@ struct TextSource {
 inline constexpr char const *usual_type_name = "REAL";
 inline constexpr char const *reserved_type_name = "SYMREAL_REAL";
 
+// Texts that are kept from run to run, each under a key of letters and digits. Several threads use it at once.
+class KeptTexts {
+public:
+  virtual ~KeptTexts() = default;
+  virtual std::optional<std::string> find(std::string const &key) = 0;
+  virtual void keep(std::string const &key, std::string const &text) = 0; // what cannot be kept will not be found
+};
+
 struct Request {
   std::vector<std::string> sources;           // as the user named them; a name ending in .c is parsed as C
   std::vector<std::string> roots;             // what may be rewritten besides the directories of the sources
@@ -82,7 +91,8 @@ struct Request {
   std::string type_name = {}; // how the number is spelled; empty: see above
   std::vector<ConfiguredKernel> kernels = {};
   std::vector<ConfiguredExternal> externals = {};
-  std::vector<TextSource> texts = {}; // of those sources that are in no file
+  std::vector<TextSource> texts = {};   // of those sources that are in no file
+  std::shared_ptr<KeptTexts> kept = {}; // what earlier runs have read; none: all sources are read
 };
 
 // The request's compilations, or its sources with its flags.
@@ -226,6 +236,8 @@ struct Result {
   std::vector<Conversion> conversions;
   std::size_t comparisons = 0;       // of REALs
   std::vector<std::string> left_out; // sources that do not compile, if the request allows it
+  std::size_t sources_read = 0;      // by Clang
+  std::size_t sources_kept = 0;      // of which an earlier run has read what they are now
   std::vector<Diagnostic> diagnostics;
 };
 

@@ -1,8 +1,8 @@
 #include "rewrite/configurations.h"
 #include "rewrite/configured.h"
 #include "rewrite/decide.h"
+#include "rewrite/kept_facts.h"
 #include "rewrite/merge.h"
-#include "rewrite/record_source.h"
 #include "rewrite/source_map.h"
 
 #include <algorithm>
@@ -41,7 +41,8 @@ public:
   Reading(Request const &request, std::vector<Compilation> const &sources)
       : request_(request),
         sources_(sources),
-        scope_(scope_of(request, sources)) {}
+        scope_(scope_of(request, sources)),
+        recorder_(request, scope_) {}
 
   Facts all() {
     std::size_t const threads = std::min<std::size_t>(std::max(1U, request_.jobs), sources_.size());
@@ -54,6 +55,8 @@ public:
     return std::move(facts_);
   }
 
+  KeptFacts const &recorder() const { return recorder_; }
+
   std::vector<std::string> left_out;
 
 private:
@@ -62,7 +65,7 @@ private:
       Facts found;
       std::exception_ptr problem;
       try {
-        found = record_source(sources_[mine], scope_, request_);
+        found = recorder_.record(sources_[mine]);
       } catch (DiagnosticError const &error) {
         if (request_.leave_out_broken) {
           found.broken = true;
@@ -96,6 +99,7 @@ private:
   Request const &request_;
   std::vector<Compilation> const &sources_;
   Scope const scope_;
+  KeptFacts recorder_;
   std::atomic<std::size_t> next_ = 0;
   std::mutex mutex_;
   std::condition_variable turn_;
@@ -132,6 +136,8 @@ Result run(Request const &request) {
                         [](symreal::Diagnostic const &one) { return one.id == DiagnosticId::configured_function; });
   Result result = decide(std::move(facts), request);
   result.left_out = std::move(reading.left_out);
+  result.sources_read = reading.recorder().read();
+  result.sources_kept = reading.recorder().kept();
   return result;
 }
 

@@ -1,5 +1,5 @@
 #include "diagnostics/diagnostic.h"
-#include "program/object_cache.h"
+#include "program/cache_directory.h"
 #include "tool/subcommands.h"
 
 #include <fmt/format.h>
@@ -10,7 +10,7 @@ namespace symreal::tool {
 namespace {
 
 void show(char const *what, program::CacheContents const &contents, std::string const &directory) {
-  std::cout << fmt::format("{}{} objects, {:.1f} MB, in {}\n", what, contents.objects,
+  std::cout << fmt::format("{}{} objects, {:.1f} MB, in {}\n", what, contents.files,
                            static_cast<double>(contents.bytes) / 1e6, directory);
 }
 
@@ -22,7 +22,7 @@ void add_cache(CLI::App &app, Session &session) {
   command->add_flag("--clear", *clear, "Remove it");
   command->callback([clear, &session] {
     refuse_flags(session);
-    std::string const directory = program::cache_directory();
+    std::string const directory = program::usual_cache_directory();
     if (directory.empty())
       fail(DiagnosticId::bad_option, {}, "there is no cache: neither XDG_CACHE_HOME nor HOME is set");
     if (*clear)

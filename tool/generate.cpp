@@ -105,10 +105,13 @@ void show(std::vector<Product> const &products, program::Front const &front, Opt
   }
   program::ObjectCache const &cache = *front.build.cache;
   if (options.statistics)
-    fmt::print(std::cerr, "objects: {} compiled, {} as an earlier run compiled them\n", cache.compiled(),
-               cache.reused());
+    fmt::print(std::cerr,
+               "sources: {} read, {} as an earlier run read them\n"
+               "objects: {} compiled, {} as an earlier run compiled them\n",
+               front.sources_read, front.sources_kept, cache.compiled(), cache.reused());
   if (options.json)
     std::cout << nlohmann::ordered_json{{"kernels", json},
+                                        {"sources", {{"read", front.sources_read}, {"reused", front.sources_kept}}},
                                         {"objects", {{"compiled", cache.compiled()}, {"reused", cache.reused()}}}}
                      .dump(2)
               << "\n";

@@ -20,7 +20,6 @@ void SourceOptions::add_to(CLI::App &app) {
       ->capture_default_str();
   app.add_flag("--run-on", front.run.run_on, "Let the program run to its end after the last kernel");
   app.add_flag("--keep", front.keep, "Keep the build directory and say where it is");
-  app.add_flag("--no-cache", no_cache, "Compile everything, also what an earlier run has compiled");
   app.add_option("--kernel", front.kernel,
                  "Only the kernel of this name; or a function that no program calls: 'f(x[0:3]=0.5, n=3) -> y[0:3]'")
       ->type_name("NAME|CALL");
@@ -30,7 +29,7 @@ program::FrontRequest SourceOptions::request(CompilerFlags const &flags) const {
   program::FrontRequest request = front;
   request.source = project.complete(flags);
   request.build.link = program::split_words(link);
-  request.build.cache = std::make_shared<program::ObjectCache>(no_cache ? "" : program::cache_directory());
+  request.build.cache = std::make_shared<program::ObjectCache>(project.cache());
   request.run.arguments = program::split_words(run_arguments);
   return request;
 }

@@ -17,7 +17,6 @@ struct SourceOptions {
   ProjectOptions project;
   std::string run_arguments, link;
   program::FrontRequest front;
-  bool no_cache = false;
 
   void add_to(CLI::App &app);
   program::FrontRequest request(CompilerFlags const &flags) const;

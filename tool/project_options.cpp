@@ -38,10 +38,15 @@ void ProjectOptions::add_build_to(CLI::App &app) {
       ->type_name("N");
   app.add_option("--type-name", request.type_name,
                  "How rewritten sources spell the number; by default REAL, or SYMREAL_REAL where that is taken");
+  app.add_flag("--no-cache", no_cache, "Read and compile everything, also what an earlier run has read and compiled");
   app.add_option("--config", configuration,
                  "The project's configuration; by default the .symreal.yaml in the directory of the first source or "
                  "the nearest above it")
       ->type_name("FILE");
+}
+
+std::shared_ptr<program::CacheDirectory> ProjectOptions::cache() const {
+  return std::make_shared<program::CacheDirectory>(no_cache ? "" : program::usual_cache_directory());
 }
 
 void ProjectOptions::configure(CLI::App &command, ConfiguredOptions &given) {
@@ -69,6 +74,7 @@ rewrite::Request ProjectOptions::complete(CompilerFlags const &flags) const {
   if (build.empty() && complete.sources.empty())
     fail(DiagnosticId::bad_option, {}, "sources, or a directory with -p, say what is read");
   complete.flags = flags;
+  if (std::shared_ptr<program::CacheDirectory> kept = cache(); kept->exists()) complete.kept = std::move(kept);
   if (build.empty()) {
     recover_trees(complete.sources);
     return complete;

@@ -1,6 +1,7 @@
 // Which sources a subcommand reads, and how they are compiled.
 #pragma once
 
+#include "program/cache_directory.h"
 #include "rewrite/rewrite.h"
 #include "tool/configuration.h"
 
@@ -19,6 +20,7 @@ struct ProjectOptions {
   std::vector<rewrite::ConfiguredText> calls; // of kernels that no program calls (call_spec.h)
   std::string build;                          // the directory of compile_commands.json
   std::string configuration;                  // its file; empty: the nearest .symreal.yaml
+  bool no_cache = false;
 
   void add_to(CLI::App &app); // the sources and all of these:
   void add_build_to(CLI::App &app);
@@ -27,6 +29,8 @@ struct ProjectOptions {
   void configure(CLI::App &command, ConfiguredOptions &given);
   // With the sources that are excluded, which a program needs all the same.
   rewrite::Request complete(CompilerFlags const &flags) const;
+  // Where things are kept from run to run; perhaps nowhere.
+  std::shared_ptr<program::CacheDirectory> cache() const;
 };
 
 // Without the sources that are excluded.

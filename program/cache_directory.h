@@ -1,0 +1,56 @@
+// A directory of files that are kept from run to run, each under a key that says all that it was made from.
+#pragma once
+
+#include "rewrite/rewrite.h"
+
+#include <atomic>
+#include <cstdint>
+#include <string>
+
+namespace symreal::program {
+
+// Several threads and processes may use one directory: an entry is there as a whole or not at all.
+class CacheDirectory : public rewrite::KeptTexts {
+public:
+  // The directory is made when it is needed; empty: there is none, and nothing is kept or found.
+  // In the end, if something was added, what was not used for long is removed, until the rest has at most so many
+  // bytes.
+  explicit CacheDirectory(std::string path, std::uint64_t most_bytes = std::uint64_t{1} << 30)
+      : path_(std::move(path)),
+        most_bytes_(most_bytes) {}
+  ~CacheDirectory() override;
+  CacheDirectory(CacheDirectory const &) = delete;
+  CacheDirectory &operator=(CacheDirectory const &) = delete;
+
+  bool exists() const { return !path_.empty(); }
+
+  // Texts. One that was damaged on the disk is not found.
+  std::optional<std::string> find(std::string const &key) override;
+  void keep(std::string const &key, std::string const &text) override;
+
+  // Copies the file that is kept under the key; false: there is none.
+  bool take_file(std::string const &key, std::string const &to) const;
+  void keep_file(std::string const &key, std::string const &file);
+
+private:
+  std::string entry(std::string const &key, char const *kind) const;
+  template <class Write> void add(std::string const &entry, Write write);
+
+  std::string path_;
+  std::uint64_t most_bytes_;
+  std::atomic<std::size_t> added_ = 0;
+};
+
+// Of this user: $XDG_CACHE_HOME/symreal or ~/.cache/symreal; empty where there is neither.
+std::string usual_cache_directory();
+
+struct CacheContents {
+  std::size_t files = 0, texts = 0;
+  std::uint64_t bytes = 0;
+};
+CacheContents cache_contents(std::string const &directory);
+
+// Removes all of it, and says what that was.
+CacheContents clear_cache(std::string const &directory);
+
+} // namespace symreal::program

@@ -1,0 +1,90 @@
+#include "program/runtime_header.h"
+
+#include "support/files.h"
+#include "support/installation.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <fmt/format.h>
+
+namespace symreal::program {
+namespace {
+
+using Words = std::vector<std::string>;
+
+constexpr std::size_t worth_making = 3; // compilations that ask for it
+
+bool is_clang(Command const &compilation) { return compilation.arguments.front().find("clang") != std::string::npos; }
+
+// Where the words name the header, as the only one that they include; else 0.
+std::size_t header_position(Words const &words) {
+  auto const includes = [](std::string const &word) {
+    return word.starts_with("-include") || word.starts_with("-imacros");
+  };
+  std::size_t const at = position_after(words, "-include");
+  bool const is_ours = at != 0 && words[at].starts_with("symreal/");
+  return is_ours && std::count_if(words.begin(), words.end(), includes) == 1 ? at : 0;
+}
+
+// How the header is compiled, to this file.
+Command header_compilation(Command compilation, std::string const &to) {
+  Words &words = compilation.arguments;
+  std::size_t const header = header_position(words);
+  std::size_t const source = position_after(words, "-c"); // -x c++ -c SOURCE
+  words[source - 2] = "c++-header";
+  words[source] = runtime_include() + "/" + words[header];
+  words[position_after(words, "-o")] = to;
+  words.erase(words.begin() + static_cast<std::ptrdiff_t>(header) - 1,
+              words.begin() + static_cast<std::ptrdiff_t>(header) + 1);
+  return compilation;
+}
+
+} // namespace
+
+void RuntimeHeader::make(One &one, Command const &compilation, std::string const &key, FilesNow &files) {
+  std::string const &header = compilation.arguments[header_position(compilation.arguments)];
+  std::string const path = fmt::format("{}/precompiled/{}/header.h", workspace_, content_id(key));
+  std::error_code error;
+  std::filesystem::create_directories(std::filesystem::path(path).parent_path(), error);
+  if (error) return;
+  Command const precompilation = header_compilation(compilation, path + ".gch");
+  ++one.asked;
+  bool found = one.asked == 1 && objects_.take(precompilation, workspace_, files);
+  if (!found) {
+    std::string const count_key = content_id("asked for " + key);
+    std::string const before = directory_.find(count_key).value_or("");
+    bool const is_worth_it = before.size() + 1 >= worth_making;
+    one.tried = is_worth_it;
+    found = is_worth_it && objects_.make(precompilation, workspace_, files).outcome.success();
+    if (!is_worth_it) directory_.keep(count_key, before + "+");
+  }
+  if (!found) return;
+  // gcc reads the text where it cannot take what lies beside it.
+  write_if_changed(path, "#include <" + header + ">\n");
+  one.path = path;
+}
+
+std::optional<Command> RuntimeHeader::use(Command const &compilation, FilesNow &files) {
+  std::size_t const header = header_position(compilation.arguments);
+  if (header == 0 || !directory_.exists()) return {};
+  Command const precompilation = header_compilation(compilation, "");
+  std::string key = precompilation.directory;
+  for (std::string const &word : precompilation.arguments) {
+    std::string shown = word;
+    if (std::size_t const at = shown.find(workspace_); at != shown.npos) shown.replace(at, workspace_.size(), "@");
+    key += '\0' + shown;
+  }
+  std::unique_lock lock(mutex_);
+  One &one = all_[key];
+  lock.unlock();
+  std::unique_lock const mine(one.mutex, std::try_to_lock); // whoever comes while it is made does without
+  if (!mine) return {};
+  if (one.path.empty() && !one.tried) make(one, compilation, key, files);
+  if (one.path.empty()) return {};
+  Command with = compilation;
+  with.arguments[header] = is_clang(compilation) ? one.path + ".gch" : one.path;
+  if (is_clang(compilation)) with.arguments[header - 1] = "-include-pch";
+  return with;
+}
+
+} // namespace symreal::program

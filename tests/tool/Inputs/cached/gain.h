@@ -1,0 +1,1 @@
+double gain(int n);
