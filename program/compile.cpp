@@ -103,6 +103,11 @@ bool is_before_c99(Words const &flags) {
   return before;
 }
 
+// Each function and variable by itself, so that the linker can leave it out.
+void cut_up(BuildRequest const &request, Words &words) {
+  if (request.reachable) append(words, {"-ffunction-sections", "-fdata-sections"});
+}
+
 Words compile_command(BuildRequest const &request, Variant variant, Overlay const &overlay,
                       rewrite::Compilation const &source, std::string const &object) {
   Words words = {request.compiler};
@@ -114,6 +119,7 @@ Words compile_command(BuildRequest const &request, Variant variant, Overlay cons
   append(words, rewrite::type_name_flags(request.type_name));
   if (auto const more = request.source_flags.find(rewrite::real_source(source)); more != request.source_flags.end())
     append(words, more->second);
+  cut_up(request, words);
   append(words, {"-x", "c++", "-c", overlay.compiled_path(rewrite::real_source(source)), "-o", object});
   return words;
 }
@@ -126,6 +132,7 @@ Words original_command(BuildRequest const &request, Variant variant, Overlay con
   if (variant != Variant::own_flags) append(flags, reference_flags);
   append(words, overlay.search_flags(flags, source.directory));
   if (c) append(words, {"-Dregister="}); // annotations take addresses
+  cut_up(request, words);
   append(words, {"-w", "-include", runtime_include() + "/symreal/original.h", "-x", c ? "c" : "c++", "-c"});
   append(words, {overlay.compiled_path(rewrite::real_source(source)), "-o", object});
   return words;
@@ -134,6 +141,7 @@ Words original_command(BuildRequest const &request, Variant variant, Overlay con
 Words unchanged_command(BuildRequest const &request, rewrite::Compilation const &source, std::string const &object) {
   Words words = {is_c(source) ? request.c_compiler : request.compiler};
   append(words, unchanged_flags(source.flags));
+  cut_up(request, words);
   append(words, {"-w", "-x", is_c(source) ? "c" : "c++", "-c", source.source, "-o", object});
   return words;
 }
@@ -159,8 +167,13 @@ Words link_command(BuildRequest const &request, Variant variant, Words const &ob
   Words words = {request.compiler};
   Words const own = linker_flags(request);
   if (variant != Variant::replay && !brings_allocator(own)) words.emplace_back("-Wl,-u,symreal_heap_hooks");
-  if (variant == Variant::original || variant == Variant::wrapped)
-    words.push_back("-rdynamic"); // generated code in it calls its external functions
+  if (variant == Variant::original || variant == Variant::wrapped) { // generated code in it calls its functions
+    if (!request.reachable)
+      words.emplace_back("-rdynamic");
+    else
+      for (std::string const &one : request.called_from_outside) words.push_back("-Wl,--export-dynamic-symbol=" + one);
+  }
+  if (request.reachable) words.emplace_back("-Wl,--gc-sections");
   append(words, objects);
   append(words, own);
   append(words, {runtime_library(), "-o", executable});

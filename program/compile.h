@@ -28,7 +28,9 @@ struct BuildRequest {
   std::vector<rewrite::Compilation> sources;        // with the user's compiler flags
   std::vector<rewrite::Compilation> unchanged = {}; // sources that nothing rewrites: compiled as they are
   std::vector<std::string> link;                    // further words for the linker
-  std::string type_name = rewrite::usual_type_name; // how the rewritten sources spell the number
+  bool reachable = false; // the program is linked of what main reaches: other functions need what is not there
+  std::vector<std::string> called_from_outside = {}; // of the program's functions, by generated code that it loads
+  std::string type_name = rewrite::usual_type_name;  // how the rewritten sources spell the number
   std::string compiler = "c++", c_compiler = "cc";
   std::map<std::string, std::vector<std::string>> source_flags = {}; // of a source besides, by its real path
   // Where objects of earlier runs may be.

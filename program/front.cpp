@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <fmt/format.h>
 #include <set>
 #include <utility>
 
@@ -59,14 +60,31 @@ std::vector<rewrite::Kernel> wanted_kernels(rewrite::Result const &rewritten, Fr
 BuildRequest build_request(FrontRequest const &request, rewrite::Result const &rewritten) {
   BuildRequest build = request.build;
   build.type_name = rewritten.type_name;
+  build.reachable = request.source.reachable;
+  build.called_from_outside = rewritten.externals;
+  std::set<std::pair<std::string, std::vector<std::string>>> unreached;
+  for (rewrite::Compilation const &one : rewritten.unreached) unreached.emplace(rewrite::real_source(one), one.flags);
   std::set<std::string> known;
   for (rewrite::Compilation const &one : rewrite::compilations_of(request.source)) {
     std::string const real = rewrite::real_source(one);
+    if (unreached.contains({real, one.flags})) continue;
     if (!known.insert(real).second)
       fail(DiagnosticId::compile_commands, {one.source}, "this source is compiled twice, and a program is built of it");
     (request.source.exclude.matches(real) ? build.unchanged : build.sources).push_back(one);
   }
   return build;
+}
+
+void note_unreached(rewrite::Result const &rewritten, std::size_t all, Talk const &talk) {
+  constexpr std::size_t most = 8;
+  std::vector<rewrite::Compilation> const &unreached = rewritten.unreached;
+  if (unreached.empty()) return;
+  std::string list;
+  for (std::size_t k = 0; k < std::min(most, unreached.size()); ++k) list += (k ? ", " : "") + unreached[k].source;
+  if (unreached.size() > most) list += fmt::format(" and {} more", unreached.size() - most);
+  talk.note(fmt::format("the program reaches nothing in {} of {} sources; these are left out, with what they would do "
+                        "when it starts: {}",
+                        unreached.size(), all, list));
 }
 
 bool is_by_hand(rewrite::Result const &rewritten) {
@@ -108,6 +126,7 @@ std::optional<Front> run_front(FrontRequest const &request, Talk const &talk) {
   // The compiler's messages and debug information are read here, wherever it runs.
   for (rewrite::File &file : rewritten.files) file.compiled_name = file.display_path;
   if (!report_all(rewritten.diagnostics, talk)) return {};
+  note_unreached(rewritten, rewrite::compilations_of(request.source).size(), talk);
   std::vector<rewrite::Kernel> wanted = wanted_kernels(rewritten, request);
   front.read = rewritten.read;
   for (rewrite::TextSource const &one : request.source.texts)
@@ -134,7 +153,11 @@ std::optional<Front> run_front(FrontRequest const &request, Talk const &talk) {
       record(front.symbolic_program, run, rewritten, wanted, *front.overlay, *front.workspace, talk.program_output);
   front.run_seconds = watch.lap();
   explain_refusals(recording.diagnostics, rewritten.refusals);
-  if (!report_all(recording.diagnostics, talk)) return {};
+  if (!report_all(recording.diagnostics, talk)) {
+    for (Recorded const &kernel : recording.kernels)
+      if (talk.lacking && !kernel.clauses.empty()) talk.lacking(kernel);
+    return {};
+  }
   front.kernels = std::move(recording.kernels);
   return front;
 }

@@ -29,6 +29,9 @@ struct Talk {
   std::function<void(std::string_view stage)> stage;
   std::function<void(Diagnostic const &)> report;
   LineSink program_output;
+  std::function<void(std::string const &)> note;
+  // What the pragma of a kernel that was refused lacks; may be none.
+  std::function<void(Recorded const &)> lacking = {};
 };
 
 struct Front {

@@ -1,52 +1,11 @@
 #include "rewrite/boundaries.h"
 
+#include "rewrite/references.h"
+
 namespace symreal::rewrite {
 namespace {
 
 using namespace clang;
-
-// The functions that a body refers to, with the place of the first reference to each.
-class References : public RecursiveASTVisitor<References> {
-public:
-  std::vector<std::pair<FunctionDecl const *, SourceLocation>> found;
-
-  bool shouldVisitImplicitCode() const { return true; }
-  bool TraverseUnaryExprOrTypeTraitExpr(UnaryExprOrTypeTraitExpr *) { return true; }
-  bool TraverseCXXNoexceptExpr(CXXNoexceptExpr *) { return true; }
-  bool TraverseTypeLoc(TypeLoc) { return true; }
-
-  bool VisitDeclRefExpr(DeclRefExpr *reference) { return add(reference->getDecl(), reference->getLocation()); }
-  bool VisitMemberExpr(MemberExpr *member) { return add(member->getMemberDecl(), member->getMemberLoc()); }
-  bool VisitCXXConstructExpr(CXXConstructExpr *construction) {
-    add_virtual(construction->getConstructor()->getParent(), construction->getLocation());
-    return add(construction->getConstructor(), construction->getLocation());
-  }
-  bool VisitCXXBindTemporaryExpr(CXXBindTemporaryExpr *temporary) {
-    return add(temporary->getTemporary()->getDestructor(), temporary->getBeginLoc());
-  }
-  bool VisitVarDecl(VarDecl *variable) {
-    if (auto const *record = variable->getType()->getAsCXXRecordDecl(); record && record->hasDefinition())
-      add(record->getDestructor(), variable->getLocation());
-    return true;
-  }
-  bool VisitCXXDefaultArgExpr(CXXDefaultArgExpr *argument) { return TraverseStmt(argument->getExpr()); }
-  bool VisitCXXDefaultInitExpr(CXXDefaultInitExpr *initializer) { return TraverseStmt(initializer->getExpr()); }
-
-private:
-  bool add(Decl const *declaration, SourceLocation place) {
-    if (auto const *function = dyn_cast_or_null<FunctionDecl>(declaration)) found.emplace_back(function, place);
-    return true;
-  }
-
-  // A vtable that is emitted here refers to every virtual function of its class.
-  void add_virtual(CXXRecordDecl const *record, SourceLocation place) {
-    if (!record->isDynamicClass()) return;
-    if (CXXMethodDecl const *key = record->getASTContext().getCurrentKeyFunction(record); key && !key->isDefined())
-      return;
-    for (CXXMethodDecl const *method : record->methods())
-      if (method->isVirtual() && !method->isPureVirtual()) add(method, place);
-  }
-};
 
 class Reachable {
 public:
@@ -60,8 +19,7 @@ public:
   void start(VarDecl const *variable) {
     References references;
     references.TraverseDecl(const_cast<VarDecl *>(variable));
-    for (auto const &[function, place] : references.found)
-      refer(function, place, {variable->getLocation(), variable->getLocation()});
+    refer(references, {variable->getLocation(), variable->getLocation()});
   }
 
   void run() {
@@ -69,11 +27,8 @@ public:
       auto const [function, called_from] = pending_.back();
       pending_.pop_back();
       References references;
-      references.TraverseStmt(function->getBody());
-      if (auto const *constructor = dyn_cast<CXXConstructorDecl>(function))
-        for (CXXCtorInitializer const *initializer : constructor->inits())
-          if (initializer->getInit()) references.TraverseStmt(initializer->getInit());
-      for (auto const &[callee, place] : references.found) refer(callee, place, called_from);
+      references.of(function);
+      refer(references, called_from);
     }
   }
 
@@ -95,6 +50,20 @@ private:
   void enter(FunctionDecl const *function, Way const &way) {
     if (!seen_.insert(function).second || function->isDependentContext()) return;
     pending_.emplace_back(function, way);
+  }
+
+  void refer(References const &references, Way const &from) {
+    for (auto const &[callee, place] : references.functions) refer(callee, place, from);
+    for (auto const &[record, place] : references.tables) refer_to_table(record, place, from);
+  }
+
+  // A table that is emitted here refers to every virtual function of its class.
+  void refer_to_table(CXXRecordDecl const *record, SourceLocation place, Way const &from) {
+    if (!record->hasDefinition() || !record->isDynamicClass()) return;
+    if (CXXMethodDecl const *key = record->getASTContext().getCurrentKeyFunction(record); key && !key->isDefined())
+      return;
+    for (CXXMethodDecl const *method : record->methods())
+      if (method->isVirtual() && !method->isPureVirtual()) refer(method, place, from);
   }
 
   void refer(FunctionDecl const *callee, SourceLocation place, Way from) {

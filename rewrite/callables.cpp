@@ -215,7 +215,10 @@ std::vector<Callable> find_callables(Request const &request, std::string const &
   std::vector<Callable> all;
   std::vector<Compilation> const compilations = compilations_of(request);
   for (std::size_t i = 0; i < compilations.size(); ++i) {
-    if (request.exclude.matches(real_source(compilations[i]))) continue;
+    std::string const real = real_source(compilations[i]);
+    if (request.exclude.matches(real)) continue;
+    if (request.reachable) // a source that defines it has its name
+      if (auto const text = llvm::MemoryBuffer::getFile(real); text && !(*text)->getBuffer().contains(name)) continue;
     std::vector<Callable> found;
     IgnoringDiagConsumer ignore;
     IntrusiveRefCntPtr<FileManager> const files(

@@ -224,10 +224,12 @@ void add_pragmas(Facts const &facts, ByFile &rewordings) {
 }
 
 void add_boundaries(Facts const &facts, Result &result) {
-  for (auto const &[mangled, pragma] : facts.externals)
+  for (auto const &[mangled, pragma] : facts.externals) {
+    result.externals.push_back(mangled);
     if (facts.definitions.count(mangled) != 0)
       result.diagnostics.push_back({DiagnosticId::external_function, Severity::error, pragma.place,
                                     "'" + pragma.message + "' is defined in the sources, so its calls are recorded"});
+  }
   for (auto const &[mangled, use] : facts.uses) {
     if (facts.definitions.count(mangled) != 0) continue;
     result.boundaries.push_back({use.name, mangled, use.parameters, use.declaration, use.place});

@@ -145,13 +145,13 @@ template <class Take> void visit(Take &take, ConfiguredExternal &object) {
 }
 template <class Take> void visit(Take &take, Facts &object) {
   auto &[files, types, doubles, wraps, shared, members, reached, skipped, consumed, conversions, comparisons, printed,
-         quoted, pasted, text_calls, pragmas, number_readers, by_hand, definitions, exported, uses, names, deciding,
-         decisions, externals, configured_externals, kernel_functions, taken_names, include_dirs, read, diagnostics,
-         broken, makes_text] = object;
+         quoted, pasted, text_calls, pragmas, number_readers, by_hand, definitions, exported, uses, links, linked_words,
+         names, deciding, decisions, externals, configured_externals, kernel_functions, taken_names, include_dirs, read,
+         diagnostics, broken, makes_text] = object;
   take(files, types, doubles, wraps, shared, members, reached, skipped, consumed, conversions, comparisons, printed,
-       quoted, pasted, text_calls, pragmas, number_readers, by_hand, definitions, exported, uses, names, deciding,
-       decisions, externals, configured_externals, kernel_functions, taken_names, include_dirs, read, diagnostics,
-       broken, makes_text);
+       quoted, pasted, text_calls, pragmas, number_readers, by_hand, definitions, exported, uses, links, linked_words,
+       names, deciding, decisions, externals, configured_externals, kernel_functions, taken_names, include_dirs, read,
+       diagnostics, broken, makes_text);
 }
 
 namespace {

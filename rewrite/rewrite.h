@@ -93,6 +93,10 @@ struct Request {
   std::vector<ConfiguredExternal> externals = {};
   std::vector<TextSource> texts = {};   // of those sources that are in no file
   std::shared_ptr<KeptTexts> kept = {}; // what earlier runs have read; none: all sources are read
+  // Only the sources that define what the program's start reaches. `begin`: the sources to begin with, by their real
+  // paths; none: those in `texts`, or else the one that defines main.
+  bool reachable = false;
+  std::vector<std::string> begin = {};
 };
 
 // The request's compilations, or its sources with its flags.
@@ -234,10 +238,12 @@ struct Result {
   std::vector<Refusal> refusals;   // in the order of their places
   std::vector<Decision> decisions; // by file and offset
   std::vector<Conversion> conversions;
-  std::size_t comparisons = 0;       // of REALs
-  std::vector<std::string> left_out; // sources that do not compile, if the request allows it
-  std::size_t sources_read = 0;      // by Clang
-  std::size_t sources_kept = 0;      // of which an earlier run has read what they are now
+  std::vector<std::string> externals; // mangled names of functions that stay calls
+  std::size_t comparisons = 0;        // of REALs
+  std::vector<std::string> left_out;  // sources that do not compile, if the request allows it
+  std::vector<Compilation> unreached; // sources in which the program reaches nothing
+  std::size_t sources_read = 0;       // by Clang
+  std::size_t sources_kept = 0;       // of which an earlier run has read what they are now
   std::vector<Diagnostic> diagnostics;
 };
 

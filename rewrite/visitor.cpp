@@ -11,6 +11,7 @@
 #include "rewrite/file_statics.h"
 #include "rewrite/instances.h"
 #include "rewrite/layouts.h"
+#include "rewrite/links.h"
 #include "rewrite/operand_order.h"
 #include "rewrite/pragma_items.h"
 #include "rewrite/recorder.h"
@@ -325,6 +326,7 @@ void record_tree(ASTContext &context, SourceMap const &map, PragmaIndex const &i
   record_anonymous_structs(context, map, reals, facts);
   record_decisions(context, map, reals, index, facts);
   record_boundaries(context, visitor.definitions, map, reals, facts);
+  record_links(context, visitor.definitions, map, facts);
 }
 
 } // namespace symreal::rewrite

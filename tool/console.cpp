@@ -12,7 +12,8 @@ program::Talk Console::talk() {
           [this](std::string_view line) {
             clear();
             std::cerr << "program| " << line << "\n";
-          }};
+          },
+          [this](std::string const &text) { note(text); }};
 }
 
 void Console::stage(std::string_view name) {

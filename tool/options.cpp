@@ -18,6 +18,8 @@ void SourceOptions::add_to(CLI::App &app) {
   app.add_option("--timeout", front.run.time_limit, "Seconds after which the program is ended")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
+  app.add_flag("--reachable", project.request.reachable,
+               "Rewrite and build only those of the sources that define what main, or the called function, reaches");
   app.add_flag("--run-on", front.run.run_on, "Let the program run to its end after the last kernel");
   app.add_flag("--keep", front.keep, "Keep the build directory and say where it is");
   app.add_option("--kernel", front.kernel,

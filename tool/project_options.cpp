@@ -20,6 +20,15 @@ static void recover_trees(std::vector<std::string> const &sources) {
   for (std::string const &directory : directories) recover(directory);
 }
 
+// What the build has besides the named sources. What is excluded there belongs to no program unless it is named.
+static void add_others(rewrite::Request &request, std::string const &build) {
+  for (rewrite::Compilation &one : rewrite::read_compile_commands(build, {})) {
+    std::string const real = rewrite::real_source(one);
+    bool const is_named = std::find(request.begin.begin(), request.begin.end(), real) != request.begin.end();
+    if (!is_named && !request.exclude.matches(real)) request.compilations.push_back(std::move(one));
+  }
+}
+
 void ProjectOptions::add_to(CLI::App &app) {
   app.add_option("sources", request.sources, "C and C++ sources; with -p by default all of them");
   add_build_to(app);
@@ -49,14 +58,17 @@ std::shared_ptr<program::CacheDirectory> ProjectOptions::cache() const {
   return std::make_shared<program::CacheDirectory>(no_cache ? "" : program::usual_cache_directory());
 }
 
+std::string ProjectOptions::configuration_file(bool or_new) const {
+  if (!configuration.empty()) return configuration;
+  std::filesystem::path const start = request.sources.empty()
+                                          ? std::filesystem::path(build.empty() ? "." : build)
+                                          : std::filesystem::path(request.sources.front()).parent_path();
+  std::string const found = find_configuration(start.string());
+  return found.empty() && or_new ? (start / ".symreal.yaml").string() : found;
+}
+
 void ProjectOptions::configure(CLI::App &command, ConfiguredOptions &given) {
-  std::string file = configuration;
-  if (file.empty()) {
-    std::filesystem::path const start = request.sources.empty()
-                                            ? std::filesystem::path(build.empty() ? "." : build)
-                                            : std::filesystem::path(request.sources.front()).parent_path();
-    file = find_configuration(start.string());
-  }
+  std::string const file = configuration_file();
   if (file.empty()) return;
   Configuration read = read_configuration(file);
   set_options(read, command, given);
@@ -75,11 +87,18 @@ rewrite::Request ProjectOptions::complete(CompilerFlags const &flags) const {
     fail(DiagnosticId::bad_option, {}, "sources, or a directory with -p, say what is read");
   complete.flags = flags;
   if (std::shared_ptr<program::CacheDirectory> kept = cache(); kept->exists()) complete.kept = std::move(kept);
+  if (complete.reachable) {
+    std::vector<std::string> named = complete.sources;
+    if (build.empty()) named.resize(1);
+    for (std::string const &source : named) complete.begin.push_back(rewrite::real_source({source, {}, {}}));
+  }
   if (build.empty()) {
     recover_trees(complete.sources);
     return complete;
   }
-  complete.compilations = rewrite::read_compile_commands(build, request.sources);
+  if (!complete.reachable || !request.sources.empty())
+    complete.compilations = rewrite::read_compile_commands(build, request.sources);
+  if (complete.reachable) add_others(complete, build);
   complete.sources.clear();
   for (rewrite::Compilation &one : complete.compilations) {
     one.flags.insert(one.flags.end(), flags.begin(), flags.end());

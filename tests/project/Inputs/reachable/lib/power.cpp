@@ -1,0 +1,3 @@
+#include "a/header/of/another/machine.h"
+
+double power(double x, double v) { return x * v; }
