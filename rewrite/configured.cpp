@@ -107,6 +107,22 @@ bool read_clauses(ConfiguredKernel const &kernel, Span const &span, ASTContext &
   return true;
 }
 
+// Such an entry adds to a pragma of the source what it lacks.
+bool only_adds(ConfiguredKernel const &kernel) {
+  return !kernel.clauses.empty() &&
+         std::all_of(kernel.clauses.begin(), kernel.clauses.end(), [](ConfiguredClause const &clause) {
+           std::string const &name = clause.name.text;
+           return name == "constant" || name == "scratch";
+         });
+}
+
+bool has_clauses_of(PragmaFact const &pragma, ConfiguredKernel const &kernel) {
+  if (kernel.clauses.empty()) return false;
+  std::string const place = to_string(kernel.clauses.front().name.place);
+  return std::any_of(pragma.clauses.begin(), pragma.clauses.end(),
+                     [&](ClauseFact const &clause) { return to_string(clause.place) == place; });
+}
+
 class Kernels {
 public:
   Kernels(SourceMap const &map, Reals const &reals, IntegerState const &integers, Facts &facts)
@@ -119,10 +135,9 @@ public:
     std::optional<Span> const brace = map_.token(block_of(function)->getBeginLoc());
     if (!brace) return; // outside the roots, or made by a macro: nothing that can be rewritten answers to the name
     if (!kernel.file.empty() && kernel.file != brace->file) return;
-    for (auto const &[span, pragma] : facts_.pragmas)
+    for (auto &[span, pragma] : facts_.pragmas)
       if (!pragma.function.empty() && pragma.function[0].brace == *brace && pragma.configured != index)
-        return report(facts_, DiagnosticId::configured_function, kernel.function.place,
-                      "'" + kernel.function.text + "' has a pragma already", {{pragma.place, "here"}});
+        return add_to(kernel, function, span, pragma);
     if (facts_.pragmas.count(*brace) != 0) return;
     PragmaFact fact;
     fact.span = *brace;
@@ -137,6 +152,18 @@ public:
   }
 
 private:
+  void add_to(ConfiguredKernel const &kernel, FunctionDecl const *function, Span const &span, PragmaFact &pragma) {
+    if (pragma.configured || !only_adds(kernel))
+      return report(facts_, DiagnosticId::configured_function, kernel.function.place,
+                    "'" + kernel.function.text +
+                        "' has a pragma already, to which only constants and scratch can be added",
+                    {{pragma.place, "here"}});
+    if (has_clauses_of(pragma, kernel)) return;
+    std::vector<PragmaIndex::Name> names;
+    if (read_clauses(kernel, span, function->getASTContext(), pragma, names, facts_))
+      attach_pragma(span, function, names, map_, reals_, integers_, facts_);
+  }
+
   SourceMap const &map_;
   Reals const &reals_;
   IntegerState const &integers_;
@@ -183,7 +210,7 @@ void report_configured(Request const &request, Facts &facts) {
     ConfiguredText const &function = request.kernels[i].function;
     std::vector<Note> found;
     for (auto const &[span, pragma] : facts.pragmas)
-      if (pragma.configured == i && !pragma.function.empty()) {
+      if (!pragma.function.empty() && (pragma.configured == i || has_clauses_of(pragma, request.kernels[i]))) {
         found.push_back({place_in(facts.files.at(span.file), span.begin), pragma.function[0].signature.declaration});
       }
     if (found.size() > 1)

@@ -11,8 +11,9 @@
 namespace symreal::tool {
 
 // As program::run_front, of the kernels that these words call (call_spec.h); without any of those that the sources
-// have.
+// have. `lacking`: see program::Talk.
 std::optional<program::Front> run_front(program::FrontRequest request,
-                                        std::vector<rewrite::ConfiguredText> const &calls, Console &console);
+                                        std::vector<rewrite::ConfiguredText> const &calls, Console &console,
+                                        std::function<void(program::Recorded const &)> lacking = {});
 
 } // namespace symreal::tool

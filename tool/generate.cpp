@@ -8,6 +8,7 @@
 #include "tool/outputs.h"
 #include "tool/subcommands.h"
 #include "tool/wrapper.h"
+#include "tool/write_config.h"
 
 #include <chrono>
 #include <filesystem>
@@ -29,7 +30,7 @@ struct Options {
   std::string output, graph_file, language = "c", decisions = "error";
   FrozenOption frozen;
   std::string depfile;
-  bool check = false, wrapper = false, statistics = false, json = false;
+  bool check = false, wrapper = false, statistics = false, json = false, write_config = false;
 };
 
 // What one kernel gives.
@@ -117,6 +118,12 @@ void show(std::vector<Product> const &products, program::Front const &front, Opt
               << "\n";
 }
 
+void write_config(ProjectOptions const &project, std::vector<Lacking> const &lacking, Console &console) {
+  std::string const file = project.configuration_file(true);
+  write_if_changed(file, with_clauses(file, lacking));
+  console.note("what is lacking stands in " + file + " now; say yourself whether it is meant, and run again");
+}
+
 int run(CLI::App &command, Options &options, Session &session) {
   options.source.project.configure(command, session.configured);
   require_sense(options);
@@ -126,9 +133,18 @@ int run(CLI::App &command, Options &options, Session &session) {
   request.run.decisions = options.decisions;
   request.run.floating_point = options.passes.mode;
   request.run.places = true;
-  auto front = run_front(request, options.source.project.calls, console);
+  std::vector<Lacking> lacking;
+  auto const note_lacking = [&](program::Recorded const &one) { lacking.push_back({one.kernel, one.clauses}); };
+  auto front = run_front(request, options.source.project.calls, console, note_lacking);
   if (front && options.source.front.keep) console.note("the build directory is " + front->workspace->path());
-  if (!front || !report_frozen(front->kernels, options.frozen, console)) return error;
+  bool const is_refused = !front || !report_frozen(front->kernels, options.frozen, console);
+  if (is_refused && front)
+    for (program::Recorded const &one : front->kernels)
+      if (!one.clauses.empty()) note_lacking(one);
+  if (is_refused) {
+    if (options.write_config && !lacking.empty()) write_config(options.source.project, lacking, console);
+    return error;
+  }
 
   console.stage("optimising");
   bool several = front->kernels.size() > 1;
@@ -177,6 +193,8 @@ void add_generate(CLI::App &app, Session &session) {
       ->capture_default_str();
   options->frozen.add_to(*command);
   options->source.add_to(*command);
+  command->add_flag("--write-config", options->write_config,
+                    "Where a kernel is refused for what its pragma lacks, put that into .symreal.yaml");
   command->add_flag("--stats", options->statistics, "Print more than the table: every object, every pass");
   command->add_flag("--json", options->json, "Print the table as JSON to standard output");
   command->callback([options, command, &session] { session.status = run(*command, *options, session); });

@@ -27,6 +27,8 @@ struct ProjectOptions {
   // What the configuration says, where the command line does not. It may set every option of the subcommand, so this is
   // done first; `sources` are those of the command line.
   void configure(CLI::App &command, ConfiguredOptions &given);
+  // Empty where there is none, or where it would be written.
+  std::string configuration_file(bool or_new = false) const;
   // With the sources that are excluded, which a program needs all the same.
   rewrite::Request complete(CompilerFlags const &flags) const;
   // Where things are kept from run to run; perhaps nowhere.

@@ -21,6 +21,7 @@ public:
     symreal::fail(DiagnosticId::configuration, place(), message);
   }
   bool is_map() const { return node_.IsMap(); }
+  bool is_list() const { return node_.IsSequence(); }
 
   rewrite::ConfiguredText text() const;
   bool truth() const;
