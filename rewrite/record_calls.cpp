@@ -78,23 +78,6 @@ bool Recorder::is_plain_double(Expr const *expression) const {
   return Reals::is_double(expression->getType()) && !expression->isTypeDependent() && reals_.stays_double(expression);
 }
 
-// <symreal/symbolic_main.h>: the calls that the pragmas stand for.
-void Recorder::symbolic_main(CallExpr const *call, FunctionDecl const *function) {
-  if (!function->getDeclName().isIdentifier() || function->getName() != "generate_code" || call->getNumArgs() == 0)
-    return;
-  auto const *name = dyn_cast<StringLiteral>(call->getArg(0)->IgnoreParenImpCasts());
-  if (!name) return;
-  Place const place = map_.place(call->getBeginLoc());
-  facts_.by_hand.push_back({.name = {},
-                            .is_function = false,
-                            .by_hand = true,
-                            .place = place,
-                            .output_file = name->getString().str(),
-                            .signature = {},
-                            .annotations = {},
-                            .source = place.file});
-}
-
 void Recorder::call(CallExpr const *call) {
   FunctionDecl const *function = call->getDirectCallee();
   if (!function) return;

@@ -34,6 +34,7 @@ public:
   // Calls (record_calls.cpp).
   void call(clang::CallExpr const *call);
   void symbolic_main(clang::CallExpr const *call, clang::FunctionDecl const *function);
+  void annotated_structure(clang::Expr const *argument);
   void construction(clang::CXXConstructExpr const *construction);
   void builtin(clang::DeclRefExpr const *name);
   void function_value(clang::DeclRefExpr const *name);

@@ -70,6 +70,23 @@ template <class... Containers, class Address> void annotate_layout_section(Kind 
 
 } // namespace detail
 
+// A structure with its layout, as an argument.
+struct LaidOut {
+  char const *layout;
+  void const volatile *object;
+  detail::VisitElements const *containers;
+
+  void annotate(Kind kind, char const *label, SourcePlace place) const {
+    if (!detail::begin_object(detail::program, kind, label, place)) return;
+    Extents shape;
+    detail::walk_layout(object, layout, containers, false, &shape);
+    detail::end_object(shape.data(), shape.size());
+  }
+};
+template <class... Containers> LaidOut laid_out(char const *layout, void const volatile *object) {
+  return {layout, object, detail::containers<Containers...>};
+}
+
 // A returned structure, as an output.
 template <class... Containers, class T>
 auto FunctionKernel::returned_layout(char const *label, SourcePlace place, char const *layout, T &&result) {

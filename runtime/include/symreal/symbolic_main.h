@@ -38,6 +38,16 @@ template <class T> void input(char const *name, T &object, SYMREAL_CALLER) {
 template <class T> void parameter(char const *name, T &object, SYMREAL_CALLER) {
   ::symreal::annotate(::symreal::Kind::parameter, name, place, object);
 }
+// Structures of numbers as well: the rewriter tells where theirs lie.
+inline void input(char const *name, ::symreal::LaidOut &&object, SYMREAL_CALLER) {
+  object.annotate(::symreal::Kind::input, name, place);
+}
+inline void parameter(char const *name, ::symreal::LaidOut &&object, SYMREAL_CALLER) {
+  object.annotate(::symreal::Kind::parameter, name, place);
+}
+inline void output(char const *name, ::symreal::LaidOut &&object, SYMREAL_CALLER) {
+  object.annotate(::symreal::Kind::output, name, place);
+}
 template <class T> void output(char const *name, T &&object, SYMREAL_CALLER) {
   ::symreal::annotate(::symreal::Kind::output, name, place, static_cast<T &&>(object));
 }
