@@ -108,8 +108,10 @@ void cut_up(BuildRequest const &request, Words &words) {
   if (request.reachable) append(words, {"-ffunction-sections", "-fdata-sections"});
 }
 
-Words compile_command(BuildRequest const &request, Variant variant, Overlay const &overlay,
-                      rewrite::Compilation const &source, std::string const &object) {
+} // namespace
+
+Words rewritten_compilation(BuildRequest const &request, Variant variant, Overlay const &overlay,
+                            rewrite::Compilation const &source, std::string const &object) {
   Words words = {request.compiler};
   append(words, overlay.search_flags(variant_flags(source.flags, variant), source.directory));
   append(words, evaluation_order(source.flags, is_c(source), request.compiler));
@@ -123,6 +125,8 @@ Words compile_command(BuildRequest const &request, Variant variant, Overlay cons
   append(words, {"-x", "c++", "-c", overlay.compiled_path(rewrite::real_source(source)), "-o", object});
   return words;
 }
+
+namespace {
 
 Words original_command(BuildRequest const &request, Variant variant, Overlay const &overlay,
                        rewrite::Compilation const &source, std::string const &object) {
@@ -205,7 +209,7 @@ std::vector<std::string> build_programs(BuildRequest const &request, std::span<V
     for (rewrite::Compilation const &source : request.sources) {
       objects.push_back(directory + "/" + std::to_string(objects.size()) + ".o");
       Words const command = is_rewritten(variant)
-                                ? compile_command(request, variant, rewritten, source, objects.back())
+                                ? rewritten_compilation(request, variant, rewritten, source, objects.back())
                                 : original_command(request, variant, annotated, source, objects.back());
       compilations.push_back(compiler_run(command, source.directory));
     }

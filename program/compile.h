@@ -56,6 +56,10 @@ std::vector<std::string> evaluation_order(std::vector<std::string> const &flags,
 // The same for a source in C that is compiled as one, in its own standard.
 std::vector<std::string> c_flags(std::vector<std::string> const &flags);
 
+// The command that makes the object of a rewritten source in one of the first two variants.
+std::vector<std::string> rewritten_compilation(BuildRequest const &request, Variant variant, Overlay const &overlay,
+                                               rewrite::Compilation const &source, std::string const &object);
+
 // A run of a compiler whose messages a program reads.
 Command compiler_run(std::vector<std::string> words, std::string const &directory = {});
 
