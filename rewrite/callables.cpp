@@ -37,6 +37,58 @@ bool has_method(CXXRecordDecl const *record, llvm::StringRef name, unsigned para
   return inherited;
 }
 
+// Numbers, arrays of them element by element, and what has elements, which is filled as a whole.
+class PublicNumbers {
+public:
+  explicit PublicNumbers(ASTContext &context) : context_(context) {}
+
+  std::vector<std::string> of(QualType type) {
+    RecordType const *record = type->getAs<RecordType>();
+    RecordDecl const *definition = record ? record->getDecl()->getDefinition() : nullptr;
+    auto const *in_cxx = dyn_cast_or_null<CXXRecordDecl>(definition);
+    if (definition && !(in_cxx && has_elements(in_cxx))) members(definition, "");
+    return std::move(found_);
+  }
+
+private:
+  static bool has_elements(CXXRecordDecl const *record) {
+    return has_method(record, "size", 0) || has_method(record, "rows", 0);
+  }
+
+  void members(RecordDecl const *record, std::string const &path) {
+    if (auto const *in_cxx = dyn_cast<CXXRecordDecl>(record))
+      for (CXXBaseSpecifier const &base : in_cxx->bases())
+        if (RecordType const *type = base.getType()->getAs<RecordType>();
+            type && base.getAccessSpecifier() == AS_public)
+          members(type->getDecl()->getDefinition(), path);
+    for (FieldDecl const *field : record->fields()) {
+      bool const is_public = field->getAccess() == AS_public || field->getAccess() == AS_none;
+      if (!is_public || field->getType().isConstQualified()) continue;
+      value(field->getType(), field->isAnonymousStructOrUnion() ? path : path + "." + field->getNameAsString());
+    }
+  }
+
+  void value(QualType type, std::string const &path) {
+    constexpr std::size_t most = 10'000;
+    if (found_.size() >= most) return;
+    if (type->isSpecificBuiltinType(BuiltinType::Double)) {
+      found_.push_back(path);
+    } else if (ConstantArrayType const *array = context_.getAsConstantArrayType(type)) {
+      for (std::uint64_t k = 0; k < array->getSize().getZExtValue() && found_.size() < most; ++k)
+        value(array->getElementType(), path + "[" + std::to_string(k) + "]");
+    } else if (RecordType const *record = type->getAs<RecordType>(); record && record->getDecl()->getDefinition()) {
+      auto const *in_cxx = dyn_cast<CXXRecordDecl>(record->getDecl()->getDefinition());
+      if (in_cxx && has_elements(in_cxx))
+        found_.push_back(path);
+      else
+        members(record->getDecl()->getDefinition(), path);
+    }
+  }
+
+  ASTContext &context_;
+  std::vector<std::string> found_;
+};
+
 class Describer {
 public:
   Describer(ASTContext &context, SourceMap const &map) : context_(context), map_(map) {}
@@ -108,8 +160,10 @@ private:
           to.kind == Kind::matrix || (to.kind == Kind::object && all.size() >= 2 && all[0] != 1 && all[1] != 1);
     } else if (has_method(record, "size", 0) && has_method(record, "resize", 1))
       to.kind = Kind::container;
-    else if (type->isRecordType() || type->isArrayType())
+    else if (type->isRecordType() || type->isArrayType()) {
       to.kind = Kind::object;
+      to.members = PublicNumbers(context_).of(type);
+    }
     return to;
   }
 
@@ -145,6 +199,7 @@ private:
     to.pointee = declared(element, "$[#]", context_);
     if (auto const *inner = element->getAs<PointerType>())
       to.rows = declared(without_const(inner->getPointeeType()), "$[#][#]", context_);
+    to.members = PublicNumbers(context_).of(element);
     to.points_to_numbers = !context_.getBaseElementType(element)->isRecordType();
     to.default_constructible = is_default_constructible(context_.getBaseElementType(element));
   }

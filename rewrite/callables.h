@@ -29,6 +29,8 @@ struct CallParameter {
   bool is_matrix = false;           // its elements are m(i, j)
   std::vector<std::string> extents; // of a pointer that is declared as an array
   bool points_to_numbers = false;   // and not to a class
+  // Of a class, or of what is pointed to: its members of numbers that a program can name, as ".pose.x" or ".v[2]".
+  std::vector<std::string> members;
   bool default_constructible = true;
   bool is_changed = false;    // passed by a reference to what is not const
   bool is_integral = false;   // integer: an integer type, rather than a truth value, an enumeration or a float

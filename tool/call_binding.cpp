@@ -311,9 +311,25 @@ private:
       value = "symreal_values[" + (flat.empty() ? "0" : flat) + "]";
     } else
       value = value_text(item);
-    text += function_.is_c ? fmt::format("{} = {};", element, value)
-                           : fmt::format("symreal_fill({}, [&] {{ return {}; }});", element, value);
-    add(item.text.place, text + close);
+    std::vector<std::string> objects = {element};
+    if (CallParameter const *of = structure(item)) {
+      objects.clear();
+      for (std::string const &member : of->members) objects.push_back("(" + element + ")" + member);
+    }
+    text += "{ ";
+    for (std::string const &one : objects)
+      text += function_.is_c ? fmt::format("{} = {}; ", one, value)
+                             : fmt::format("symreal_fill({}, [&] {{ return {}; }}); ", one, value);
+    add(item.text.place, text + "}" + close);
+  }
+
+  // The argument whose structures the item is, as a whole or each of them.
+  CallParameter const *structure(Item const &item) const {
+    CallParameter const *of = parameter(item.base);
+    bool const is_whole_one = item.path == item.base || item.path == "*" + item.base;
+    bool const has_rest =
+        std::any_of(item.behind.begin(), item.behind.end(), [](std::string const &one) { return !one.empty(); });
+    return of && !item.is_list && is_whole_one && !has_rest && !of->members.empty() ? of : nullptr;
   }
 
   bool list_fits(Item const &item, std::vector<Section> const &all) {
