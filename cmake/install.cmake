@@ -6,6 +6,8 @@ install(TARGETS symreal symreal-compiler RUNTIME DESTINATION bin)
 install(FILES ${PROJECT_BINARY_DIR}/tool/symreal-cc DESTINATION bin)
 install(TARGETS symreal_runtime ARCHIVE DESTINATION lib/symreal)
 install(DIRECTORY runtime/include/ DESTINATION lib/symreal/include)
+install(FILES ${PROJECT_BINARY_DIR}/runtime/include/symreal/names_hide.h
+  ${PROJECT_BINARY_DIR}/runtime/include/symreal/names_show.h DESTINATION lib/symreal/include/symreal)
 install(FILES LICENSE README.md DESTINATION share/doc/symreal)
 install(DIRECTORY docs DESTINATION share/doc/symreal)
 
@@ -19,7 +21,7 @@ configure_package_config_file(cmake/SymrealConfig.cmake.in ${PROJECT_BINARY_DIR}
   INSTALL_DESTINATION lib/cmake/Symreal PATH_VARS ${package_paths})
 set(SYMREAL_TOOL_DIR ${PROJECT_BINARY_DIR}/tool)
 set(SYMREAL_RUNTIME_FILE ${PROJECT_BINARY_DIR}/runtime/libsymreal_runtime.a)
-set(SYMREAL_RUNTIME_HEADERS ${PROJECT_SOURCE_DIR}/runtime/include)
+set(SYMREAL_RUNTIME_HEADERS ${PROJECT_BINARY_DIR}/runtime/include)
 set(SYMREAL_CMAKE_DIR ${PROJECT_SOURCE_DIR}/cmake)
 configure_package_config_file(cmake/SymrealConfig.cmake.in ${PROJECT_BINARY_DIR}/SymrealConfig.cmake
   INSTALL_PREFIX ${PROJECT_BINARY_DIR} INSTALL_DESTINATION . PATH_VARS ${package_paths})

@@ -113,12 +113,12 @@ void cut_up(BuildRequest const &request, Words &words) {
 Words rewritten_compilation(BuildRequest const &request, Variant variant, Overlay const &overlay,
                             rewrite::Compilation const &source, std::string const &object) {
   Words words = {request.compiler};
+  append(words, rewrite::type_name_flags(request.type_name)); // a header that the flags include is rewritten, too
   append(words, overlay.search_flags(variant_flags(source.flags, variant), source.directory));
   append(words, evaluation_order(source.flags, is_c(source), request.compiler));
   if (is_c(source)) words.emplace_back("-fno-char8_t"); // a name like others
   if (is_c(source) && is_before_c99(source.flags)) words.emplace_back("-DSYMREAL_BEFORE_C99");
   append(words, {"-I", runtime_include()});
-  append(words, rewrite::type_name_flags(request.type_name));
   if (auto const more = request.source_flags.find(rewrite::real_source(source)); more != request.source_flags.end())
     append(words, more->second);
   cut_up(request, words);
@@ -131,13 +131,13 @@ namespace {
 Words original_command(BuildRequest const &request, Variant variant, Overlay const &overlay,
                        rewrite::Compilation const &source, std::string const &object) {
   bool const c = is_c(source);
-  Words words = {c ? request.c_compiler : request.compiler};
+  Words words = {c ? request.c_compiler : request.compiler, "-include", runtime_include() + "/symreal/original.h"};
   Words flags = original_flags(source.flags, variant);
   if (variant != Variant::own_flags) append(flags, reference_flags);
   append(words, overlay.search_flags(flags, source.directory));
   if (c) append(words, {"-Dregister="}); // annotations take addresses
   cut_up(request, words);
-  append(words, {"-w", "-include", runtime_include() + "/symreal/original.h", "-x", c ? "c" : "c++", "-c"});
+  append(words, {"-w", "-x", c ? "c" : "c++", "-c"});
   append(words, {overlay.compiled_path(rewrite::real_source(source)), "-o", object});
   return words;
 }

@@ -54,7 +54,8 @@ std::string build_wrapped(Front const &front, Recorded const &recorded) {
   for (rewrite::File &file : wrapped.files)
     if (std::size_t const at = file.text.find(mark); at != file.text.npos) {
       file.text.replace(at, mark.size(), statements(recorded));
-      file.text.insert(0, on_one_line(wrapper_templates(recorded.kernel, recorded.graph)));
+      std::string const templates = wrapper_templates(recorded.kernel, recorded.graph);
+      if (!templates.empty()) file.text.insert(0, on_one_line(templates) + "\n#line 1\n");
       is_found = true;
     }
   internal_check(is_found);

@@ -96,59 +96,80 @@ bool names_any(std::string const &text, std::vector<std::string> const &names) {
   return false;
 }
 
-// Visits the numbers of an object, row by row, in the order of symreal/annotate.h.
+// Visits the numbers of an object, row by row, in the order of symreal/annotate.h. Macros of the program are expanded
+// here: what these templates name themselves begins with symreal_.
 constexpr char const *templates = R"(namespace {
-template <int n> struct symreal_choice : symreal_choice<n - 1> {};
+template <int symreal_n> struct symreal_choice : symreal_choice<symreal_n - 1> {};
 template <> struct symreal_choice<0> {};
-template <class T> struct symreal_number { typedef double type; };
-template <class T> struct symreal_number<T const> { typedef double const type; };
-template <class T, class Visit> void symreal_each(T &&object, Visit &visit);
-template <class Visit> void symreal_look(double &number, Visit &visit, symreal_choice<4>) { visit(number); }
-template <class Visit> void symreal_look(double const &number, Visit &visit, symreal_choice<4>) { visit(number); }
-template <class T, __SIZE_TYPE__ n, class Visit> void symreal_look(T (&array)[n], Visit &visit, symreal_choice<3>) {
-  for (__SIZE_TYPE__ i = 0; i < n; ++i) symreal_each(array[i], visit);
+template <class symreal_T> struct symreal_number {
+  typedef double symreal_type;
+};
+template <class symreal_T> struct symreal_number<symreal_T const> {
+  typedef double const symreal_type;
+};
+template <class symreal_T, class symreal_Visit>
+void symreal_each(symreal_T &&symreal_object, symreal_Visit &symreal_visit);
+template <class symreal_Visit>
+void symreal_look(double &symreal_number, symreal_Visit &symreal_visit, symreal_choice<4>) {
+  symreal_visit(symreal_number);
 }
-template <class T, class Visit> auto symreal_look(T &object, Visit &visit, symreal_choice<2>)
-    -> decltype(object.rows(), object.cols(), static_cast<void>(object(0, 0))) {
-  for (decltype(object.rows() + 0) i = 0; i < object.rows(); ++i)
-    for (decltype(object.cols() + 0) j = 0; j < object.cols(); ++j) symreal_each(object(i, j), visit);
+template <class symreal_Visit>
+void symreal_look(double const &symreal_number, symreal_Visit &symreal_visit, symreal_choice<4>) {
+  symreal_visit(symreal_number);
 }
-template <class T, class Visit> auto symreal_look(T &object, Visit &visit, symreal_choice<1>)
-    -> decltype(object.size(), static_cast<void>(object[0])) {
-  for (decltype(object.size() + 0) i = 0; i < object.size(); ++i) symreal_each(object[i], visit);
+template <class symreal_T, __SIZE_TYPE__ symreal_n, class symreal_Visit>
+void symreal_look(symreal_T (&symreal_array)[symreal_n], symreal_Visit &symreal_visit, symreal_choice<3>) {
+  for (__SIZE_TYPE__ symreal_i = 0; symreal_i < symreal_n; ++symreal_i)
+    symreal_each(symreal_array[symreal_i], symreal_visit);
 }
-template <class T, class Visit> auto symreal_look(T &object, Visit &visit, symreal_choice<0>)
-    -> decltype(object.real(), static_cast<void>(object.imag())) {
-  for (int part = 0; part < 2; ++part)
-    symreal_each(reinterpret_cast<typename symreal_number<T>::type *>(&object)[part], visit);
+template <class symreal_T, class symreal_Visit>
+auto symreal_look(symreal_T &symreal_object, symreal_Visit &symreal_visit, symreal_choice<2>)
+    -> decltype(symreal_object.rows(), symreal_object.cols(), static_cast<void>(symreal_object(0, 0))) {
+  for (decltype(symreal_object.rows() + 0) symreal_i = 0; symreal_i < symreal_object.rows(); ++symreal_i)
+    for (decltype(symreal_object.cols() + 0) symreal_j = 0; symreal_j < symreal_object.cols(); ++symreal_j)
+      symreal_each(symreal_object(symreal_i, symreal_j), symreal_visit);
 }
-template <class T, class Visit> void symreal_each(T &&object, Visit &visit) {
-  symreal_look(object, visit, symreal_choice<4>());
+template <class symreal_T, class symreal_Visit>
+auto symreal_look(symreal_T &symreal_object, symreal_Visit &symreal_visit, symreal_choice<1>)
+    -> decltype(symreal_object.size(), static_cast<void>(symreal_object[0])) {
+  for (decltype(symreal_object.size() + 0) symreal_i = 0; symreal_i < symreal_object.size(); ++symreal_i)
+    symreal_each(symreal_object[symreal_i], symreal_visit);
+}
+template <class symreal_T, class symreal_Visit>
+auto symreal_look(symreal_T &symreal_object, symreal_Visit &symreal_visit, symreal_choice<0>)
+    -> decltype(symreal_object.real(), static_cast<void>(symreal_object.imag())) {
+  for (int symreal_part = 0; symreal_part < 2; ++symreal_part)
+    symreal_each(reinterpret_cast<typename symreal_number<symreal_T>::symreal_type *>(&symreal_object)[symreal_part],
+                 symreal_visit);
+}
+template <class symreal_T, class symreal_Visit>
+void symreal_each(symreal_T &&symreal_object, symreal_Visit &symreal_visit) {
+  symreal_look(symreal_object, symreal_visit, symreal_choice<4>());
 }
 struct symreal_counter {
-  __SIZE_TYPE__ count;
-  void operator()(double const &) { ++count; }
+  __SIZE_TYPE__ symreal_count;
+  void operator()(double const &) { ++symreal_count; }
 };
 struct symreal_reader {
-  double *at;
-  void operator()(double const &number) { *at++ = number; }
+  double *symreal_at;
+  void operator()(double const &symreal_number) { *symreal_at++ = symreal_number; }
 };
 struct symreal_writer {
-  double const *at;
-  void operator()(double &number) { number = *at++; }
+  double const *symreal_at;
+  void operator()(double &symreal_number) { symreal_number = *symreal_at++; }
 };
-template <class T> inline __SIZE_TYPE__ symreal_count(T &object) {
-  symreal_counter counter = {0};
-  symreal_each(object, counter);
-  return counter.count;
+template <class symreal_T> inline __SIZE_TYPE__ symreal_count(symreal_T &symreal_object) {
+  symreal_counter symreal_counter = {0};
+  symreal_each(symreal_object, symreal_counter);
+  return symreal_counter.symreal_count;
 }
-template <class T> inline void symreal_pack(T &object, double *at) {
-  symreal_reader reader = {at};
-  symreal_each(object, reader);
+template <class symreal_T> inline void symreal_pack(symreal_T &symreal_object, double *symreal_at) {
+  symreal_reader symreal_reader = {symreal_at};
+  symreal_each(symreal_object, symreal_reader);
 }
-template <class T> inline void symreal_unpack(T &object, double const *at) {
-  symreal_writer writer = {at};
-  symreal_each(object, writer);
+template <class symreal_T> inline void symreal_unpack(symreal_T &symreal_object, double const *symreal_at) {
+  symreal_writer symreal_writer = {symreal_at};
+  symreal_each(symreal_object, symreal_writer);
 }
 }
 )";

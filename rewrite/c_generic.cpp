@@ -16,7 +16,7 @@ public:
       TypeSourceInfo const *type = association.getTypeSourceInfo();
       SourceLocation const end = type ? type->getTypeLoc().getEndLoc() : selection->getDefaultLoc();
       if (!type && is_replaced(end)) continue;
-      known = known && replace_colon(end) && (type || replace(end, "default", "::symreal::Otherwise"));
+      known = known && replace_colon(end) && (type || replace(end, "default", "::symreal::SymrealOtherwise"));
     }
     if (!known)
       facts_.diagnostics.push_back({DiagnosticId::c_source, Severity::error, map_.place(selection->getBeginLoc()),

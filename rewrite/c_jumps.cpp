@@ -185,7 +185,7 @@ private:
     if (!equals || equals->isNot(tok::equal)) return false;
     std::optional<Span> const span = map_.token(equals->getLocation());
     std::string const name = variable.getNameAsString();
-    if (span) words.push_back({*span, Use::before, "; ::symreal::initialised(" + name + ")"});
+    if (span) words.push_back({*span, Use::before, "; ::symreal::symreal_initialised(" + name + ")"});
     return span.has_value();
   }
 

@@ -38,8 +38,8 @@ std::string annotation(std::string const &kind, ItemFact const &item) {
   std::string extents;
   for (Section const &section : item.sections) extents += (extents.empty() ? "" : ", ") + section.length;
   return macro + "(" + kind + ", " + place_arguments(item.label, item.place) + ", " +
-         (is_object ? "" : "::symreal::extents(" + with_real(extents) + "), ") + layout + with_real(item.expression) +
-         ")";
+         (is_object ? "" : "::symreal::symreal_extents(" + with_real(extents) + "), ") + layout +
+         with_real(item.expression) + ")";
 }
 
 // The program's own copy of what a pointer to const points to takes its place before the kernel writes nodes there.

@@ -44,8 +44,8 @@ void Recorder::annotated_structure(Expr const *argument) {
   StringRef const text =
       Lexer::getSourceText(CharSourceRange::getTokenRange(argument->getSourceRange()), map_.sources(), map_.language());
   facts_.wraps.insert({*span, Use::instead,
-                       "::symreal::laid_out<" + types + ">(\"" + described.layout.text + "\", __builtin_addressof(" +
-                           text.str() + "))"});
+                       "::symreal::symreal_laid_out<" + types + ">(\"" + described.layout.text +
+                           "\", __builtin_addressof(" + text.str() + "))"});
 }
 
 } // namespace symreal::rewrite

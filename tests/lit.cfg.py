@@ -27,10 +27,10 @@ config.substitutions += [
     (r"%rewrite\b", os.path.join(config.binary_dir, "rewrite", "symreal-rewrite-dump") + " --text"),
     (r"%same\b", "python3 " + os.path.join(config.source_dir, "tests", "tools", "same_object.py") + " "
      + os.path.join(config.binary_dir, "rewrite", "symreal-rewrite-dump") + " "
-     + os.path.join(config.source_dir, "runtime", "include")),
+     + os.path.join(config.binary_dir, "runtime", "include")),
     (r"%source\b", config.source_dir),
     (r"%inputs\b", os.path.join(config.source_dir, "inputs")),
-    (r"%runtime_include\b", os.path.join(config.source_dir, "runtime", "include")),
+    (r"%runtime_include\b", os.path.join(config.binary_dir, "runtime", "include")),
     (r"%runtime\b", os.path.join(config.source_dir, "runtime")),
     (r"%library\b", os.path.join(config.binary_dir, "runtime", "libsymreal_runtime.a")),
     (r"%tools\b", os.path.join(config.source_dir, "tests", "tools")),

@@ -428,32 +428,56 @@ std::string binding_helpers(bool is_c) {
                             "}\n";
   if (is_c) return value;
   return "#include <iterator>\n" + value + R"(namespace {
-template <int n> struct symreal_rank : symreal_rank<n - 1> {};
+template <int symreal_n> struct symreal_rank : symreal_rank<symreal_n - 1> {};
 template <> struct symreal_rank<0> {};
-template <class T, class Value> void symreal_fill(T &&object, Value value);
-template <class Value> void symreal_put(double &object, Value value, symreal_rank<3>) { object = value(); }
-template <class Value> void symreal_put(float &object, Value value, symreal_rank<3>) { object = value(); }
-template <class Value> void symreal_put(bool &object, Value value, symreal_rank<3>) { object = value(); }
-template <class Value> void symreal_put(char &object, Value value, symreal_rank<3>) { object = value(); }
-template <class Value> void symreal_put(int &object, Value value, symreal_rank<3>) { object = value(); }
-template <class Value> void symreal_put(unsigned &object, Value value, symreal_rank<3>) { object = value(); }
-template <class Value> void symreal_put(long &object, Value value, symreal_rank<3>) { object = value(); }
-template <class Value> void symreal_put(unsigned long &object, Value value, symreal_rank<3>) { object = value(); }
-template <class T, class Value> auto symreal_put(T &object, Value value, symreal_rank<2>)
-    -> decltype(object.rows(), object.cols(), static_cast<void>(object(0, 0))) {
-  for (decltype(object.rows() + 0) i = 0; i < object.rows(); ++i)
-    for (decltype(object.cols() + 0) j = 0; j < object.cols(); ++j) symreal_fill(object(i, j), value);
+template <class symreal_T, class symreal_Value>
+void symreal_fill(symreal_T &&symreal_object, symreal_Value symreal_value);
+template <class symreal_Value> void symreal_put(double &symreal_object, symreal_Value symreal_value, symreal_rank<3>) {
+  symreal_object = symreal_value();
 }
-template <class T, class Value> auto symreal_put(T &object, Value value, symreal_rank<1>)
-    -> decltype(object.real(), static_cast<void>(object.imag())) {
-  object = T(value(), value());
+template <class symreal_Value> void symreal_put(float &symreal_object, symreal_Value symreal_value, symreal_rank<3>) {
+  symreal_object = symreal_value();
 }
-template <class T, class Value> auto symreal_put(T &object, Value value, symreal_rank<0>)
-    -> decltype(static_cast<void>(*std::begin(object))) {
-  for (auto &part : object) symreal_fill(part, value);
+template <class symreal_Value> void symreal_put(bool &symreal_object, symreal_Value symreal_value, symreal_rank<3>) {
+  symreal_object = symreal_value();
 }
-template <class T, class Value> void symreal_fill(T &&object, Value value) {
-  symreal_put(object, value, symreal_rank<3>());
+template <class symreal_Value> void symreal_put(char &symreal_object, symreal_Value symreal_value, symreal_rank<3>) {
+  symreal_object = symreal_value();
+}
+template <class symreal_Value> void symreal_put(int &symreal_object, symreal_Value symreal_value, symreal_rank<3>) {
+  symreal_object = symreal_value();
+}
+template <class symreal_Value>
+void symreal_put(unsigned &symreal_object, symreal_Value symreal_value, symreal_rank<3>) {
+  symreal_object = symreal_value();
+}
+template <class symreal_Value> void symreal_put(long &symreal_object, symreal_Value symreal_value, symreal_rank<3>) {
+  symreal_object = symreal_value();
+}
+template <class symreal_Value>
+void symreal_put(unsigned long &symreal_object, symreal_Value symreal_value, symreal_rank<3>) {
+  symreal_object = symreal_value();
+}
+template <class symreal_T, class symreal_Value>
+auto symreal_put(symreal_T &symreal_object, symreal_Value symreal_value, symreal_rank<2>)
+    -> decltype(symreal_object.rows(), symreal_object.cols(), static_cast<void>(symreal_object(0, 0))) {
+  for (decltype(symreal_object.rows() + 0) symreal_i = 0; symreal_i < symreal_object.rows(); ++symreal_i)
+    for (decltype(symreal_object.cols() + 0) symreal_j = 0; symreal_j < symreal_object.cols(); ++symreal_j)
+      symreal_fill(symreal_object(symreal_i, symreal_j), symreal_value);
+}
+template <class symreal_T, class symreal_Value>
+auto symreal_put(symreal_T &symreal_object, symreal_Value symreal_value, symreal_rank<1>)
+    -> decltype(symreal_object.real(), static_cast<void>(symreal_object.imag())) {
+  symreal_object = symreal_T(symreal_value(), symreal_value());
+}
+template <class symreal_T, class symreal_Value>
+auto symreal_put(symreal_T &symreal_object, symreal_Value symreal_value, symreal_rank<0>)
+    -> decltype(static_cast<void>(*std::begin(symreal_object))) {
+  for (auto &symreal_part : symreal_object) symreal_fill(symreal_part, symreal_value);
+}
+template <class symreal_T, class symreal_Value>
+void symreal_fill(symreal_T &&symreal_object, symreal_Value symreal_value) {
+  symreal_put(symreal_object, symreal_value, symreal_rank<3>());
 }
 }
 )";

@@ -68,15 +68,15 @@ std::string constants_function(Graph const &graph, std::string const &prefix) {
 
 /* What depends on parameters alone. {0}preprocess runs in a thread's first call and when a parameter has other bits than in the
    thread's last call: so a NaN is equal to itself, and 0.0 is not -0.0. */
-static double const *symreal_constants_of(double const *parameters) {{
-  static SYMREAL_PER_THREAD int is_known = 0;
-  static SYMREAL_PER_THREAD double known[{1}], constants[{2}];
-  if (!is_known || memcmp(known, parameters, sizeof known) != 0) {{
-    {0}preprocess(parameters, constants);
-    memcpy(known, parameters, sizeof known);
-    is_known = 1;
+static double const *symreal_constants_of(double const *symreal_parameters) {{
+  static SYMREAL_PER_THREAD int symreal_is_known = 0;
+  static SYMREAL_PER_THREAD double symreal_known[{1}], symreal_constants[{2}];
+  if (!symreal_is_known || memcmp(symreal_known, symreal_parameters, sizeof symreal_known) != 0) {{
+    {0}preprocess(symreal_parameters, symreal_constants);
+    memcpy(symreal_known, symreal_parameters, sizeof symreal_known);
+    symreal_is_known = 1;
   }}
-  return constants;
+  return symreal_constants;
 }}
 )",
                      prefix, graph.parameter_count(), graph.precomputed.size());
@@ -84,8 +84,8 @@ static double const *symreal_constants_of(double const *parameters) {{
 
 constexpr char const *refuse_function = R"(
 /* The generated code is for the extents with which it was recorded. */
-static void symreal_refuse(char const *what) {
-  fprintf(stderr, "%s: this call has other extents than the generated code\n", what);
+static void symreal_refuse(char const *symreal_what) {
+  fprintf(stderr, "%s: this call has other extents than the generated code\n", symreal_what);
   abort();
 }
 )";

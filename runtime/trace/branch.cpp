@@ -58,7 +58,7 @@ void Level::has_returned(SymbolicBool condition) {
   rest.emplace(!returned);
 }
 
-Returned Returns::result() {
+Returned Returns::symreal_result() {
   body_.rest.reset();
   if (!kernel_) return {result_, plain_};
   kernel_->defer_returned(false);

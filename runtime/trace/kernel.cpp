@@ -115,7 +115,7 @@ void detail::end_region(Program program, char const *file_name, SourcePlace plac
   Kernel::current().end_region(program, file_name, place);
 }
 
-void set_range(double low, double high) noexcept { Kernel::current().set_range(low, high); }
+void symreal_set_range(double low, double high) noexcept { Kernel::current().set_range(low, high); }
 
 void FunctionKernel::accept_annotations() noexcept { Kernel::current().accept_annotations(); }
 void FunctionKernel::begin_outputs() noexcept { Kernel::current().begin_outputs(); }

@@ -19,7 +19,7 @@ namespace symreal {
 using trace::Externals;
 using trace::Pool;
 
-void declare_table(void const *pointer, std::size_t count) noexcept {
+void symreal_declare_table(void const *pointer, std::size_t count) noexcept {
   Externals::current().declare_extent(pointer, count);
 }
 

@@ -18,8 +18,8 @@ std::ostream &operator<<(std::ostream &out, RealNumber x) {
 }
 
 std::ostream &operator<<(std::ostream &out, SymbolicBool x) {
-  detail::made_stream(out, value(x) ? "1" : "0", x.condition());
-  return out << value(x);
+  detail::made_stream(out, symreal_value(x) ? "1" : "0", x.condition());
+  return out << symreal_value(x);
 }
 
 std::istream &operator>>(std::istream &in, RealNumber &x) {

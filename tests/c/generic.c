@@ -6,7 +6,7 @@
 // SAME: y {{ *}}1 {{ *}}0 {{ *}}0
 #include <stdio.h>
 
-// CHECK: #define NAME(x) _Generic((x), REAL REAL_EITHER((:), ,) "double", REAL_EITHER((default), ::symreal::Otherwise)REAL_EITHER((:), ,) "other", int const *REAL_EITHER((:), ,) "pointer")
+// CHECK: #define NAME(x) _Generic((x), REAL REAL_EITHER((:), ,) "double", REAL_EITHER((default), ::symreal::SymrealOtherwise)REAL_EITHER((:), ,) "other", int const *REAL_EITHER((:), ,) "pointer")
 #define NAME(x) _Generic((x), double: "double", default: "other", int const *: "pointer")
 #define SIZE(array) _Generic(&(array), char (*)[sizeof(array)]: sizeof(array))
 

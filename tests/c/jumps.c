@@ -13,22 +13,22 @@ static double select_one(int kind, double x, double const *t)
 {
     switch (kind) {
     case 0:;
-        // CHECK: REAL a REAL_ONLY(; ::symreal::initialised(a)) = x REAL_EITHER((,), ; REAL) *p REAL_ONLY(; ::symreal::initialised(p)) = &a REAL_EITHER((,), ; REAL) c;
+        // CHECK: REAL a REAL_ONLY(; ::symreal::symreal_initialised(a)) = x REAL_EITHER((,), ; REAL) *p REAL_ONLY(; ::symreal::symreal_initialised(p)) = &a REAL_EITHER((,), ; REAL) c;
         double a = x, *p = &a, c;
         c = *p;
         return a * c;
     case 1:;
-        // CHECK: REAL_EITHER((const), ) REAL k REAL_ONLY(; ::symreal::initialised(k)) = {{.*}}t[0]) + x;
+        // CHECK: REAL_EITHER((const), ) REAL k REAL_ONLY(; ::symreal::symreal_initialised(k)) = {{.*}}t[0]) + x;
         const double k = t[0] + x;
-        // CHECK: REAL const *REAL_EITHER((const), ) q REAL_ONLY(; ::symreal::initialised(q)) = t;
+        // CHECK: REAL const *REAL_EITHER((const), ) q REAL_ONLY(; ::symreal::symreal_initialised(q)) = t;
         double const *const q = t;
         return k + q[1];
     case 2:;
-        // CHECK: int r[2][2] REAL_ONLY(; ::symreal::initialised(r)) = {
+        // CHECK: int r[2][2] REAL_ONLY(; ::symreal::symreal_initialised(r)) = {
         int r[2][2] = {{1, 2}, {3}};
-        // CHECK: struct pair s REAL_ONLY(; ::symreal::initialised(s)) = {
+        // CHECK: struct pair s REAL_ONLY(; ::symreal::symreal_initialised(s)) = {
         struct pair s = {x, 3};
-        // CHECK: struct pair u REAL_ONLY(; ::symreal::initialised(u)) = s;
+        // CHECK: struct pair u REAL_ONLY(; ::symreal::symreal_initialised(u)) = s;
         struct pair u = s;
         // CHECK: static int calls = 0;
         static int calls = 0;
@@ -49,7 +49,7 @@ static double leave_early(double x, int n)
 {
     double y = 0;
     if (n < 0) goto done;
-    // CHECK: int m REAL_ONLY(; ::symreal::initialised(m)) = n * 2;
+    // CHECK: int m REAL_ONLY(; ::symreal::symreal_initialised(m)) = n * 2;
     int m = n * 2;
     y = m * x;
 done:

@@ -20,7 +20,7 @@ T Arm::torque(T const *q, int n) {
 }
 
 #pragma symreal function input(x) output(y[0:2], a)
-// CHECK: void scale(REAL x, REAL *y, REAL a[2]) { SYMREAL_FUNCTION("scale", {{.*}}) SYMREAL_OBJECT(input, "x", {{.*}}, x) SYMREAL_OUTPUTS_BEGIN SYMREAL_SECTION(output, "y[0:2]", {{.*}}) SYMREAL_SECTION(output, "a", {{.*}}, ::symreal::extents(2), a[(0)+symreal_i[0]]) SYMREAL_OUTPUTS_END REAL_WRITTEN({{.*}}, y[0]) = x;
+// CHECK: void scale(REAL x, REAL *y, REAL a[2]) { SYMREAL_FUNCTION("scale", {{.*}}) SYMREAL_OBJECT(input, "x", {{.*}}, x) SYMREAL_OUTPUTS_BEGIN SYMREAL_SECTION(output, "y[0:2]", {{.*}}) SYMREAL_SECTION(output, "a", {{.*}}, ::symreal::symreal_extents(2), a[(0)+symreal_i[0]]) SYMREAL_OUTPUTS_END REAL_WRITTEN({{.*}}, y[0]) = x;
 void scale(double x, double *y, double a[2]) { y[0] = x; a[1] = x; }
 
 double use(Arm &arm, double *q) { return arm.torque(q, 1); }

@@ -37,14 +37,15 @@ template <class Real, int Size, int Declared> std::vector<double> results() {
       b(i, j) = number<Real>(uniform(random));
     }
   }
-  std::vector<double> values = {value(v.dot(w)), value(v.sum()), value(a.norm()), value(v.squaredNorm()),
-                                value(a.trace())};
+  std::vector<double> values = {symreal_value(v.dot(w)), symreal_value(v.sum()), symreal_value(a.norm()),
+                                symreal_value(v.squaredNorm()), symreal_value(a.trace())};
   Matrix const product = a * b, inverse = a.inverse(), scaled = 0.5 * a + b * 2.0;
   Vector const image = a * v, difference = a.transpose() * w - v / 3.0;
   for (int i = 0; i < Size; ++i) {
-    values.insert(values.end(), {value(image(i)), value(difference(i))});
+    values.insert(values.end(), {symreal_value(image(i)), symreal_value(difference(i))});
     for (int j = 0; j < Size; ++j)
-      values.insert(values.end(), {value(product(i, j)), value(inverse(i, j)), value(scaled(i, j))});
+      values.insert(values.end(),
+                    {symreal_value(product(i, j)), symreal_value(inverse(i, j)), symreal_value(scaled(i, j))});
   }
   return values;
 }

@@ -29,16 +29,16 @@ protected:
 };
 
 TEST_F(ExternalTest, APureCallIsAnExpression) {
-  auto const f = external(twice, pure_twice);
+  auto const f = symreal_external(twice, pure_twice);
   RealNumber const a = f(x), b = f(x), constant = f(2.0);
-  EXPECT_EQ(value(a), 6);
+  EXPECT_EQ(symreal_value(a), 6);
   EXPECT_EQ(a.to_bits(), b.to_bits());
   EXPECT_FALSE(constant.is_node());
   EXPECT_EQ(constant.plain(), 4);
 }
 
 TEST_F(ExternalTest, ACallWithEffectsIsKept) {
-  auto const f = external(twice, counted_twice);
+  auto const f = symreal_external(twice, counted_twice);
   calls = 0;
   RealNumber const a = f(x), b = f(x), constant = f(2.0);
   EXPECT_EQ(calls, 3);
@@ -56,14 +56,14 @@ TEST_F(ExternalTest, ACallWithEffectsIsKept) {
 }
 
 TEST_F(ExternalTest, AnArrayHasTheSizeOfItsCall) {
-  auto const f = external(swap_ends, swapping);
+  auto const f = symreal_external(swap_ends, swapping);
   RealNumber values[3] = {x, 1.0, 7.0};
   f(3, values);
-  EXPECT_EQ(value(values[0]), 7);
-  EXPECT_EQ(value(values[2]), 3);
+  EXPECT_EQ(symreal_value(values[0]), 7);
+  EXPECT_EQ(symreal_value(values[2]), 3);
   EXPECT_TRUE(values[0].is_node() && values[1].is_node());
   f(2, values);
-  EXPECT_EQ(value(values[0]), 1);
+  EXPECT_EQ(symreal_value(values[0]), 1);
   ASSERT_EQ(trace::Externals::current().functions().size(), 2u);
   EXPECT_EQ(trace::Externals::current().functions()[1].parameters[1].count, 2u);
 }
@@ -71,14 +71,14 @@ TEST_F(ExternalTest, AnArrayHasTheSizeOfItsCall) {
 TEST_F(ExternalTest, EffectsAreRefusedUnderACondition) {
   auto const call = [&] {
     PathScope const arm(x > 0.0);
-    (void)external(twice, counted_twice)(x);
+    (void)symreal_external(twice, counted_twice)(x);
   };
   EXPECT_EXIT(call(), testing::ExitedWithCode(1), "'twice' may have effects");
 }
 
 TEST_F(ExternalTest, AnArrayIsThereAndHasElements) {
-  EXPECT_EXIT(external(swap_ends, swapping)(3, nullptr), testing::ExitedWithCode(1), "null pointer");
-  EXPECT_EXIT(external(swap_ends, swapping)(0, &x), testing::ExitedWithCode(1), "no elements");
+  EXPECT_EXIT(symreal_external(swap_ends, swapping)(3, nullptr), testing::ExitedWithCode(1), "null pointer");
+  EXPECT_EXIT(symreal_external(swap_ends, swapping)(0, &x), testing::ExitedWithCode(1), "no elements");
 }
 
 } // namespace

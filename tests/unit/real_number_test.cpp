@@ -49,7 +49,7 @@ TEST_F(Recording, NodesSurviveBytewiseCopies) {
   std::memcpy(&copy, &sum, sizeof copy);
   EXPECT_TRUE(copy.is_node());
   EXPECT_EQ(copy.to_bits(), sum.to_bits());
-  EXPECT_EQ(value(copy), 2.5);
+  EXPECT_EQ(symreal_value(copy), 2.5);
 }
 
 TEST_F(Recording, EqualComputationsAreOneNode) {
@@ -85,7 +85,7 @@ TEST_F(Recording, FunctionsCarryTheirValues) {
 #define SYMREAL_FORM_call(id, arity) SYMREAL_CHECK_##arity(id)
 #define SYMREAL_SAME(id, real, reference)                                                                              \
   EXPECT_TRUE((real).is_node());                                                                                       \
-  EXPECT_TRUE(std::isnan(reference) || value(real) == (reference)) << #id
+  EXPECT_TRUE(std::isnan(reference) || symreal_value(real) == (reference)) << #id
 #define SYMREAL_CHECK_1(id) SYMREAL_SAME(id, std::id(x), evaluate(Op::id, 0.5, 0, 0));
 #define SYMREAL_CHECK_2(id)                                                                                            \
   SYMREAL_SAME(id, std::id(x, y), evaluate(Op::id, 0.5, 2.0, 0));                                                      \
@@ -104,18 +104,18 @@ TEST_F(Recording, MixedArithmeticAndAssignment) {
   sum *= 4.0f;
   sum /= 2L;
   ++sum;
-  EXPECT_EQ(value(sum), (1 + 0.5 + 2 - 2.0) * 4 / 2 + 1);
-  EXPECT_EQ(value(-sum), -value(sum));
-  EXPECT_EQ(value(max(x, y)), 2.0);
-  EXPECT_EQ(value(std::min(x, RealNumber(0.1))), 0.1);
+  EXPECT_EQ(symreal_value(sum), (1 + 0.5 + 2 - 2.0) * 4 / 2 + 1);
+  EXPECT_EQ(symreal_value(-sum), -symreal_value(sum));
+  EXPECT_EQ(symreal_value(max(x, y)), 2.0);
+  EXPECT_EQ(symreal_value(std::min(x, RealNumber(0.1))), 0.1);
   RealNumber integer;
-  EXPECT_EQ(value(modf(sum, &integer)), 0.0);
+  EXPECT_EQ(symreal_value(modf(sum, &integer)), 0.0);
 }
 
 TEST_F(Recording, ComplexNumbersAreTraced) {
   std::complex<RealNumber> z(x, y), w = z * z + std::complex<RealNumber>(1.0, 0.0);
-  EXPECT_EQ(value(w.real()), 0.25 - 4.0 + 1.0);
-  EXPECT_EQ(value(w.imag()), 2.0);
+  EXPECT_EQ(symreal_value(w.real()), 0.25 - 4.0 + 1.0);
+  EXPECT_EQ(symreal_value(w.imag()), 2.0);
   EXPECT_TRUE(w.real().is_node());
 }
 
@@ -161,9 +161,9 @@ TEST_F(Recording, GuardPolicyRecordsThePath) {
   guards.begin();
   {
     DecisionScope const scope(Decisions::guard);
-    EXPECT_EQ(static_cast<bool>(x < y), value(x) < value(y));
-    EXPECT_EQ(static_cast<bool>(x < y), value(x) < value(y)); // again: nothing new
-    EXPECT_EQ(static_cast<int>(y), static_cast<int>(value(y)));
+    EXPECT_EQ(static_cast<bool>(x < y), symreal_value(x) < symreal_value(y));
+    EXPECT_EQ(static_cast<bool>(x < y), symreal_value(x) < symreal_value(y)); // again: nothing new
+    EXPECT_EQ(static_cast<int>(y), static_cast<int>(symreal_value(y)));
     PathScope const path(x < 100.0);
     EXPECT_TRUE(y < 50.0);
   }
@@ -222,7 +222,7 @@ TEST_F(RecordingDeathTest, StaleNodesAreCaught) {
 TEST_F(RecordingDeathTest, AMissingValueIsNeeded) {
   RealNumber const unknown = Pool::current().leaf(Node::input(2), missing_value());
   EXPECT_TRUE((unknown * y + x).is_node());
-  EXPECT_EXIT((void)value(unknown * y), testing::ExitedWithCode(1), "has no value");
+  EXPECT_EXIT((void)symreal_value(unknown * y), testing::ExitedWithCode(1), "has no value");
   EXPECT_EXIT((void)static_cast<bool>(unknown < x), testing::ExitedWithCode(1), "has no value");
 }
 

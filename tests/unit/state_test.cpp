@@ -37,7 +37,7 @@ public:
 
 using Values = std::map<std::string, std::vector<double>>;
 
-RealNumber &read(RealNumber &number, char const *name) { return symreal::read(number, name, "a.cpp:1:1"); }
+RealNumber &read(RealNumber &number, char const *name) { return symreal::symreal_read(number, name, "a.cpp:1:1"); }
 
 struct Members {
   RealNumber first = 1.0;
@@ -113,7 +113,7 @@ TEST_F(HeapState, FreedMemoryIsForgotten) {
 TEST_F(HeapState, WhatIsWrittenFirstIsNotFrozen) {
   static RealNumber numbers[2] = {1.0, 2.0};
   Kernel kernel;
-  written(numbers[0], "numbers[0]", "a.cpp:1:1") = 3.0;
+  symreal_written(numbers[0], "numbers[0]", "a.cpp:1:1") = 3.0;
   read(numbers[0], "numbers[i]");
   read(numbers[1], "numbers[i]");
   EXPECT_EQ(kernel.frozen(), (Values{{"numbers[i]", {2.0}}}));
@@ -122,7 +122,7 @@ TEST_F(HeapState, WhatIsWrittenFirstIsNotFrozen) {
 TEST(State, StaticObjectsHaveTheirName) {
   static RealNumber numbers[3] = {1.0, 2.0, 3.0};
   Kernel kernel;
-  RealNumber *p = state(numbers, "numbers", "a.cpp:1:1");
+  RealNumber *p = symreal_state(numbers, "numbers", "a.cpp:1:1");
   read(p[2], "p[2]");
   read(p[0], "*p");
   EXPECT_EQ(kernel.frozen(), (Values{{"numbers", {3.0, 1.0}}}));
@@ -134,7 +134,7 @@ TEST(State, ConstantMemoryAndTheOwnStackAreNotAsked) {
   [&] {
     RealNumber local = 2.0;
     read(local, "local");
-    symreal::read(fixed[0], "fixed", "a.cpp:1:1");
+    symreal::symreal_read(fixed[0], "fixed", "a.cpp:1:1");
   }();
   EXPECT_TRUE(kernel.frozen().empty());
 }
@@ -143,9 +143,9 @@ TEST_F(HeapState, WholeObjectsTellTheirNumbers) {
   auto older = std::make_unique<Members>();
   auto pair = std::make_unique<std::pair<int, std::vector<Members>>>(1, std::vector<Members>(1));
   Kernel kernel;
-  symreal::read(*older, "older", "a.cpp:1:1");
+  symreal::symreal_read(*older, "older", "a.cpp:1:1");
   declare_object<Kind::constant>(*pair);
-  symreal::read(pair->second[0], "element", "a.cpp:1:1");
+  symreal::symreal_read(pair->second[0], "element", "a.cpp:1:1");
   EXPECT_EQ(kernel.frozen(), (Values{{"older", {1.0, 3.0, 4.0}}}));
 }
 
@@ -154,9 +154,9 @@ TEST_F(HeapState, IntegersShareWords) {
   for (int i = 0; i < 4; i++) older[i] = static_cast<short>(-1 - i);
   Kernel kernel;
   declare_object<Kind::constant>(older[1]);
-  for (int i = 0; i < 3; i++) symreal::read(older[i], "older[i]", "a.cpp:1:1");
-  written(older[3], "older[3]", "a.cpp:1:1") = 1;
-  symreal::read(older[3], "older[3]", "a.cpp:2:1");
+  for (int i = 0; i < 3; i++) symreal::symreal_read(older[i], "older[i]", "a.cpp:1:1");
+  symreal_written(older[3], "older[3]", "a.cpp:1:1") = 1;
+  symreal::symreal_read(older[3], "older[3]", "a.cpp:2:1");
   detail::scratch(&older[3], sizeof older[3], detail::visit<short>);
   EXPECT_EQ(kernel.frozen(), (Values{{"older[i]", {-1.0, -3.0}}}));
 }
@@ -165,12 +165,12 @@ TEST_F(HeapState, IntegersMoveWithTheirBlock) {
   auto *block = static_cast<int *>(std::malloc(2 * sizeof(int)));
   block[0] = 2, block[1] = 3;
   Kernel kernel;
-  symreal::read(block[0], "block", "a.cpp:1:1");
+  symreal::symreal_read(block[0], "block", "a.cpp:1:1");
   block = static_cast<int *>(std::realloc(block, 1000 * sizeof(int)));
-  symreal::read(block[0], "block", "a.cpp:1:1");
-  symreal::read(block[1], "block", "a.cpp:1:1");
+  symreal::symreal_read(block[0], "block", "a.cpp:1:1");
+  symreal::symreal_read(block[1], "block", "a.cpp:1:1");
   block[999] = 4;
-  symreal::read(block[999], "block", "a.cpp:1:1");
+  symreal::symreal_read(block[999], "block", "a.cpp:1:1");
   EXPECT_EQ(kernel.frozen(), (Values{{"block", {2.0, 3.0}}}));
   std::free(block);
 }
@@ -179,7 +179,7 @@ TEST_F(HeapState, RangesAreNotedByTheirSecondEnd) {
   auto older = std::make_unique<RealNumber[]>(4);
   for (int i = 0; i < 4; i++) older[i] = i;
   Kernel kernel;
-  range_end(&older[3], "older", "a.cpp:1:1");
-  range_begin(&older[1], "older", "a.cpp:1:1");
+  symreal_range_end(&older[3], "older", "a.cpp:1:1");
+  symreal_range_begin(&older[1], "older", "a.cpp:1:1");
   EXPECT_EQ(kernel.frozen(), (Values{{"older", {1.0, 2.0}}}));
 }

@@ -125,13 +125,13 @@ struct Extents : std::vector<std::size_t> {
   }
 };
 
-template <class... Count> Extents extents(Count &&...count) {
+template <class... Count> Extents symreal_extents(Count &&...count) {
   Extents result;
   (result.add(std::forward<Count>(count)), ...);
   return result;
 }
 
-template <class T> void annotate(Kind kind, char const *label, SourcePlace place, T &&object) {
+template <class T> void symreal_annotate(Kind kind, char const *label, SourcePlace place, T &&object) {
   if (!detail::begin_object(detail::program, kind, label, place)) return;
   Extents shape;
   detail::walk(object, !std::is_lvalue_reference_v<T &&>, &shape);
@@ -140,7 +140,7 @@ template <class T> void annotate(Kind kind, char const *label, SourcePlace place
 
 // `element` takes the indices of a section and yields one element, which may again be an object.
 template <class Element>
-void annotate_section(Kind kind, char const *label, SourcePlace place, Extents shape, Element element) {
+void symreal_annotate_section(Kind kind, char const *label, SourcePlace place, Extents shape, Element element) {
   if (!detail::begin_object(detail::program, kind, label, place)) return;
   if constexpr (detail::program == detail::Program::symbolic) shape.declare();
   Extents inner, *wanted = &inner;
@@ -168,20 +168,20 @@ template <Kind kind, class T> void declare_object(T const &object) {
   }
 }
 
-template <Kind kind, class T> void declare(char const *label, SourcePlace place, T const &object) {
+template <Kind kind, class T> void symreal_declare(char const *label, SourcePlace place, T const &object) {
   if (!detail::begin_object(detail::program, kind, label, place)) return;
   if constexpr (detail::program == detail::Program::symbolic) declare_object<kind>(object);
   detail::end_object(nullptr, 0);
 }
 
-inline void declare_file(char const *label, SourcePlace place) {
+inline void symreal_declare_file(char const *label, SourcePlace place) {
   if (!detail::begin_object(detail::program, Kind::scratch, label, place)) return;
   detail::scratch_file(place.file);
   detail::end_object(nullptr, 0);
 }
 
 template <Kind kind, class Element>
-void declare_section(char const *label, SourcePlace place, Extents const &shape, Element element) {
+void symreal_declare_section(char const *label, SourcePlace place, Extents const &shape, Element element) {
   if (!detail::begin_object(detail::program, kind, label, place)) return;
   if constexpr (detail::program == detail::Program::symbolic) {
     shape.declare();
@@ -194,16 +194,16 @@ void declare_section(char const *label, SourcePlace place, Extents const &shape,
 double missing_value() noexcept;
 
 // For the inputs of the pragma that was met last.
-void set_range(double low, double high) noexcept;
+void symreal_set_range(double low, double high) noexcept;
 
 // Ends a region kernel: its outputs become ordinary numbers.
-inline void generate(char const *file_name, SourcePlace place) noexcept {
+inline void symreal_generate(char const *file_name, SourcePlace place) noexcept {
   detail::end_region(detail::program, file_name, place);
 }
 
 // The pointer itself; where it points to memory that cannot be written, a private copy of pointer[0 .. low+count).
 // Memory behind the copy cannot be accessed: what the annotation does not declare is not read by accident.
-template <class T> T const *rebind(T const *pointer, std::size_t low, std::size_t count) noexcept {
+template <class T> T const *symreal_rebind(T const *pointer, std::size_t low, std::size_t count) noexcept {
   if constexpr (std::is_trivially_copyable_v<T>)
     return static_cast<T const *>(detail::private_copy(pointer, low * sizeof(T), count * sizeof(T)));
   return pointer;
@@ -221,7 +221,7 @@ public:
   }
 
   // An argument that is passed by value is baked in where it is not annotated.
-  template <class T> void argument(char const *name, char const *place, T const &object) const noexcept {
+  template <class T> void symreal_argument(char const *name, char const *place, T const &object) const noexcept {
     if constexpr (detail::program == detail::Program::symbolic) {
       if (!active_) return;
       struct {
@@ -249,21 +249,21 @@ public:
     bool active_;
     Outputs outputs_;
   };
-  template <class Outputs> OnReturn<Outputs> on_return(Outputs outputs) {
+  template <class Outputs> OnReturn<Outputs> symreal_on_return(Outputs outputs) {
     accept_annotations();
     return OnReturn<Outputs>(active_, std::move(outputs));
   }
 
   // The returned value as an output; the caller gets an ordinary number. Stands before the other outputs: it is met
   // first.
-  template <class T> detail::Returned<T> returned(char const *label, SourcePlace place, T &&result) {
+  template <class T> detail::Returned<T> symreal_returned(char const *label, SourcePlace place, T &&result) {
     detail::Returned<T> copy = std::forward<T>(result);
     if (is_deferred_) {
       label_ = label;
       place_ = place;
     } else if (active_) {
       begin_outputs();
-      annotate(Kind::output, label, place, copy);
+      symreal_annotate(Kind::output, label, place, copy);
       make_plain(&copy, sizeof copy);
     }
     return copy;
@@ -271,13 +271,14 @@ public:
 
   // The same for a structure (<symreal/object_layout.h>).
   template <class... Containers, class T>
-  auto returned_layout(char const *label, SourcePlace place, char const *layout, T &&result);
+  auto symreal_returned_layout(char const *label, SourcePlace place, char const *layout, T &&result);
 
   // A function with selects among its `return`s knows what it returns at the last of them: until then each only says
   // what the output is called.
   void defer_returned(bool is_deferred) noexcept { is_deferred_ = is_deferred; }
   template <class T> detail::Returned<T> deferred(T &&result) {
-    return label_ ? returned(label_, place_, std::forward<T>(result)) : detail::Returned<T>(std::forward<T>(result));
+    return label_ ? symreal_returned(label_, place_, std::forward<T>(result))
+                  : detail::Returned<T>(std::forward<T>(result));
   }
 
 private:

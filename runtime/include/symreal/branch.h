@@ -43,7 +43,7 @@ template <class Y, class N> using Chosen =
 
 // c ? yes() : no()
 template <class C, class Yes, class No>
-[[gnu::always_inline]] inline auto choose(C const &condition, Yes const &yes, No const &no) {
+[[gnu::always_inline]] inline auto symreal_choose(C const &condition, Yes const &yes, No const &no) {
   using Y = decltype(yes());
   using N = decltype(no());
   using Result = detail::Chosen<Y, N>;
@@ -55,7 +55,7 @@ template <class C, class Yes, class No>
   } else {
     static_assert(std::is_constructible_v<Result, Y> && std::is_constructible_v<Result, N>,
                   "symreal: only numbers can be chosen symbolically");
-    SymbolicBool const chosen(truth(condition));
+    SymbolicBool const chosen(symreal_truth(condition));
     if (!chosen.is_symbolic() || decisions() != Decisions::select) {
       if (chosen) return Result(yes());
       return Result(no());
@@ -179,8 +179,8 @@ public:
   Returns(Returns const &) = delete;
   Returns &operator=(Returns const &) = delete;
 
-  // `return value;`. True: result() is what the function returns.
-  template <class T> [[gnu::always_inline]] bool leaves(T const &returned) {
+  // `return value;`. True: symreal_result() is what the function returns.
+  template <class T> [[gnu::always_inline]] bool symreal_leaves(T const &returned) {
     RealNumber const value(returned);
     plain_ = 0;
     if constexpr (!std::is_same_v<T, RealNumber> && std::is_arithmetic_v<T>)
@@ -195,12 +195,12 @@ public:
     fold(value);
     return true;
   }
-  Returned result();
+  Returned symreal_result();
   // The function's end, met when every `return` was noted.
-  [[gnu::always_inline]] Returned last() {
+  [[gnu::always_inline]] Returned symreal_last() {
     fold(take_last());
     plain_ = result_.is_node() ? 0 : result_.plain();
-    return result();
+    return symreal_result();
   }
 
 private:
@@ -223,7 +223,7 @@ private:
   long double plain_ = 0;
 };
 
-// for (Branch branch(condition, ...); branch.more();) if (branch.arm()) ... else ...
+// for (Branch branch(condition, ...); branch.symreal_more();) if (branch.symreal_arm()) ... else ...
 class Branch {
 public:
   template <class C, class Collect>
@@ -231,7 +231,7 @@ public:
     if constexpr (!is_symbolic_truth<C>) {
       outcome_ = static_cast<bool>(condition);
     } else {
-      condition_ = truth(condition);
+      condition_ = symreal_truth(condition);
       is_select_ = condition_.is_symbolic() && decisions() == Decisions::select;
       if (is_select_) collect(targets_);
       is_select_ = is_select_ && !targets_.has_others();
@@ -244,7 +244,7 @@ public:
   ~Branch();
 
   // Is there another arm to execute?
-  [[gnu::always_inline]] bool more() {
+  [[gnu::always_inline]] bool symreal_more() {
     ++stage_;
     if (!is_select_) return stage_ == 1;
     if (stage_ < 3) {
@@ -260,7 +260,7 @@ public:
       merge_arms();
     return false;
   }
-  bool arm() const noexcept { return is_select_ ? stage_ == 1 : outcome_; }
+  bool symreal_arm() const noexcept { return is_select_ ? stage_ == 1 : outcome_; }
 
 private:
   static bool is_certain(SymbolicBool condition) noexcept { return !condition.is_symbolic() && condition.holds(); }
@@ -302,18 +302,18 @@ public:
   [[gnu::always_inline]] ~Loop() { settle(); }
 
   // The loop's condition.
-  template <class Test> [[gnu::always_inline]] bool test(Test condition) {
+  template <class Test> [[gnu::always_inline]] bool symreal_test(Test condition) {
     settle();
-    narrow(SymbolicBool(truth(condition())));
+    narrow(SymbolicBool(symreal_truth(condition())));
     if (is_over()) return false;
     if (runs_++ < limit_) return true;
     stop();
     return false;
   }
   // `if (condition) break;`: true where the loop is certainly left.
-  template <class C> [[gnu::always_inline]] bool breaks(C const &condition) {
+  template <class C> [[gnu::always_inline]] bool symreal_breaks(C const &condition) {
     settle();
-    narrow(!SymbolicBool(truth(condition)));
+    narrow(!SymbolicBool(symreal_truth(condition)));
     return is_over();
   }
 

@@ -16,14 +16,14 @@ void given_from_outside(char const *function, double value) noexcept;
 } // namespace detail
 
 // errno is read: an error where a function of a symbolic value may have set it since it was last written.
-constexpr void error_read(char const *, char const *place) noexcept {
+constexpr void symreal_error_read(char const *, char const *place) noexcept {
   if (!__builtin_is_constant_evaluated() && detail::recording) detail::error_read(place);
 }
-constexpr void error_written(char const *, char const *) noexcept {
+constexpr void symreal_error_written(char const *, char const *) noexcept {
   if (!__builtin_is_constant_evaluated() && detail::recording) detail::error_written();
 }
 // `what`: the function, and what it does.
-constexpr void environment(char const *what, char const *place) noexcept {
+constexpr void symreal_environment(char const *what, char const *place) noexcept {
   if (!__builtin_is_constant_evaluated() && detail::recording) detail::environment_used(what, place);
 }
 
@@ -36,6 +36,6 @@ struct Outside {
     return value;
   }
 };
-constexpr Outside outside(char const *function, char const *) noexcept { return {function}; }
+constexpr Outside symreal_outside(char const *function, char const *) noexcept { return {function}; }
 
 } // namespace symreal

@@ -130,11 +130,11 @@ private:
 };
 
 template <class Result, class... Parameters> ExternalFunction<Result, Parameters...>
-external(Result (*function)(Parameters...), ExternalDescription const &description) noexcept {
+symreal_external(Result (*function)(Parameters...), ExternalDescription const &description) noexcept {
   return {function, description};
 }
 template <class Result, class... Parameters> ExternalFunction<Result, Parameters...>
-external(Result (*function)(Parameters...) noexcept, ExternalDescription const &description) noexcept {
+symreal_external(Result (*function)(Parameters...) noexcept, ExternalDescription const &description) noexcept {
   return {function, description};
 }
 

@@ -19,7 +19,7 @@ private:
   From value_;
 };
 
-template <class T> [[gnu::always_inline]] constexpr auto fit(T const &value) noexcept {
+template <class T> [[gnu::always_inline]] constexpr auto symreal_fit(T const &value) noexcept {
   using From = std::decay_t<T const &>;
   if constexpr (detail::is_class<From> && !std::is_same_v<From, RealNumber>)
     return value;
@@ -29,7 +29,8 @@ template <class T> [[gnu::always_inline]] constexpr auto fit(T const &value) noe
 
 // The argument of a call in a template, as a double converts to the parameter of the function that was chosen for it. A
 // class would choose another function, or convert by another way.
-template <class To, class From> [[gnu::always_inline]] constexpr decltype(auto) argument_as(From &&value) noexcept {
+template <class To, class From>
+[[gnu::always_inline]] constexpr decltype(auto) symreal_argument_as(From &&value) noexcept {
   using Plain = std::remove_cvref_t<From>;
   if constexpr (std::is_same_v<Plain, RealNumber> || std::is_same_v<Plain, SymbolicBool>)
     return static_cast<To>(value);
@@ -38,7 +39,7 @@ template <class To, class From> [[gnu::always_inline]] constexpr decltype(auto) 
 }
 
 // An enumerator that an operator of assignment changes: in C it is an integer.
-template <class E> constexpr auto &enumeration(E &x) noexcept {
+template <class E> constexpr auto &symreal_enumeration(E &x) noexcept {
   if constexpr (std::is_enum_v<E>) {
     using Integer [[gnu::may_alias]] = std::underlying_type_t<E>;
     return reinterpret_cast<Integer &>(x);

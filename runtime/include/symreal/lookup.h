@@ -29,7 +29,7 @@ inline std::ptrdiff_t plain_index(RealNumber index) noexcept { return static_cas
 
 // An element that is read by itself. Where the extent is known the array was looked at as a whole.
 template <class T> RealNumber const element(T const &element, TableName name, std::size_t extent) noexcept {
-  return extent == 0 ? read(element, name.name, name.place) : element;
+  return extent == 0 ? symreal_read(element, name.name, name.place) : element;
 }
 
 template <class T> struct RowOf {
@@ -93,11 +93,11 @@ private:
 };
 
 template <class T, std::size_t n>
-TableView<T> table(T const (&array)[n], char const *name, char const *place) noexcept {
+TableView<T> symreal_table(T const (&array)[n], char const *name, char const *place) noexcept {
   return {{name, place}, array, n};
 }
 // std::array, std::vector.
-template <class Container> auto table(Container const &container, char const *name, char const *place) noexcept
+template <class Container> auto symreal_table(Container const &container, char const *name, char const *place) noexcept
     -> TableView<std::remove_cv_t<std::remove_reference_t<decltype(*container.data())>>> {
   return {{name, place}, container.data(), container.size()};
 }
@@ -105,11 +105,11 @@ template <class T> TableView<T> pointed_table(T const *pointer, char const *name
   return {{name, place}, pointer, detail::declared_extent(pointer)};
 }
 template <class Pointer, class = std::enable_if_t<std::is_pointer_v<Pointer>>>
-auto table(Pointer const &pointer, char const *name, char const *place) noexcept {
+auto symreal_table(Pointer const &pointer, char const *name, char const *place) noexcept {
   return pointed_table(pointer, name, place);
 }
 
 // `#pragma symreal table(pointer[0:count])`: until the kernel ends.
-void declare_table(void const *pointer, std::size_t count) noexcept;
+void symreal_declare_table(void const *pointer, std::size_t count) noexcept;
 
 } // namespace symreal

@@ -6,7 +6,10 @@
      -DMBD_SYMBOLIC   symbolic: SYMREAL_REAL is symreal::RealNumber and the program records itself
      -DMBD_REPLAY     replay: SYMREAL_REAL is double, annotations live; verification feeds and reads them
 
-   SYMREAL_REAL is a macro rather than a typedef, since a typedef shows in __PRETTY_FUNCTION__ and in mangled names. */
+   SYMREAL_REAL is a macro rather than a typedef, since a typedef shows in __PRETTY_FUNCTION__ and in mangled names.
+
+   Macros of the program are expanded in what these expand to. So a macro names, besides words of the language, what
+   begins with symreal_, Symreal or SYMREAL_ alone (macro_names.h), and pastes what it gets: symreal_##how. */
 #ifndef SYMREAL_MACROS_H
 #define SYMREAL_MACROS_H
 
@@ -78,9 +81,18 @@
 
 #else
 
+/* Macros of the program, from its command line or from before this point, are not seen within our headers. */
+#include <symreal/names_hide.h>
+
 #include <symreal/annotate.h>
 #include <symreal/fit.h>
+#include <symreal/macro_names.h>
 #include <symreal/object_layout.h>
+#ifdef SYMREAL_SOURCE_OF_C /* a header may be included by C and by C++ */
+#include <symreal/of_c.h>
+#endif
+
+#include <symreal/names_show.h>
 
 /* A type of C, whose sources are compiled as C++ here. */
 #ifndef _Bool
@@ -88,24 +100,23 @@
 #endif
 
 #ifdef MBD_SYMBOLIC
-#include <symreal/symbolic.h>
-#define SYMREAL_REAL ::symreal::RealNumber
-#define SYMREAL_REAL_C(...) (::symreal::RealNumber(__VA_ARGS__))
-#define SYMREAL_REAL_VALUE(...) (::symreal::value(__VA_ARGS__))
+#define SYMREAL_REAL ::symreal::SymrealReal
+#define SYMREAL_REAL_C(...) (::symreal::SymrealReal(__VA_ARGS__))
+#define SYMREAL_REAL_VALUE(...) (::symreal::symreal_value(__VA_ARGS__))
 #define SYMREAL_REAL_TO(type, ...) (static_cast<type>(__VA_ARGS__))
 /* In a template: as a double converts to the parameter's type, of a call that was chosen for a double. */
-#define SYMREAL_REAL_ARGUMENT(type, ...) (::symreal::argument_as<type>(__VA_ARGS__))
+#define SYMREAL_REAL_ARGUMENT(type, ...) (::symreal::symreal_argument_as<type>(__VA_ARGS__))
 /* Where the type is looked at: of a comparison it is bool. */
-#define SYMREAL_REAL_TRUTH(...) (::symreal::of_type<::symreal::plain_type<decltype(__VA_ARGS__)>>())
+#define SYMREAL_REAL_TRUTH(...) (::symreal::symreal_of_type<::symreal::symreal_plain_type<decltype(__VA_ARGS__)>>())
 /* The order in which a compiler evaluates operands that change what the other reads: it is another one for the
    operators of a class than for those of the language, and an argument that is a class is read late
    (<symreal/order.h>). */
 #define SYMREAL_REAL_LATER(...)                                                                                        \
-  (::symreal::later([&]() -> decltype(auto) { return ::symreal::later_value((__VA_ARGS__)); }))
-#define SYMREAL_REAL_NOW(...) (::symreal::now(__VA_ARGS__))
-#define SYMREAL_REAL_STATE(object, place) (::symreal::state(object, #object, place))
-#define SYMREAL_REAL_LOCAL_STATE(object, place) (::symreal::local_state(object, #object, place))
-#define SYMREAL_REAL_EXTERNAL(function, ...) (::symreal::external(function, {__VA_ARGS__}))
+  (::symreal::symreal_later([&]() -> decltype(auto) { return ::symreal::symreal_later_value((__VA_ARGS__)); }))
+#define SYMREAL_REAL_NOW(...) (::symreal::symreal_now(__VA_ARGS__))
+#define SYMREAL_REAL_STATE(object, place) (::symreal::symreal_state(object, #object, place))
+#define SYMREAL_REAL_LOCAL_STATE(object, place) (::symreal::symreal_local_state(object, #object, place))
+#define SYMREAL_REAL_EXTERNAL(function, ...) (::symreal::symreal_external(function, {__VA_ARGS__}))
 #define SYMREAL_REAL_FUNCTION(count, ...) SYMREAL_FUNCTION_##count(__VA_ARGS__)
 #define SYMREAL_FUNCTION_1(...)                                                                                        \
   (*static_cast<SYMREAL_REAL (*)(SYMREAL_REAL)>(                                                                       \
@@ -120,40 +131,43 @@
       [](SYMREAL_REAL symreal_x, SYMREAL_REAL symreal_y, SYMREAL_REAL symreal_z) -> SYMREAL_REAL {                     \
         return __VA_ARGS__(symreal_x, symreal_y, symreal_z);                                                           \
       }))
-#define SYMREAL_REAL_INT(...) ::symreal::SymbolicInt<__VA_ARGS__>
-#define SYMREAL_REAL_TABLE(name, place, ...) (::symreal::table(__VA_ARGS__, name, place))
-#define SYMREAL_REAL_READ(name, place, ...) (::symreal::read(__VA_ARGS__, name, place))
-#define SYMREAL_REAL_WRITTEN(name, place, ...) (::symreal::written(__VA_ARGS__, name, place))
-#define SYMREAL_REAL_CHANGED(name, place, ...) (::symreal::changed(__VA_ARGS__, name, place))
-#define SYMREAL_REAL_FIRST(name, place, ...) (::symreal::range_begin(__VA_ARGS__, name, place))
-#define SYMREAL_REAL_LAST(name, place, ...) (::symreal::range_end(__VA_ARGS__, name, place))
-#define SYMREAL_REAL_BITS(name, place, ...) (::symreal::bits(__VA_ARGS__, name, place))
-#define SYMREAL_REAL_VIEW(name, place, ...) (::symreal::view(__VA_ARGS__, name, place))
+#define SYMREAL_REAL_INT(...) ::symreal::SymrealInt<__VA_ARGS__>
+#define SYMREAL_REAL_TABLE(name, place, ...) (::symreal::symreal_table(__VA_ARGS__, name, place))
+#define SYMREAL_REAL_READ(name, place, ...) (::symreal::symreal_read(__VA_ARGS__, name, place))
+#define SYMREAL_REAL_WRITTEN(name, place, ...) (::symreal::symreal_written(__VA_ARGS__, name, place))
+#define SYMREAL_REAL_CHANGED(name, place, ...) (::symreal::symreal_changed(__VA_ARGS__, name, place))
+#define SYMREAL_REAL_FIRST(name, place, ...) (::symreal::symreal_range_begin(__VA_ARGS__, name, place))
+#define SYMREAL_REAL_LAST(name, place, ...) (::symreal::symreal_range_end(__VA_ARGS__, name, place))
+#define SYMREAL_REAL_BITS(name, place, ...) (::symreal::symreal_bits(__VA_ARGS__, name, place))
+#define SYMREAL_REAL_VIEW(name, place, ...) (::symreal::symreal_view(__VA_ARGS__, name, place))
 /* Stands for memmove (and memcpy) or memset. */
-#define SYMREAL_REAL_BYTES(how, name, place, ...) ::symreal::Bytes(name, place).how
-#define SYMREAL_REAL_ENVIRONMENT(what, name, place, ...) (::symreal::what(name, place), __VA_ARGS__)
+#define SYMREAL_REAL_BYTES(how, name, place, ...) ::symreal::SymrealBytes(name, place).symreal_##how
+#define SYMREAL_REAL_ENVIRONMENT(what, name, place, ...) (::symreal::symreal_##what(name, place), __VA_ARGS__)
 /* Stands for a function that makes text, or moves it. */
-#define SYMREAL_REAL_FORMAT(how, is_used, place, ...) ::symreal::Format(is_used, place, SYMREAL_SHOWN_FIRST).how
+#define SYMREAL_REAL_FORMAT(how, is_used, place, ...)                                                                  \
+  ::symreal::SymrealFormat(is_used, place, SYMREAL_SHOWN_FIRST).symreal_##how
 #ifdef SYMREAL_ARGUMENTS_FIRST
 #define SYMREAL_SHOWN_FIRST true
 #else
 #define SYMREAL_SHOWN_FIRST false
 #endif
 /* A function of the program that is given carried values. */
-#define SYMREAL_REAL_SHOWS(...) (::symreal::Shows(SYMREAL_SHOWN_FIRST), __VA_ARGS__)
-#define SYMREAL_REAL_TEXT(name, place, ...) (::symreal::text(__VA_ARGS__, name, place))
-#define SYMREAL_AROUND(name, place, ...) ::symreal::around(__VA_ARGS__, name, place);
-#define SYMREAL_PARAMETER(name, place, ...) ::symreal::parameter(__VA_ARGS__, name, place);
+#define SYMREAL_REAL_SHOWS(...) (::symreal::SymrealShows(SYMREAL_SHOWN_FIRST), __VA_ARGS__)
+#define SYMREAL_REAL_TEXT(name, place, ...) (::symreal::symreal_text(__VA_ARGS__, name, place))
+#define SYMREAL_AROUND(name, place, ...) ::symreal::symreal_around(__VA_ARGS__, name, place);
+#define SYMREAL_PARAMETER(name, place, ...) ::symreal::symreal_parameter(__VA_ARGS__, name, place);
 /* What a class tells about itself: `access` is that of what follows. */
 #define SYMREAL_REAL_MEMBERS(access, ...)                                                                              \
 public:                                                                                                                \
-  void symreal_members(::symreal::Numbers &symreal_numbers) const { symreal_numbers.visit(__VA_ARGS__); }              \
+  void symreal_members(::symreal::SymrealNumbers &symreal_numbers) const {                                             \
+    symreal_numbers.symreal_visit(__VA_ARGS__);                                                                        \
+  }                                                                                                                    \
   access:
 /* What the size and the offsets are in the original. */
 #define SYMREAL_REAL_LAYOUT(access, ...)                                                                               \
 public:                                                                                                                \
   void symreal_layout() const {                                                                                        \
-    using symreal_class = ::std::remove_cvref_t<decltype(*this)>;                                                      \
+    using symreal_class = ::symreal::symreal_class_of<decltype(*this)>;                                                \
     static_assert((__VA_ARGS__), "this class has another layout with REAL than with double [SYM132]");                 \
   }                                                                                                                    \
   access:
@@ -193,18 +207,17 @@ public:                                                                         
 #define SYMREAL_PARAMETER(...)
 #endif
 /* A conversion by what its context expects; an enumerator as the integer that it is in C. */
-#define SYMREAL_REAL_FIT(...) (::symreal::fit(__VA_ARGS__))
-#define SYMREAL_REAL_ENUM(...) (::symreal::enumeration(__VA_ARGS__))
-/* What C means by an expression that C++ has other types for (<symreal/of_c.h>). A header may be included by both. */
+#define SYMREAL_REAL_FIT(...) (::symreal::symreal_fit(__VA_ARGS__))
+#define SYMREAL_REAL_ENUM(...) (::symreal::symreal_enumeration(__VA_ARGS__))
+/* What C means by an expression that C++ has other types for (<symreal/of_c.h>). */
 #ifdef SYMREAL_SOURCE_OF_C
-#include <symreal/of_c.h>
-#define SYMREAL_REAL_PROMOTED(...) (::symreal::promoted(__VA_ARGS__))
-#define SYMREAL_REAL_OF_C(type, ...) (::symreal::of_c<type>((__VA_ARGS__)))
-#define SYMREAL_REAL_COUNTED(...) (::symreal::counted((__VA_ARGS__)))
+#define SYMREAL_REAL_PROMOTED(...) (::symreal::symreal_promoted(__VA_ARGS__))
+#define SYMREAL_REAL_OF_C(type, ...) (::symreal::symreal_of_c<type>((__VA_ARGS__)))
+#define SYMREAL_REAL_COUNTED(...) (::symreal::symreal_counted((__VA_ARGS__)))
 #ifdef __clang__ /* computes in the declared type, in C as well */
 #define SYMREAL_REAL_WIDTH(bits, is_signed, ...) (__VA_ARGS__)
 #else
-#define SYMREAL_REAL_WIDTH(bits, is_signed, ...) (::symreal::width<bits, is_signed>((__VA_ARGS__)))
+#define SYMREAL_REAL_WIDTH(bits, is_signed, ...) (::symreal::symreal_width<bits, is_signed>((__VA_ARGS__)))
 #endif
 #else
 #define SYMREAL_REAL_PROMOTED(...) (__VA_ARGS__)
@@ -232,69 +245,73 @@ public:                                                                         
 #define SYMREAL_PLACE(file, line, column) {file, line, column, __builtin_frame_address(0)}
 
 #define SYMREAL_OBJECT(kind, label, file, line, column, ...)                                                           \
-  ::symreal::annotate(::symreal::Kind::kind, label, SYMREAL_PLACE(file, line, column), __VA_ARGS__);
+  ::symreal::symreal_annotate(::symreal::symreal_kind_##kind, label, SYMREAL_PLACE(file, line, column), __VA_ARGS__);
 #define SYMREAL_DECLARE(kind, label, file, line, column, ...)                                                          \
-  ::symreal::declare<::symreal::Kind::kind>(label, SYMREAL_PLACE(file, line, column), __VA_ARGS__);
-#define SYMREAL_FILE(label, file, line, column) ::symreal::declare_file(label, SYMREAL_PLACE(file, line, column));
+  ::symreal::symreal_declare<::symreal::symreal_kind_##kind>(label, SYMREAL_PLACE(file, line, column), __VA_ARGS__);
+#define SYMREAL_FILE(label, file, line, column)                                                                        \
+  ::symreal::symreal_declare_file(label, SYMREAL_PLACE(file, line, column));
 #define SYMREAL_SECTION(kind, label, file, line, column, extents, ...)                                                 \
-  ::symreal::annotate_section(::symreal::Kind::kind, label, SYMREAL_PLACE(file, line, column), extents,                \
-                              [&](std::size_t const *symreal_i) -> decltype(auto) {                                    \
-                                (void)symreal_i;                                                                       \
-                                return (__VA_ARGS__);                                                                  \
-                              });
+  ::symreal::symreal_annotate_section(::symreal::symreal_kind_##kind, label, SYMREAL_PLACE(file, line, column),        \
+                                      extents, [&](__SIZE_TYPE__ const *symreal_i) -> decltype(auto) {                 \
+                                        (void)symreal_i;                                                               \
+                                        return (__VA_ARGS__);                                                          \
+                                      });
 #define SYMREAL_DECLARE_SECTION(kind, label, file, line, column, extents, ...)                                         \
-  ::symreal::declare_section<::symreal::Kind::kind>(label, SYMREAL_PLACE(file, line, column), extents,                 \
-                                                    [&](std::size_t const *symreal_i) -> decltype(auto) {              \
-                                                      (void)symreal_i;                                                 \
-                                                      return (__VA_ARGS__);                                            \
-                                                    });
+  ::symreal::symreal_declare_section<::symreal::symreal_kind_##kind>(                                                  \
+      label, SYMREAL_PLACE(file, line, column), extents, [&](__SIZE_TYPE__ const *symreal_i) -> decltype(auto) {       \
+        (void)symreal_i;                                                                                               \
+        return (__VA_ARGS__);                                                                                          \
+      });
 /* Structures: `types` are those of the containers in them, in parentheses. */
 #define SYMREAL_LAYOUT(kind, label, file, line, column, layout, types, ...)                                            \
-  ::symreal::detail::annotate_layout<SYMREAL_WORDS types>(                                                             \
-      ::symreal::Kind::kind, label, SYMREAL_PLACE(file, line, column), layout, __builtin_addressof(__VA_ARGS__));
+  ::symreal::symreal_annotate_layout<SYMREAL_WORDS types>(::symreal::symreal_kind_##kind, label,                       \
+                                                          SYMREAL_PLACE(file, line, column), layout,                   \
+                                                          __builtin_addressof(__VA_ARGS__));
 #define SYMREAL_LAYOUT_SECTION(kind, label, file, line, column, extents, layout, types, ...)                           \
-  ::symreal::detail::annotate_layout_section<SYMREAL_WORDS types>(                                                     \
-      ::symreal::Kind::kind, label, SYMREAL_PLACE(file, line, column), extents,                                        \
-      layout, [&](std::size_t const *symreal_i) -> void const volatile * {                                             \
+  ::symreal::symreal_annotate_layout_section<SYMREAL_WORDS types>(                                                     \
+      ::symreal::symreal_kind_##kind, label, SYMREAL_PLACE(file, line, column), extents,                               \
+      layout, [&](__SIZE_TYPE__ const *symreal_i) -> void const volatile * {                                           \
         (void)symreal_i;                                                                                               \
         return __builtin_addressof(__VA_ARGS__);                                                                       \
       });
 #define SYMREAL_WORDS(...) __VA_ARGS__
-#define SYMREAL_RANGE(low, high) ::symreal::set_range(low, high);
+#define SYMREAL_RANGE(low, high) ::symreal::symreal_set_range(low, high);
 #ifdef MBD_SYMBOLIC
-#define SYMREAL_TABLE(pointer, ...) ::symreal::declare_table(pointer, static_cast<std::size_t>(__VA_ARGS__));
+#define SYMREAL_TABLE(pointer, ...) ::symreal::symreal_declare_table(pointer, static_cast<__SIZE_TYPE__>(__VA_ARGS__));
 #else
 #define SYMREAL_TABLE(...)
 #endif
-#define SYMREAL_REBIND(pointer, low, count) pointer = ::symreal::rebind(pointer, low, count);
+#define SYMREAL_REBIND(pointer, low, count) pointer = ::symreal::symreal_rebind(pointer, low, count);
 /* The optional last argument is the call to record, counted from 1. */
 #define SYMREAL_FUNCTION(name, file, line, column, ...)                                                                \
-  ::symreal::FunctionKernel symreal_kernel(name, SYMREAL_PLACE(file, line, column), ##__VA_ARGS__);
+  ::symreal::SymrealFunctionKernel symreal_kernel(name, SYMREAL_PLACE(file, line, column), ##__VA_ARGS__);
 /* An argument that is passed by value. */
-#define SYMREAL_ARGUMENT(name, place, ...) symreal_kernel.argument(name, place, __VA_ARGS__);
-#define SYMREAL_OUTPUTS_BEGIN auto symreal_outputs = symreal_kernel.on_return([&] {
+#define SYMREAL_ARGUMENT(name, place, ...) symreal_kernel.symreal_argument(name, place, __VA_ARGS__);
+#define SYMREAL_OUTPUTS_BEGIN auto symreal_outputs = symreal_kernel.symreal_on_return([&] {
 #define SYMREAL_OUTPUTS_END                                                                                            \
   });
 #define SYMREAL_RETURN(label, file, line, column, ...)                                                                 \
-  (symreal_kernel.returned(label, SYMREAL_PLACE(file, line, column), __VA_ARGS__))
+  (symreal_kernel.symreal_returned(label, SYMREAL_PLACE(file, line, column), __VA_ARGS__))
 #define SYMREAL_RETURN_LAYOUT(label, file, line, column, layout, types, ...)                                           \
-  (symreal_kernel.returned_layout<SYMREAL_WORDS types>(label, SYMREAL_PLACE(file, line, column), layout, __VA_ARGS__))
-#define SYMREAL_GENERATE(name, file, line, column) ::symreal::generate(name, SYMREAL_PLACE(file, line, column));
+  (symreal_kernel.symreal_returned_layout<SYMREAL_WORDS types>(label, SYMREAL_PLACE(file, line, column), layout,       \
+                                                               __VA_ARGS__))
+#define SYMREAL_GENERATE(name, file, line, column) ::symreal::symreal_generate(name, SYMREAL_PLACE(file, line, column));
 
 #endif
 
 #ifdef MBD_SYMBOLIC
 
 /* Both arms are executed, one after the other, and each target is selected (<symreal/branch.h>). */
-#define SYMREAL_TARGETS(targets) [&](::symreal::Targets &symreal_targets) { (void)(symreal_targets targets); }
+#define SYMREAL_TARGETS(targets) [&](::symreal::SymrealTargets &symreal_targets) { (void)(symreal_targets targets); }
 #define SYMREAL_REAL_IF(targets, ...)                                                                                  \
-  for (::symreal::Branch symreal_branch((__VA_ARGS__), SYMREAL_TARGETS(targets)); symreal_branch.more();)              \
-    if (symreal_branch.arm())
+  for (::symreal::SymrealBranch symreal_branch((__VA_ARGS__), SYMREAL_TARGETS(targets));                               \
+       symreal_branch.symreal_more();)                                                                                 \
+    if (symreal_branch.symreal_arm())
 #define SYMREAL_REAL_RETURN_IF(targets, ...)                                                                           \
-  for (::symreal::Branch symreal_branch((__VA_ARGS__), SYMREAL_TARGETS(targets), &symreal_returns);                    \
-       symreal_branch.more();)                                                                                         \
-    if (symreal_branch.arm())
-#define SYMREAL_REAL_COND(...) ::symreal::choose((__VA_ARGS__), [&] { return (
+  for (::symreal::SymrealBranch symreal_branch((__VA_ARGS__), SYMREAL_TARGETS(targets), &symreal_returns);             \
+       symreal_branch.symreal_more();)                                                                                 \
+    if (symreal_branch.symreal_arm())
+#define SYMREAL_REAL_COND(...) ::symreal::symreal_choose((__VA_ARGS__), [&] { return (
 #define SYMREAL_REAL_THEN
 #define SYMREAL_REAL_ELSE );                                                                                           \
   }                                                                                                                    \
@@ -304,19 +321,21 @@ public:                                                                         
 #define SYMREAL_REAL_AND &
 #define SYMREAL_REAL_OR |
 #define SYMREAL_REAL_PLAIN(...) (__VA_ARGS__)
-#define SYMREAL_REAL_LOOP(limit, targets) if (::symreal::Loop symreal_loop(limit, SYMREAL_TARGETS(targets)); true)
+#define SYMREAL_REAL_LOOP(limit, targets)                                                                              \
+  if (::symreal::SymrealLoop symreal_loop(limit, SYMREAL_TARGETS(targets)); true)
 #define SYMREAL_REAL_LATE_LOOP(limit, targets)                                                                         \
-  if (::symreal::Loop symreal_loop(limit, SYMREAL_TARGETS(targets), true); true)
-#define SYMREAL_REAL_TEST(...) symreal_loop.test([&] { return ::symreal::truth(__VA_ARGS__); })
-#define SYMREAL_REAL_BREAK(...) if (symreal_loop.breaks((__VA_ARGS__)))
+  if (::symreal::SymrealLoop symreal_loop(limit, SYMREAL_TARGETS(targets), true); true)
+#define SYMREAL_REAL_TEST(...) symreal_loop.symreal_test([&] { return ::symreal::symreal_truth(__VA_ARGS__); })
+#define SYMREAL_REAL_BREAK(...) if (symreal_loop.symreal_breaks((__VA_ARGS__)))
 #define SYMREAL_REAL_RETURN(...)                                                                                       \
-  while (symreal_returns.leaves((__VA_ARGS__))) return symreal_returns.result()
+  while (symreal_returns.symreal_leaves((__VA_ARGS__))) return symreal_returns.symreal_result()
 #define SYMREAL_REAL_DECISIONS(policy)                                                                                 \
-  if (::symreal::DecisionScope symreal_decisions(::symreal::Decisions::policy); true)
-#define SYMREAL_DECISIONS(policy) ::symreal::DecisionScope symreal_decisions(::symreal::Decisions::policy);
-#define SYMREAL_RETURNS ::symreal::Returns symreal_returns;
-#define SYMREAL_RETURNS_OF(kernel) ::symreal::Returns symreal_returns(kernel);
-#define SYMREAL_RETURNS_END return symreal_returns.last();
+  if (::symreal::SymrealDecisionScope symreal_decisions(::symreal::symreal_decisions_##policy); true)
+#define SYMREAL_DECISIONS(policy)                                                                                      \
+  ::symreal::SymrealDecisionScope symreal_decisions(::symreal::symreal_decisions_##policy);
+#define SYMREAL_RETURNS ::symreal::SymrealReturns symreal_returns;
+#define SYMREAL_RETURNS_OF(kernel) ::symreal::SymrealReturns symreal_returns(kernel);
+#define SYMREAL_RETURNS_END return symreal_returns.symreal_last();
 
 #else
 

@@ -77,6 +77,7 @@ public:
   template <class T> static constexpr bool may_hold = detail::is_class<T> || std::is_union_v<T> || std::is_array_v<T>;
 
   template <class... T> void visit(T const &...objects) { (one(objects), ...); }
+  template <class... T> void symreal_visit(T const &...objects) { visit(objects...); }
 
 private:
   template <class T> static constexpr bool holds_elements() {

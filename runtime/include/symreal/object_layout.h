@@ -46,17 +46,17 @@ void walk_layout(void const volatile *object, char const *layout, VisitElements 
                  Extents *extents) noexcept;
 
 // An object of a class that overloads `&`, and a member that no reference can be bound to, have an address as well.
-template <class... Containers>
-void annotate_layout(Kind kind, char const *label, SourcePlace place, char const *layout, void const volatile *object) {
+template <class... Containers> void symreal_annotate_layout(Kind kind, char const *label, SourcePlace place,
+                                                            char const *layout, void const volatile *object) {
   if (!begin_object(program, kind, label, place)) return;
   Extents shape;
   walk_layout(object, layout, containers<Containers...>, false, &shape);
   end_object(shape.data(), shape.size());
 }
 
-template <class... Containers, class Address> void annotate_layout_section(Kind kind, char const *label,
-                                                                           SourcePlace place, Extents shape,
-                                                                           char const *layout, Address address) {
+template <class... Containers, class Address>
+void symreal_annotate_layout_section(Kind kind, char const *label, SourcePlace place, Extents shape, char const *layout,
+                                     Address address) {
   if (!begin_object(program, kind, label, place)) return;
   if constexpr (program == Program::symbolic) shape.declare();
   Extents inner, *wanted = &inner;
@@ -69,6 +69,8 @@ template <class... Containers, class Address> void annotate_layout_section(Kind 
 }
 
 } // namespace detail
+using detail::symreal_annotate_layout;
+using detail::symreal_annotate_layout_section;
 
 // A structure with its layout, as an argument.
 struct LaidOut {
@@ -83,13 +85,13 @@ struct LaidOut {
     detail::end_object(shape.data(), shape.size());
   }
 };
-template <class... Containers> LaidOut laid_out(char const *layout, void const volatile *object) {
+template <class... Containers> LaidOut symreal_laid_out(char const *layout, void const volatile *object) {
   return {layout, object, detail::containers<Containers...>};
 }
 
 // A returned structure, as an output.
 template <class... Containers, class T>
-auto FunctionKernel::returned_layout(char const *label, SourcePlace place, char const *layout, T &&result) {
+auto FunctionKernel::symreal_returned_layout(char const *label, SourcePlace place, char const *layout, T &&result) {
   std::decay_t<T> copy = std::forward<T>(result);
   if (active_) {
     begin_outputs();

@@ -19,7 +19,7 @@ template <class T> using Value = std::remove_cv_t<std::decay_t<T const &>>;
 } // namespace detail
 
 // A function of C takes a double; in C++ there may be others for float, long double and integers.
-template <class T> [[gnu::always_inline]] constexpr auto promoted(T const &value) noexcept {
+template <class T> [[gnu::always_inline]] constexpr auto symreal_promoted(T const &value) noexcept {
   if constexpr (!detail::is_class<T> &&
                 (std::is_arithmetic_v<T> || std::is_enum_v<T>)) // traits hold for RealNumber too
     return static_cast<double>(value);
@@ -29,7 +29,7 @@ template <class T> [[gnu::always_inline]] constexpr auto promoted(T const &value
 
 // A narrow integer or an enumerator, of type C there; an array that is a pointer there; a comparison of
 // REALs, by a decision, unless only its size is asked for.
-template <class C, class T> [[gnu::always_inline]] constexpr auto of_c(T const &value) noexcept {
+template <class C, class T> [[gnu::always_inline]] constexpr auto symreal_of_c(T const &value) noexcept {
   using From = std::remove_cv_t<T>;
   if constexpr (detail::is_narrow<From> || std::is_enum_v<From> || std::is_same_v<From, SymbolicBool>)
     return static_cast<C>(value);
@@ -38,7 +38,7 @@ template <class C, class T> [[gnu::always_inline]] constexpr auto of_c(T const &
 }
 
 // The value of an enumeration takes part in arithmetic as the integer that its objects are in C.
-template <class T> [[gnu::always_inline]] constexpr decltype(auto) counted(T const &value) noexcept {
+template <class T> [[gnu::always_inline]] constexpr decltype(auto) symreal_counted(T const &value) noexcept {
   if constexpr (std::is_enum_v<T>)
     return +static_cast<std::underlying_type_t<std::remove_cv_t<T>>>(value);
   else if constexpr (detail::is_class<T>)
@@ -49,7 +49,8 @@ template <class T> [[gnu::always_inline]] constexpr decltype(auto) counted(T con
 
 // gcc computes with a bit-field that is wider than int in as many bits as it has, where C++ takes the type that it is
 // declared with.
-template <int bits, bool is_signed, class T> [[gnu::always_inline]] constexpr auto width(T const &value) noexcept {
+template <int bits, bool is_signed, class T>
+[[gnu::always_inline]] constexpr auto symreal_width(T const &value) noexcept {
   using Wide = std::conditional_t<is_signed, long long, unsigned long long>;
   if constexpr ((std::is_integral_v<T> || std::is_enum_v<T>) && !detail::is_class<T>) {
     constexpr int unused = 64 - bits;
@@ -79,12 +80,12 @@ public:
 private:
   T (&object_)[n];
 };
-template <class T> constexpr Initialised<T> initialised(T &object) noexcept { return Initialised<T>(object); }
+template <class T> constexpr Initialised<T> symreal_initialised(T &object) noexcept { return Initialised<T>(object); }
 
 // Of _Generic: is it the type of the controlling expression's value? The default is looked at last.
-struct Otherwise {};
-template <class Control, bool is_last, class Type> constexpr bool is_associated() noexcept {
-  bool const is_default = std::is_same_v<Type, Otherwise>;
+struct SymrealOtherwise {};
+template <class Control, bool is_last, class Type> constexpr bool symreal_is_associated() noexcept {
+  bool const is_default = std::is_same_v<Type, SymrealOtherwise>;
   return is_last ? is_default : !is_default && std::is_same_v<std::decay_t<Control>, Type>;
 }
 
@@ -98,7 +99,7 @@ template <class Control, bool is_last, class Type> constexpr bool is_associated(
     SYMREAL_REPEATED(SYMREAL_ASSOCIATIONS(true, __VA_ARGS__));                                                         \
   }())
 #define SYMREAL_ASSOCIATIONS(is_last, type, value, ...)                                                                \
-  if constexpr (::symreal::is_associated<symreal_control, is_last, type>())                                            \
+  if constexpr (::symreal::symreal_is_associated<symreal_control, is_last, type>())                                    \
     return (value);                                                                                                    \
   else                                                                                                                 \
     __VA_OPT__(SYMREAL_ASSOCIATIONS_AGAIN SYMREAL_NO_ARGUMENTS(is_last, __VA_ARGS__))

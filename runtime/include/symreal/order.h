@@ -43,18 +43,19 @@ SYMREAL_LATER(!=)
 template <class T> using later_result =
     std::conditional_t<std::is_lvalue_reference_v<T> && !is_number_or_truth<std::remove_cvref_t<T>>, T,
                        std::remove_cvref_t<T>>;
-template <class T> [[gnu::always_inline]] constexpr later_result<T> later_value(T &&x) noexcept {
+template <class T> [[gnu::always_inline]] constexpr later_result<T> symreal_later_value(T &&x) noexcept {
   return static_cast<T &&>(x);
 }
 
-template <class Function> [[gnu::always_inline]] constexpr types::Later<Function> later(Function function) noexcept {
+template <class Function>
+[[gnu::always_inline]] constexpr types::Later<Function> symreal_later(Function function) noexcept {
   return {function};
 }
 
 // The value that the object has now; a class is handed over as it is.
-[[gnu::always_inline]] constexpr RealNumber now(RealNumber const &x) noexcept { return x; }
+[[gnu::always_inline]] constexpr RealNumber symreal_now(RealNumber const &x) noexcept { return x; }
 template <class T, class = std::enable_if_t<!std::is_same_v<std::remove_cvref_t<T>, RealNumber>>>
-[[gnu::always_inline]] constexpr T &&now(T &&x) noexcept {
+[[gnu::always_inline]] constexpr T &&symreal_now(T &&x) noexcept {
   return static_cast<T &&>(x);
 }
 

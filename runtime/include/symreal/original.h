@@ -1,10 +1,12 @@
 /* The annotations of the original: what the rewriter makes of the pragmas, and of nothing else, in the program that
    `verify` runs as its reference. It is compiled in its own language and standard, so this is C89 and C++11; no header
-   is included, since that would change what the program sees.
+   of a library is included, since that would change what the program sees.
 
    A kernel's inputs are written, its outputs read, at the places of the pragmas (verify/original.cpp). */
 #ifndef SYMREAL_ORIGINAL_H
 #define SYMREAL_ORIGINAL_H
+
+#include "names_hide.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -108,11 +110,12 @@ void symreal_original_keep(void const *frame);
     }                                                                                                                  \
     symreal_original_function_end(*symreal_active);                                                                    \
   }                                                                                                                    \
-  int symreal_outputs __attribute__((cleanup(symreal_on_return), unused)) = symreal_original_entered(symreal_kernel);
+  int symreal_outputs __attribute__((__cleanup__(symreal_on_return), __unused__)) =                                    \
+      symreal_original_entered(symreal_kernel);
 #else
 /* Without functions in functions: what the items name is looked up at the function's entry. */
 #define SYMREAL_ORIGINAL_OUTPUTS(...)                                                                                  \
-  int symreal_outputs __attribute__((cleanup(symreal_original_outputs), unused)) =                                     \
+  int symreal_outputs __attribute__((__cleanup__(symreal_original_outputs), __unused__)) =                             \
       symreal_original_entered(symreal_kernel);                                                                        \
   if (symreal_kernel) {                                                                                                \
     symreal_original_later(1);                                                                                         \
@@ -168,7 +171,7 @@ template <class T> void walk(T &object, bool is_temporary) {
   symreal_original_holder(&reinterpret_cast<char const volatile &>(object), sizeof object);
   look(object, is_temporary, Choice<9>());
 }
-template <class T> void numbers(T &&object) { walk(object, !IsLvalue<T &&>::value); }
+template <class T> void symreal_numbers(T &&object) { walk(object, !IsLvalue<T &&>::value); }
 /* What is in a container of a structure. */
 template <class T> struct Elements {
   symreal_original_each each;
@@ -196,7 +199,8 @@ template <class... Containers> struct Visits {
     return visits;
   }
 };
-template <class T> void bytes(T const &object) {
+template <class... Containers> symreal_original_visit const *symreal_visits() { return Visits<Containers...>::list(); }
+template <class T> void symreal_bytes(T const &object) {
   symreal_original_bytes(&reinterpret_cast<char const volatile &>(object), sizeof object, 0);
 }
 
@@ -214,15 +218,15 @@ template <class T> struct Returned<T &, false> : Returned<T> {};
 template <class T> struct Returned<T const, true> : Returned<T> {};
 
 /* The kernel of a function: its outputs are read when it returns. */
-class Kernel {
+class SymrealKernel {
 public:
-  Kernel(char const *name, char const *file, unsigned line, unsigned column, unsigned call, void const *frame)
+  SymrealKernel(char const *name, char const *file, unsigned line, unsigned column, unsigned call, void const *frame)
       : active_(symreal_original_function(name, file, line, column, call, frame)) {}
-  Kernel(Kernel const &) = delete;
-  ~Kernel() { symreal_original_function_end(active_); }
-  int active() const { return active_; }
-  template <class Value> typename Returned<Value>::Type returned(char const *label, char const *file, unsigned line,
-                                                                 unsigned column, Value &&value) {
+  SymrealKernel(SymrealKernel const &) = delete;
+  ~SymrealKernel() { symreal_original_function_end(active_); }
+  int symreal_active() const { return active_; }
+  template <class Value> typename Returned<Value>::Type
+  symreal_returned(char const *label, char const *file, unsigned line, unsigned column, Value &&value) {
     typename Returned<Value>::Type result(static_cast<Value &&>(value));
     if (symreal_original_leaving(active_) && symreal_original_object("output", label, file, line, column, 0)) {
       walk(result, false);
@@ -232,8 +236,8 @@ public:
   }
 
   template <class... Containers, class Value>
-  typename Returned<Value>::Type returned_layout(char const *label, char const *file, unsigned line, unsigned column,
-                                                 char const *layout, Value &&value) {
+  typename Returned<Value>::Type symreal_returned_layout(char const *label, char const *file, unsigned line,
+                                                         unsigned column, char const *layout, Value &&value) {
     typename Returned<Value>::Type result(static_cast<Value &&>(value));
     if (symreal_original_leaving(active_) && symreal_original_object("output", label, file, line, column, 0)) {
       symreal_original_holder(&reinterpret_cast<char const volatile &>(result), sizeof result);
@@ -262,29 +266,33 @@ private:
   int active_;
   Outputs outputs_;
 };
-template <class Outputs> OnReturn<Outputs> on_return(int active, Outputs outputs) {
+template <class Outputs> OnReturn<Outputs> symreal_on_return(int active, Outputs outputs) {
   return OnReturn<Outputs>(symreal_original_entered(active), static_cast<Outputs &&>(outputs));
 }
 
 } // namespace symreal_original
 
-#define SYMREAL_ORIGINAL_IS_ACTIVE symreal_kernel.active()
+#define SYMREAL_ORIGINAL_IS_ACTIVE symreal_kernel.symreal_active()
 #define SYMREAL_ORIGINAL_OWN(object)                                                                                   \
   symreal_original_own(&reinterpret_cast<char const volatile &>(object), sizeof(object));
-#define SYMREAL_ORIGINAL_NUMBERS(...) ::symreal_original::numbers(__VA_ARGS__)
-#define SYMREAL_ORIGINAL_BYTES(...) ::symreal_original::bytes(__VA_ARGS__)
+#define SYMREAL_ORIGINAL_NUMBERS(...) ::symreal_original::symreal_numbers(__VA_ARGS__)
+#define SYMREAL_ORIGINAL_BYTES(...) ::symreal_original::symreal_bytes(__VA_ARGS__)
 #define SYMREAL_ORIGINAL_LAYOUT(layout, types, ...)                                                                    \
   symreal_original_layout(__builtin_addressof(__VA_ARGS__), layout,                                                    \
-                          ::symreal_original::Visits<SYMREAL_WORDS types>::list(), 0)
+                          ::symreal_original::symreal_visits<SYMREAL_WORDS types>(), 0)
 #define SYMREAL_ORIGINAL_FUNCTION(name, file, line, column, call)                                                      \
-  ::symreal_original::Kernel symreal_kernel(name, file, line, column, call, SYMREAL_ORIGINAL_FRAME);                   \
-  SYMREAL_ORIGINAL_AGAIN(symreal_kernel.active())
-#define SYMREAL_RETURN(label, file, line, column, ...) (symreal_kernel.returned(label, file, line, column, __VA_ARGS__))
+  ::symreal_original::SymrealKernel symreal_kernel(name, file, line, column, call, SYMREAL_ORIGINAL_FRAME);            \
+  SYMREAL_ORIGINAL_AGAIN(symreal_kernel.symreal_active())
+#define SYMREAL_RETURN(label, file, line, column, ...)                                                                 \
+  (symreal_kernel.symreal_returned(label, file, line, column, __VA_ARGS__))
 #define SYMREAL_RETURN_LAYOUT(label, file, line, column, layout, types, ...)                                           \
-  (symreal_kernel.returned_layout<SYMREAL_WORDS types>(label, file, line, column, layout, __VA_ARGS__))
+  (symreal_kernel.symreal_returned_layout<SYMREAL_WORDS types>(label, file, line, column, layout, __VA_ARGS__))
 #define SYMREAL_ORIGINAL_OUTPUTS(...)                                                                                  \
-  auto symreal_outputs = ::symreal_original::on_return(symreal_kernel.active(), [&] { __VA_ARGS__ });                  \
+  auto symreal_outputs = ::symreal_original::symreal_on_return(symreal_kernel.symreal_active(), [&] { __VA_ARGS__ });  \
   (void)symreal_outputs;
 
 #endif
+
+#include "names_show.h"
+
 #endif

@@ -273,12 +273,14 @@ SYMREAL_COMPOUND(/)
 } // namespace types
 
 // The carried value: the number that the program would have here. For printing; no dependency is recorded.
-constexpr double value(RealNumber x) noexcept { return x.is_node() ? detail::shown_value(x) : x.plain(); }
-template <class T, class = std::enable_if_t<std::is_arithmetic_v<T>>> constexpr T value(T x) noexcept { return x; }
-inline bool value(SymbolicBool x) noexcept { return value(x.condition()) != 0; }
+constexpr double symreal_value(RealNumber x) noexcept { return x.is_node() ? detail::shown_value(x) : x.plain(); }
+template <class T, class = std::enable_if_t<std::is_arithmetic_v<T>>> constexpr T symreal_value(T x) noexcept {
+  return x;
+}
+inline bool symreal_value(SymbolicBool x) noexcept { return symreal_value(x.condition()) != 0; }
 // What a template prints besides numbers.
 template <class T, class = std::enable_if_t<!std::is_arithmetic_v<std::decay_t<T>>>>
-constexpr T &&value(T &&x) noexcept {
+constexpr T &&symreal_value(T &&x) noexcept {
   return static_cast<T &&>(x);
 }
 

@@ -113,60 +113,60 @@ template <class T> constexpr std::size_t size_here() noexcept {
 } // namespace detail
 
 // A reference to an object of static storage duration: what is read of it later is called by its name.
-template <class T> constexpr T &state(T &object, char const *name, char const *place) noexcept {
+template <class T> constexpr T &symreal_state(T &object, char const *name, char const *place) noexcept {
   if (!__builtin_is_constant_evaluated() && detail::recording)
     detail::note_static(detail::bytes_of(&object), detail::size_here<T>(), detail::Scope::any, name, place);
   return object;
 }
 
 // The same for one that is declared in a function: nobody else can read what is left in it.
-template <class T> constexpr T &local_state(T &object, char const *name, char const *place) noexcept {
+template <class T> constexpr T &symreal_local_state(T &object, char const *name, char const *place) noexcept {
   if (!__builtin_is_constant_evaluated() && detail::recording)
     detail::note_static(detail::bytes_of(&object), detail::size_here<T>(), detail::Scope::function, name, place);
   return object;
 }
 
 // A local of the function around a block kernel. An integer among them was looked at by the rewriter: it is read.
-template <class T> void around(T const &object, char const *name, char const *place) noexcept {
+template <class T> void symreal_around(T const &object, char const *name, char const *place) noexcept {
   if (!detail::recording) return;
   detail::note_local(detail::bytes_of(&object), sizeof object, detail::Scope::around, name, place);
   if constexpr (detail::is_integer<T>) detail::note_integer_read(IntegerObject::of(object), name, place);
 }
 
 // A parameter of the kernel, by value.
-template <class T> void parameter(T const &object, char const *name, char const *place) noexcept {
+template <class T> void symreal_parameter(T const &object, char const *name, char const *place) noexcept {
   if (detail::recording)
     detail::note_local(detail::bytes_of(&reinterpret_cast<char const volatile &>(object)), sizeof object,
                        detail::Scope::parameter, name, place);
 }
 
 // The value of the object is used. What holds no number, and what a macro makes of the same words elsewhere, passes.
-template <class T> constexpr T &&read(T &&object, char const *name, char const *place) noexcept {
+template <class T> constexpr T &&symreal_read(T &&object, char const *name, char const *place) noexcept {
   if (!__builtin_is_constant_evaluated() && detail::recording) detail::read_object(object, name, place);
   return static_cast<T &&>(object);
 }
 
 // The object gets a new value.
-template <class T> constexpr T &&written(T &&object, char const *name, char const *place) noexcept {
+template <class T> constexpr T &&symreal_written(T &&object, char const *name, char const *place) noexcept {
   if (!__builtin_is_constant_evaluated() && detail::recording) detail::write_object(object, name, place);
   return static_cast<T &&>(object);
 }
 
 // Code that is not rewritten changes the object, as push_back does.
-template <class T> T &changed(T &object, char const *name, char const *place) noexcept {
+template <class T> T &symreal_changed(T &object, char const *name, char const *place) noexcept {
   if (detail::recording && !detail::is_own(&object))
     if constexpr (Numbers::may_hold<T>) detail::note_changed(&object, detail::visit<T>, name, place);
   return object;
 }
 
 // The ends of a range that is handed to code that is not rewritten.
-template <class T> T *range_begin(T *begin, char const *name, char const *place) noexcept {
+template <class T> T *symreal_range_begin(T *begin, char const *name, char const *place) noexcept {
   if (detail::recording)
     if (auto const *end = static_cast<T *>(const_cast<void *>(detail::other_range_end(begin, false, place))))
       for (T *each = begin; each < end; ++each) detail::read_object(*each, name, place);
   return begin;
 }
-template <class T> T *range_end(T *end, char const *name, char const *place) noexcept {
+template <class T> T *symreal_range_end(T *end, char const *name, char const *place) noexcept {
   if (detail::recording)
     if (auto *begin = static_cast<T *>(const_cast<void *>(detail::other_range_end(end, true, place))))
       for (T *each = begin; each < end; ++each) detail::read_object(*each, name, place);
@@ -174,7 +174,7 @@ template <class T> T *range_end(T *end, char const *name, char const *place) noe
 }
 
 // An object that shares its bytes with numbers, or a pointer whose type says nothing about numbers.
-template <class T> constexpr T &&bits(T &&object, char const *name, char const *place) noexcept {
+template <class T> constexpr T &&symreal_bits(T &&object, char const *name, char const *place) noexcept {
   if (!__builtin_is_constant_evaluated() && detail::recording) {
     using Pointee = std::remove_pointer_t<std::remove_reference_t<T>>;
     if constexpr (!std::is_pointer_v<std::remove_reference_t<T>>)
@@ -188,9 +188,9 @@ template <class T> constexpr T &&bits(T &&object, char const *name, char const *
 }
 
 // Numbers that are looked at as something else: an array, or those that a pointer leads to.
-template <class T> constexpr T &&view(T &&object, char const *name, char const *place) noexcept {
+template <class T> constexpr T &&symreal_view(T &&object, char const *name, char const *place) noexcept {
   if constexpr (!std::is_pointer_v<std::remove_cvref_t<T>>)
-    return bits(static_cast<T &&>(object), name, place);
+    return symreal_bits(static_cast<T &&>(object), name, place);
   else {
     if (!__builtin_is_constant_evaluated() && detail::recording && object)
       detail::check_view(detail::bytes_of(object), name, place);
@@ -203,7 +203,7 @@ class Bytes {
 public:
   constexpr Bytes(char const *name, char const *place) noexcept : name_(name), place_(place) {}
 
-  template <class To, class From> void *move(To *to, From *from, std::size_t size) const noexcept {
+  template <class To, class From> void *symreal_move(To *to, From *from, std::size_t size) const noexcept {
     if (detail::recording) {
       if constexpr ((std::is_arithmetic_v<To> && !detail::is_class<To>) || std::is_enum_v<To>)
         detail::check_bits(from, size, name_, place_);
@@ -213,28 +213,29 @@ public:
     return std::memmove(to, from, size);
   }
   // To an object that has no numbers in it.
-  template <class To, class From> void *into(To *to, From *from, std::size_t size) const noexcept {
+  template <class To, class From> void *symreal_into(To *to, From *from, std::size_t size) const noexcept {
     if (detail::recording) detail::check_bits(from, size, name_, place_);
-    return move(to, from, size);
+    return symreal_move(to, from, size);
   }
-  template <class To> void *set(To *to, int byte, std::size_t size) const noexcept {
+  template <class To> void *symreal_set(To *to, int byte, std::size_t size) const noexcept {
     if (detail::recording) each(to, size, [this](auto &object) { detail::write_object(object, name_, place_); });
     return std::memset(to, byte, size);
   }
-  template <class One, class Other> int compare(One *one, Other *other, std::size_t size) const noexcept {
+  template <class One, class Other> int symreal_compare(One *one, Other *other, std::size_t size) const noexcept {
     if (detail::recording) {
       look_at(one, size);
       look_at(other, size);
     }
     return std::memcmp(one, other, size);
   }
-  template <class To> std::size_t read(To *to, std::size_t size, std::size_t count, std::FILE *file) const noexcept {
+  template <class To>
+  std::size_t symreal_read(To *to, std::size_t size, std::size_t count, std::FILE *file) const noexcept {
     if (detail::recording)
       each(to, size * count, [this](auto &object) { detail::write_object(object, name_, place_); });
     return std::fread(to, size, count, file);
   }
   template <class From>
-  std::size_t write(From *from, std::size_t size, std::size_t count, std::FILE *file) const noexcept {
+  std::size_t symreal_write(From *from, std::size_t size, std::size_t count, std::FILE *file) const noexcept {
     if (detail::recording) look_at(from, size * count);
     return std::fwrite(from, size, count, file);
   }

@@ -262,18 +262,18 @@ SYMREAL_CALL_1(nearbyint)
 #undef SYMREAL_FORM_call
 
 // Prints the carried value; so does REAL_VALUE among the arguments of printf.
-template <class T> T value(SymbolicInt<T> x) noexcept {
+template <class T> T symreal_value(SymbolicInt<T> x) noexcept {
   if (!x.is_symbolic()) return x.plain();
   if constexpr (detail::is_wide<T>)
     if (x.held().bound == 0) return static_cast<T>(detail::bits(detail::needed_value(x.held().number)));
-  return static_cast<T>(value(x.number()));
+  return static_cast<T>(symreal_value(x.number()));
 }
 namespace types {
 template <class Character, class Traits, class T>
 std::basic_ostream<Character, Traits> &operator<<(std::basic_ostream<Character, Traits> &out, SymbolicInt<T> x) {
   if constexpr (std::is_same_v<Character, char>)
-    if (x.is_symbolic()) detail::made_stream(out, std::to_string(static_cast<long long>(value(x))), x.number());
-  return out << value(x);
+    if (x.is_symbolic()) detail::made_stream(out, std::to_string(static_cast<long long>(symreal_value(x))), x.number());
+  return out << symreal_value(x);
 }
 } // namespace types
 

@@ -8,6 +8,8 @@
 
 #include <symreal/real.h>
 
+#include <symreal/names_hide.h>
+
 #include <math.h>
 
 #define PI 3.14159265358979323846
@@ -19,7 +21,7 @@
 
 inline REAL create_runtime_const(char const *name, double value, SYMREAL_CALLER) {
   REAL number = value;
-  ::symreal::annotate(::symreal::Kind::input, name, place, static_cast<REAL &&>(number));
+  ::symreal::symreal_annotate(::symreal::Kind::input, name, place, static_cast<REAL &&>(number));
   return number;
 }
 // Without a value the program cannot decide on, print or convert what depends on this input.
@@ -28,15 +30,15 @@ inline REAL create_runtime_const(char const *name, SYMREAL_CALLER) {
 }
 inline REAL create_parameter(char const *name, double value, SYMREAL_CALLER) {
   REAL number = value;
-  ::symreal::annotate(::symreal::Kind::parameter, name, place, static_cast<REAL &&>(number));
+  ::symreal::symreal_annotate(::symreal::Kind::parameter, name, place, static_cast<REAL &&>(number));
   return number;
 }
 // Numbers, arrays, std::array, std::vector, Eigen objects: in place.
 template <class T> void input(char const *name, T &object, SYMREAL_CALLER) {
-  ::symreal::annotate(::symreal::Kind::input, name, place, object);
+  ::symreal::symreal_annotate(::symreal::Kind::input, name, place, object);
 }
 template <class T> void parameter(char const *name, T &object, SYMREAL_CALLER) {
-  ::symreal::annotate(::symreal::Kind::parameter, name, place, object);
+  ::symreal::symreal_annotate(::symreal::Kind::parameter, name, place, object);
 }
 // Structures of numbers as well: the rewriter tells where theirs lie.
 inline void input(char const *name, ::symreal::LaidOut &&object, SYMREAL_CALLER) {
@@ -49,10 +51,10 @@ inline void output(char const *name, ::symreal::LaidOut &&object, SYMREAL_CALLER
   object.annotate(::symreal::Kind::output, name, place);
 }
 template <class T> void output(char const *name, T &&object, SYMREAL_CALLER) {
-  ::symreal::annotate(::symreal::Kind::output, name, place, static_cast<T &&>(object));
+  ::symreal::symreal_annotate(::symreal::Kind::output, name, place, static_cast<T &&>(object));
 }
 // Ends the kernel and writes its code.
-inline void generate_code(char const *file_name, SYMREAL_CALLER) { ::symreal::generate(file_name, place); }
+inline void generate_code(char const *file_name, SYMREAL_CALLER) { ::symreal::symreal_generate(file_name, place); }
 
 #undef SYMREAL_CALLER
 
@@ -69,3 +71,5 @@ static inline void generate_code(char const *file_name) { (void)file_name; }
 
 static inline REAL SIN(REAL x) { return sin(x); }
 static inline REAL COS(REAL x) { return cos(x); }
+
+#include <symreal/names_show.h>

@@ -1,6 +1,6 @@
 // Text of symbolic values. It says what this run carries, so it may leave the program, and what is read back is an
 // error at its place: characters, strings, files, lengths. The rewriter puts Format in the place of the functions that
-// make text, and text(...) around what is read.
+// make text, and symreal_text(...) around what is read.
 #pragma once
 
 #include <symreal/real_number.h>
@@ -90,8 +90,8 @@ template <class T> void look_at(T &object, char const *name, char const *place) 
 
 // Something is read that may hold text. Without a name: characters of it may be read later.
 // A string that nobody else owns is handed on, lest it end before the loop that runs over it.
-template <class T>
-constexpr std::conditional_t<detail::is_string<T>, T, T &&> text(T &&object, char const *name, char const *place) {
+template <class T> constexpr std::conditional_t<detail::is_string<T>, T, T &&>
+symreal_text(T &&object, char const *name, char const *place) {
   if (!__builtin_is_constant_evaluated() && detail::recording && detail::has_text) detail::look_at(object, name, place);
   return static_cast<T &&>(object);
 }
@@ -123,91 +123,95 @@ class Format {
 public:
   Format(bool is_used, char const *place, bool first) noexcept : place_(is_used ? place : nullptr), shows_(first) {}
 
-  template <class... T> int print_sprintf(char *to, char const *format, T... values) const {
+  template <class... T> int symreal_print_sprintf(char *to, char const *format, T... values) const {
     return made(to, std::sprintf(to, format, values...), value(values...));
   }
-  template <class... T> int print_snprintf(char *to, std::size_t size, char const *format, T... values) const {
+  template <class... T> int symreal_print_snprintf(char *to, std::size_t size, char const *format, T... values) const {
     return made(to, size, std::snprintf(to, size, format, values...), value(values...));
   }
-  int print_vsprintf(char *to, char const *format, std::va_list list) const {
+  int symreal_print_vsprintf(char *to, char const *format, std::va_list list) const {
     return made(to, std::vsprintf(to, format, list), listed());
   }
-  int print_vsnprintf(char *to, std::size_t size, char const *format, std::va_list list) const {
+  int symreal_print_vsnprintf(char *to, std::size_t size, char const *format, std::va_list list) const {
     return made(to, size, std::vsnprintf(to, size, format, list), listed());
   }
 #ifdef __GLIBC__
-  template <class... T> int print_asprintf(char **to, char const *format, T... values) const {
+  template <class... T> int symreal_print_asprintf(char **to, char const *format, T... values) const {
     int const length = ::asprintf(to, format, values...);
     return made(*to, length, value(values...));
   }
-  int print_vasprintf(char **to, char const *format, std::va_list list) const {
+  int symreal_print_vasprintf(char **to, char const *format, std::va_list list) const {
     int const length = ::vasprintf(to, format, list);
     return made(*to, length, listed());
   }
-  template <class... T> int print_dprintf(int file, char const *format, T... values) const {
+  template <class... T> int symreal_print_dprintf(int file, char const *format, T... values) const {
     return written(said(value(values...), format, values...), ::dprintf(file, format, values...));
   }
-  int print_vdprintf(int file, char const *format, std::va_list list) const {
+  int symreal_print_vdprintf(int file, char const *format, std::va_list list) const {
     said_list(format, list);
     return written(listed(), ::vdprintf(file, format, list));
   }
-  char *print_gcvt(double number, int digits, char *to) const {
+  char *symreal_print_gcvt(double number, int digits, char *to) const {
     ::gcvt(number, digits, to);
     return copied(to, to, detail::shown);
   }
 #endif
-  template <class... T> std::to_chars_result print_to_chars(char *first, char *last, T... values) const {
+  template <class... T> std::to_chars_result symreal_print_to_chars(char *first, char *last, T... values) const {
     std::to_chars_result const result = std::to_chars(first, last, values...);
     made(first, static_cast<int>(result.ptr - first), detail::shown);
     return result;
   }
 
-  template <class... T> int print_printf(char const *format, T... values) const {
+  template <class... T> int symreal_print_printf(char const *format, T... values) const {
     return written(value(values...), std::printf(format, values...));
   }
-  int print_vprintf(char const *format, std::va_list list) const {
+  int symreal_print_vprintf(char const *format, std::va_list list) const {
     return written(listed(), std::vprintf(format, list));
   }
-  template <class... T> int print_fprintf(std::FILE *file, char const *format, T... values) const {
+  template <class... T> int symreal_print_fprintf(std::FILE *file, char const *format, T... values) const {
     if (is_file(file)) detail::made_file(file, said(value(values...), format, values...));
     return written(value(values...), std::fprintf(file, format, values...));
   }
-  int print_vfprintf(std::FILE *file, char const *format, std::va_list list) const {
+  int symreal_print_vfprintf(std::FILE *file, char const *format, std::va_list list) const {
     if (is_file(file)) {
       said_list(format, list);
       detail::made_file(file, listed());
     }
     return written(listed(), std::vfprintf(file, format, list));
   }
-  int print_fputs(char const *text, std::FILE *file) const {
+  int symreal_print_fputs(char const *text, std::FILE *file) const {
     if (is_file(file)) detail::made_file(file, value(text));
     return std::fputs(text, file);
   }
   template <class T>
-  std::size_t print_fwrite(T const *from, std::size_t size, std::size_t count, std::FILE *file) const {
+  std::size_t symreal_print_fwrite(T const *from, std::size_t size, std::size_t count, std::FILE *file) const {
     if constexpr (detail::is_text_character<T>)
       if (is_file(file) && detail::has_text)
         detail::made_file(file, detail::value_in(detail::characters(from), size * count));
     return std::fwrite(from, size, count, file);
   }
 
-  char *print_strcpy(char *to, char const *from) const { return copied(std::strcpy(to, from), to, value(from)); }
-  char *print_strncpy(char *to, char const *from, std::size_t size) const {
+  char *symreal_print_strcpy(char *to, char const *from) const {
+    return copied(std::strcpy(to, from), to, value(from));
+  }
+  char *symreal_print_strncpy(char *to, char const *from, std::size_t size) const {
     std::strncpy(to, from, size);
     if (detail::recording && value(from).number) detail::made_text(to, size, value(from), nullptr);
     return to;
   }
-  char *print_strcat(char *to, char const *from) const { return copied(std::strcat(to, from), to, value(from)); }
-  char *print_strncat(char *to, char const *from, std::size_t size) const {
+  char *symreal_print_strcat(char *to, char const *from) const {
+    return copied(std::strcat(to, from), to, value(from));
+  }
+  char *symreal_print_strncat(char *to, char const *from, std::size_t size) const {
     return copied(std::strncat(to, from, size), to, value(from));
   }
 #ifdef __GLIBC__
-  char *print_stpcpy(char *to, char const *from) const {
+  char *symreal_print_stpcpy(char *to, char const *from) const {
     char *const end = ::stpcpy(to, from);
     copied(to, to, value(from));
     return end;
   }
-  char *print_strdup(char const *from) const {
+  char *symreal_print_strdup(char const *from) const {
     char *const copy = ::strdup(from);
     return copy ? copied(copy, copy, value(from)) : copy;
   }

@@ -9,14 +9,14 @@
 namespace symreal {
 
 // What a condition says, without deciding on it.
-[[gnu::always_inline]] inline SymbolicBool truth(SymbolicBool condition) noexcept { return condition; }
-[[gnu::always_inline]] inline SymbolicBool truth(RealNumber x) noexcept { return x != RealNumber(0.0); }
+[[gnu::always_inline]] inline SymbolicBool symreal_truth(SymbolicBool condition) noexcept { return condition; }
+[[gnu::always_inline]] inline SymbolicBool symreal_truth(RealNumber x) noexcept { return x != RealNumber(0.0); }
 template <class T, class = std::enable_if_t<std::is_arithmetic_v<T> || std::is_pointer_v<T>>>
-constexpr bool truth(T x) noexcept {
+constexpr bool symreal_truth(T x) noexcept {
   return static_cast<bool>(x);
 }
 // The condition that `for (;;)` does not have.
-constexpr bool truth() noexcept { return true; }
+constexpr bool symreal_truth() noexcept { return true; }
 
 template <class T> inline constexpr bool is_symbolic_truth =
     std::is_same_v<T, SymbolicBool> || std::is_same_v<T, RealNumber>;

@@ -28,9 +28,9 @@ template <> struct PlainType<SymbolicBool &&> {
 };
 } // namespace detail
 // Of an expression: the type that it has in the original.
-template <class T> using plain_type = typename detail::PlainType<T>::type;
+template <class T> using symreal_plain_type = typename detail::PlainType<T>::type;
 // An expression of that type, for an operand that is not evaluated.
-template <class T> T of_type() noexcept;
+template <class T> T symreal_of_type() noexcept;
 
 } // namespace symreal
 
