@@ -5,6 +5,7 @@
 #include "rewrite/externals.h"
 #include "rewrite/merge.h"
 #include "rewrite/pragma_items.h"
+#include "rewrite/pragma_text.h"
 
 #include <algorithm>
 #include <iterator>
@@ -147,6 +148,9 @@ public:
     fact.configured = index;
     std::vector<PragmaIndex::Name> names;
     if (!read_clauses(kernel, *brace, function->getASTContext(), fact, names, facts_)) return;
+    for (ClauseFact &clause : fact.clauses)
+      for (ItemFact &item : clause.items)
+        if (means_file(clause.name, item)) item.place = map_.place(function->getLocation()); // it is in no file itself
     facts_.pragmas.emplace(*brace, std::move(fact));
     attach_pragma(*brace, function, names, map_, reals_, integers_, facts_);
   }

@@ -8,6 +8,8 @@
 #include <fmt/ostream.h>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
 
 namespace symreal::tool {
 namespace {
@@ -93,19 +95,31 @@ std::optional<Diagnostic> state_failure(Graph const &graph, std::vector<program:
   return diagnostic;
 }
 
+// 1, 3-5, 8 of 1, 3, 4, 5, 8.
+std::string runs_of(std::vector<std::size_t> const &numbers) {
+  std::string text;
+  for (std::size_t k = 0; k < numbers.size(); ++k) {
+    std::size_t const first = k;
+    while (k + 1 < numbers.size() && numbers[k + 1] == numbers[k] + 1) ++k;
+    text += (text.empty() ? "" : ", ") + std::to_string(numbers[first]);
+    if (k != first) text += (k == first + 1 ? ", " : "-") + std::to_string(numbers[k]);
+  }
+  return text;
+}
+
 void print_guards(std::ostream &out, program::Verification const &verification) {
   fmt::print(out, "  refused by a guard: {}\n  {:<8}{:>10}   {}\n", verification.refused, "guard", "samples",
              "condition");
   for (std::size_t k = 0; k < verification.guards.size(); ++k)
     fmt::print(out, "  {:<8}{:>10}   {}\n", k + 1, verification.guards[k].failed, verification.guards[k].text);
-  std::string never;
+  std::vector<std::size_t> never;
   for (std::size_t k = 0; k < verification.guards.size(); ++k)
-    if (verification.guards[k].failed == 0) never += (never.empty() ? "" : ", ") + std::to_string(k + 1);
+    if (verification.guards[k].failed == 0) never.push_back(k + 1);
   if (!never.empty())
     fmt::print(out,
                "  no sample failed guard {}: the code was not tried beyond; range(low, high) on an input says "
                "where samples are drawn\n",
-               never);
+               runs_of(never));
   if (verification.mode == FloatingPoint::fast && verification.guards_different != 0)
     fmt::print(out, "  rounding decides {} samples otherwise\n", verification.guards_different);
 }
