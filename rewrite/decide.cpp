@@ -2,6 +2,7 @@
 
 #include "rewrite/compose.h"
 #include "rewrite/original_text.h"
+#include "rewrite/own_names.h"
 #include "rewrite/pragma_text.h"
 #include "rewrite/scan_text.h"
 #include "rewrite/text_calls.h"
@@ -41,6 +42,8 @@ Rewording rewording(Wrap const &wrap, bool is_shared) {
   case Use::counted: return make("SYMREAL_REAL_COUNTED(", ")");
   case Use::as_width:
   case Use::width: return make("SYMREAL_REAL_WIDTH(" + wrap.detail + ", ", ")");
+  case Use::compound: return make("SYMREAL_REAL_COMPOUND(", ")");
+  case Use::compound_list: return make(", ", "");
   case Use::fit: return make("SYMREAL_REAL_FIT(", ")");
   case Use::before: return make("SYMREAL_REAL_ONLY(" + wrap.detail + ") ", "");
   case Use::behind: return make("", " SYMREAL_REAL_ONLY(" + wrap.detail + ")");
@@ -67,6 +70,7 @@ Rewording rewording(Wrap const &wrap, bool is_shared) {
   case Use::table: return make("SYMREAL_REAL_TABLE(" + wrap.detail + ", ", ")");
   case Use::pasted: return make("SYMREAL_REAL_PASTED((" + wrap.detail + "), ", ")");
   case Use::prototype: return make(" SYMREAL_REAL_PROTOTYPE((" + wrap.detail + "), ", ")");
+  case Use::own_name:
   case Use::name: return make("SYMREAL_REAL_NAME(", ")");
   case Use::external: return make("SYMREAL_REAL_EXTERNAL(", ", " + wrap.detail + ")");
   case Use::function: return make("SYMREAL_REAL_FUNCTION(" + wrap.detail + ", ", ")");
@@ -156,11 +160,13 @@ void add_wraps(Facts const &facts, std::set<Span> const &pragmas, ByFile &reword
     if (is_inserted(facts.files.at(wrap.span.file).text, wrap)) continue;
     // The function reads the REALs itself, as REALs.
     if (wrap.use == Use::value && facts.number_readers.count(wrap.detail) != 0) continue;
+    bool const is_name = wrap.use == Use::name || wrap.use == Use::own_name;
+    if (wrap.use == Use::own_name && !is_defined(facts, wrap)) continue;
     bool const is_text = wrap.use != Use::pasted && is_quoted(facts, wrap.span);
-    if (is_text && wrap.use == Use::name)
-      result.diagnostics.push_back({DiagnosticId::c_source, Severity::error,
-                                    place_in(facts.files.at(wrap.span.file), wrap.span.begin),
-                                    "'" + wrap.detail + "' is a keyword of C++, and a macro turns it into text"});
+    if (is_text && is_name)
+      result.diagnostics.push_back(
+          {DiagnosticId::c_source, Severity::error, place_in(facts.files.at(wrap.span.file), wrap.span.begin),
+           "'" + wrap.detail + "' has another name in symbolic mode, and a macro turns it into text"});
     if (!meets(pragmas, wrap.span) && !is_text)
       rewordings[wrap.span.file].push_back(rewording(wrap, facts.shared.contains(wrap.span)));
   }
@@ -250,10 +256,13 @@ void add_dependence(Facts const &facts, Result &result) {
 }
 
 // By file, the names in it that symbolic mode has others for: what the rewriter inserts may hold them as well.
-std::map<std::string, std::set<std::string>> renamed_names(Facts const &facts) {
-  std::map<std::string, std::set<std::string>> names;
+std::map<std::string, RenamedNames> renamed_names(Facts const &facts) {
+  std::map<std::string, RenamedNames> names;
   for (Wrap const &wrap : facts.wraps)
-    if (wrap.use == Use::name) names[wrap.span.file].insert(wrap.detail);
+    if (wrap.use == Use::name)
+      names[wrap.span.file].all.insert(wrap.detail);
+    else if (wrap.use == Use::own_name && is_defined(facts, wrap))
+      names[wrap.span.file].at_file_scope.insert(wrap.detail);
   return names;
 }
 

@@ -63,6 +63,8 @@ enum class Use {
   counted,     // of an enumeration, as the integer that C computes with
   as_width,    // the operand of what is next
   width,       // computed in as many bits as a wide bit-field has
+  compound,      // a compound literal of C, which is an object
+  compound_list, // its initialisers
   literal,
   external,
   function,    // of <cmath>, as a value; the other arguments: how many it takes
@@ -78,7 +80,8 @@ enum class Use {
   local_state, // of integers that only one function can name
   pasted,      // a macro whose expansion pastes or quotes what a converted type is spelled as
   prototype,   // of a function that is declared as before C89
-  name,        // a keyword of C++ that is a name in C
+  name,        // a name of C that is a keyword of C++, or another's there
+  own_name,    // the same, of a function or variable: where a source defines it
   division,    // before C99, the first of `//`, which C++ takes for a comment
   environment, // errno, and what reads or sets the floating-point environment
   formatting,  // the name of a function that makes text of numbers, or moves text
@@ -101,7 +104,7 @@ struct Wrap {
   // conversion, cast, argument, of_c: the type; state: the declaration's place; returned, and the uses between literal
   // and state: the other arguments (returned: with the rest of the macro's name before them); value: the function of
   // the program, if it is one, whose variadic argument the expression is; as_width, width: the bits, and whether they
-  // are signed; external, table, formatting: the other arguments; pasted: the text that the macro expands to; name: it;
+  // are signed; external, table, formatting: the other arguments; pasted: the text that the macro expands to; name, own_name: it;
   // layout, padding: sizes and offsets; prototype: the parameters; before, behind, instead: the words
   std::string detail;
   auto operator<=>(Wrap const &) const = default;

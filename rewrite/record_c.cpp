@@ -78,6 +78,8 @@ void Recorder::c_prototype(FunctionDecl const *function) {
 
 void Recorder::c_call(CallExpr const *call) {
   if (map_.language().CPlusPlus || call->getNumArgs() == 0 || call->getBuiltinCallee() != 0) return;
+  for (Expr const *argument : call->arguments()) // an array of variable extents is taken by its address (c_arrays.h)
+    if (argument->getType()->isVariablyModifiedType()) compared_pointers_.insert(argument);
   if (FunctionDecl const *callee = call->getDirectCallee(); callee && parameters_of_c(callee)) return;
   QualType const function = call->getCallee()->getType()->getPointeeType();
   if (!function.isNull() && function->getAs<FunctionNoProtoType>())

@@ -156,6 +156,12 @@ void Recorder::c_operation(BinaryOperator const *operation) {
 void Recorder::c_operation(UnaryOperator const *operation) {
   if (operation->getOpcode() == UO_Plus || operation->getOpcode() == UO_Minus || operation->getOpcode() == UO_Not)
     c_operand(operation->getOperatorLoc(), operation->getSubExpr());
+  Expr const *counted = operation->getSubExpr();
+  if (map_.language().CPlusPlus || !operation->isIncrementDecrementOp() || !counted->getType()->isBooleanType()) return;
+  if (counted->refersToBitField())
+    report(DiagnosticId::c_source, operation->getOperatorLoc(), "a bit-field that is a truth value is counted");
+  else
+    wrap(counted, Use::enumeration);
 }
 
 void Recorder::c_type_asked(Expr const *operand, bool is_size) {

@@ -158,6 +158,7 @@ std::vector<std::string> command_line(Compilation const &compilation) {
                                     "-fsyntax-only",
                                     "-w",
                                     "-Wno-error",
+                                    "-Wno-implicit-int", // an error since C99, and a warning to gcc
                                     "-Qunused-arguments",
                                     "-fno-caret-diagnostics",
                                     "-resource-dir=" SYMREAL_CLANG_RESOURCES,
@@ -222,6 +223,19 @@ bool leave_out_options(std::vector<CompilerError> const &errors, std::vector<std
   return flags.size() != before;
 }
 
+// A variable may have the name of a function that the compiler knows without any header; Clang has it for a
+// redefinition. Was there one?
+bool forget_builtins(std::vector<CompilerError> const &errors, std::vector<std::string> &flags) {
+  std::size_t const before = flags.size();
+  for (CompilerError const &error : errors) {
+    llvm::StringRef name = error.message;
+    if (!name.consume_front("redefinition of '") || !name.consume_back("' as different kind of symbol")) continue;
+    std::string const flag = "-fno-builtin-" + name.str();
+    if (std::find(flags.begin(), flags.end(), flag) == flags.end()) flags.push_back(flag);
+  }
+  return flags.size() != before;
+}
+
 struct Parsed {
   Facts facts;
   std::vector<CompilerError> errors;
@@ -236,7 +250,8 @@ Parsed parse(Compilation compilation, FileSystem const &disk, Settings const &se
                                        files.get());
     invocation.setDiagnosticConsumer(&collector);
     bool const done = invocation.run();
-    if (leave_out_options(parsed.errors, compilation.flags)) continue;
+    if (leave_out_options(parsed.errors, compilation.flags) || forget_builtins(parsed.errors, compilation.flags))
+      continue;
     if (!done && parsed.errors.empty())
       parsed.errors.push_back({"the source cannot be parsed", {compilation.source}, {}, {}});
     return parsed;

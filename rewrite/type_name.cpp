@@ -48,13 +48,16 @@ std::string with_type_name(std::string const &text, std::string const &type_name
   return result.append(text, at);
 }
 
-std::string with_renamed(std::string const &text, std::set<std::string> const &names) {
+std::string with_renamed(std::string const &text, RenamedNames const &names) {
+  bool const has_members = text.starts_with(" SYMREAL_REAL_MEMBERS(") || text.starts_with(" SYMREAL_REAL_LAYOUT(");
   std::string result;
   for (std::size_t at = 0, end; at < text.size(); at = end) {
     bool const is_literal = text[at] == '"' || text[at] == '\'';
     end = is_literal ? end_of_literal(text, at) : std::max(end_of_word(text, at), at + 1);
     std::string const word = text.substr(at, end - at);
-    result += names.contains(word) ? "SYMREAL_REAL_NAME(" + word + ")" : word;
+    bool const is_member = has_members || result.ends_with('.') || result.ends_with("->");
+    bool const is_renamed = names.all.contains(word) || (!is_member && names.at_file_scope.contains(word));
+    result += is_renamed ? "SYMREAL_REAL_NAME(" + word + ")" : word;
   }
   return result;
 }

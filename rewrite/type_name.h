@@ -18,7 +18,14 @@ std::string choose_type_name(Request const &request, Facts const &facts, std::ve
 // The text with the long forms in it replaced.
 std::string with_type_name(std::string const &text, std::string const &type_name);
 
-// The text with each of `names` in it renamed (keyword_names.h), but for literals.
-std::string with_renamed(std::string const &text, std::set<std::string> const &names);
+// Names that symbolic mode has others for: keywords of C++ (keyword_names.h) wherever they stand, and those of
+// functions, variables and types at file scope (c_names.h), which members may have as well.
+struct RenamedNames {
+  std::set<std::string> all;
+  std::set<std::string> at_file_scope;
+};
+
+// The text with each of them in it renamed, but for literals.
+std::string with_renamed(std::string const &text, RenamedNames const &names);
 
 } // namespace symreal::rewrite

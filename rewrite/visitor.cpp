@@ -2,9 +2,13 @@
 
 #include "rewrite/anonymous_structs.h"
 #include "rewrite/boundaries.h"
+#include "rewrite/c_arrays.h"
 #include "rewrite/c_declarations.h"
 #include "rewrite/c_generic.h"
 #include "rewrite/c_jumps.h"
+#include "rewrite/c_literals.h"
+#include "rewrite/c_names.h"
+#include "rewrite/c_specifiers.h"
 #include "rewrite/configured.h"
 #include "rewrite/context_walk.h"
 #include "rewrite/externals.h"
@@ -323,6 +327,10 @@ void record_tree(ASTContext &context, SourceMap const &map, PragmaIndex const &i
   record_c_declarations(context, map, facts);
   record_c_jumps(context, map, facts);
   record_c_generic(context, map, facts);
+  record_c_specifiers(context, map, facts);
+  record_c_arrays(context, map, facts);
+  record_c_literals(context, map, facts);
+  record_c_names(context, map, facts);
   record_anonymous_structs(context, map, reals, facts);
   record_decisions(context, map, reals, index, facts);
   record_boundaries(context, visitor.definitions, map, reals, facts);

@@ -60,11 +60,20 @@ bool State::outlives(void const *address) {
   return !constant && !unknown;
 }
 
+// As the source has it: a name of C that means something else in C++ gets another one (SYMREAL_REAL_NAME).
+static std::string_view source_name(std::string_view name) {
+  std::size_t const at = name.find("REAL_NAME(");
+  if (at == name.npos || !name.ends_with(')')) return name;
+  name.remove_prefix(name.find('(', at) + 1);
+  name.remove_suffix(1);
+  return name;
+}
+
 // Small objects share a word.
 void State::named(void const *object, std::size_t size, detail::Scope scope, char const *name, char const *place) {
   if ((shadow_.at(object) & mark::named) != 0 && names_.contains(object)) return;
   shadow_.add(object, 1, mark::named);
-  names_[object] = {size, {name, place, scope}};
+  names_[object] = {size, {source_name(name), place, scope}};
 }
 
 void State::local(void const *object, std::size_t size, detail::Scope scope, char const *name, char const *place) {

@@ -4,6 +4,7 @@
 #include <symreal/type_traits.h>
 
 #include <type_traits>
+#include <utility>
 
 namespace symreal {
 
@@ -38,13 +39,28 @@ template <class To, class From>
     return static_cast<From &&>(value);
 }
 
+// A truth value of C counts: ++ leaves true, -- the other one.
+class CountedTruth {
+public:
+  explicit constexpr CountedTruth(bool &value) noexcept : value_(value) {}
+  constexpr bool operator++() const noexcept { return value_ = true; }
+  constexpr bool operator--() const noexcept { return value_ = !value_; }
+  constexpr bool operator++(int) const noexcept { return std::exchange(value_, true); }
+  constexpr bool operator--(int) const noexcept { return std::exchange(value_, !value_); }
+
+private:
+  bool &value_;
+};
+
 // An enumerator that an operator of assignment changes: in C it is an integer.
-template <class E> constexpr auto &symreal_enumeration(E &x) noexcept {
-  if constexpr (std::is_enum_v<E>) {
+template <class E> constexpr decltype(auto) symreal_enumeration(E &x) noexcept {
+  if constexpr (std::is_same_v<E, bool>)
+    return CountedTruth(x);
+  else if constexpr (std::is_enum_v<E>) {
     using Integer [[gnu::may_alias]] = std::underlying_type_t<E>;
-    return reinterpret_cast<Integer &>(x);
+    return (reinterpret_cast<Integer &>(x));
   } else
-    return x;
+    return (x);
 }
 
 } // namespace symreal

@@ -29,6 +29,7 @@
 #define SYMREAL_REAL_OF_C(type, ...) __VA_ARGS__
 #define SYMREAL_REAL_COUNTED(...) __VA_ARGS__
 #define SYMREAL_REAL_WIDTH(bits, is_signed, ...) __VA_ARGS__
+#define SYMREAL_REAL_COMPOUND(type, ...) type __VA_ARGS__
 #define SYMREAL_REAL_STATE(object, place) object
 #define SYMREAL_REAL_LOCAL_STATE(object, place) object
 #define SYMREAL_REAL_EXTERNAL(function, ...) function
@@ -214,6 +215,9 @@ public:                                                                         
 #define SYMREAL_REAL_PROMOTED(...) (::symreal::symreal_promoted(__VA_ARGS__))
 #define SYMREAL_REAL_OF_C(type, ...) (::symreal::symreal_of_c<type>((__VA_ARGS__)))
 #define SYMREAL_REAL_COUNTED(...) (::symreal::symreal_counted((__VA_ARGS__)))
+#define SYMREAL_REAL_COMPOUND(type, ...)                                                                               \
+  (symreal_literals.symreal_make<SYMREAL_TYPE_IN type, decltype([] {})>(__VA_ARGS__))
+#define SYMREAL_TYPE_IN(...) __typeof__(__VA_ARGS__)
 #ifdef __clang__ /* computes in the declared type, in C as well */
 #define SYMREAL_REAL_WIDTH(bits, is_signed, ...) (__VA_ARGS__)
 #else
@@ -223,6 +227,7 @@ public:                                                                         
 #define SYMREAL_REAL_PROMOTED(...) (__VA_ARGS__)
 #define SYMREAL_REAL_OF_C(type, ...) (__VA_ARGS__)
 #define SYMREAL_REAL_COUNTED(...) (__VA_ARGS__)
+#define SYMREAL_REAL_COMPOUND(type, ...) type __VA_ARGS__
 #define SYMREAL_REAL_WIDTH(bits, is_signed, ...) (__VA_ARGS__)
 #endif
 /* What a macro makes of the spelling `double`, which does not stand there any more. */

@@ -2,7 +2,9 @@
 // the text may be a macro's, which is compiled with other types as well.
 #pragma once
 
+#include <symreal/compound_literals.h>
 #include <symreal/truth.h>
+#include <symreal/variable_arrays.h>
 
 #include <type_traits>
 
