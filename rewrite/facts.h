@@ -57,12 +57,12 @@ enum class Use {
   linkage,
   table, // it is read at a symbolic index
   value,
-  enumeration, // of C, which an operator of assignment changes
-  promoted,    // to double, as a function of C takes it
-  of_c,        // it has another type in C++; the other argument: the one that it has in C
-  counted,     // of an enumeration, as the integer that C computes with
-  as_width,    // the operand of what is next
-  width,       // computed in as many bits as a wide bit-field has
+  enumeration,   // of C, which an operator of assignment changes
+  promoted,      // to double, as a function of C takes it
+  of_c,          // it has another type in C++; the other argument: the one that it has in C
+  counted,       // of an enumeration, as the integer that C computes with
+  as_width,      // the operand of what is next
+  width,         // computed in as many bits as a wide bit-field has
   compound,      // a compound literal of C, which is an object
   compound_list, // its initialisers
   literal,
@@ -104,8 +104,8 @@ struct Wrap {
   // conversion, cast, argument, of_c: the type; state: the declaration's place; returned, and the uses between literal
   // and state: the other arguments (returned: with the rest of the macro's name before them); value: the function of
   // the program, if it is one, whose variadic argument the expression is; as_width, width: the bits, and whether they
-  // are signed; external, table, formatting: the other arguments; pasted: the text that the macro expands to; name, own_name: it;
-  // layout, padding: sizes and offsets; prototype: the parameters; before, behind, instead: the words
+  // are signed; external, table, formatting: the other arguments; pasted: the text that the macro expands to; name,
+  // own_name: it; layout, padding: sizes and offsets; prototype: the parameters; before, behind, instead: the words
   std::string detail;
   auto operator<=>(Wrap const &) const = default;
 };
