@@ -5,11 +5,12 @@ using namespace clang;
 
 bool is_keyword_of_cpp(llvm::StringRef name) {
   static llvm::StringSet<> const keywords = {
-      "alignas",  "alignof", "and",      "bool",     "catch",    "class",     "compl",     "concept",      "constexpr",
-      "decltype", "delete",  "explicit", "export",   "false",    "friend",    "mutable",   "namespace",    "new",
-      "noexcept", "not",     "nullptr",  "operator", "or",       "private",   "protected", "public",       "requires",
-      "template", "this",    "throw",    "true",     "try",      "typeid",    "typename",  "using",        "virtual",
-      "wchar_t",  "xor",     "char16_t", "char32_t", "co_await", "co_return", "co_yield",  "static_assert"};
+      "alignas",   "alignof",   "and",      "bool",          "catch",     "class",     "compl",       "concept",
+      "constexpr", "decltype",  "delete",   "explicit",      "export",    "false",     "friend",      "mutable",
+      "namespace", "new",       "noexcept", "not",           "nullptr",   "operator",  "or",          "private",
+      "protected", "public",    "requires", "template",      "this",      "throw",     "true",        "try",
+      "typeid",    "typename",  "using",    "virtual",       "wchar_t",   "xor",       "char16_t",    "char32_t",
+      "co_await",  "co_return", "co_yield", "static_assert", "consteval", "constinit", "thread_local"};
   return keywords.contains(name);
 }
 
