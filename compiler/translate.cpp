@@ -153,7 +153,7 @@ Words compile_words(Translation const &translation, Words const &flags, std::str
   append(words, {"-isystem", runtime_include()});
   append(words, rewrite::type_name_flags(type_name));
   append(words, program::variant_flags(flags, program::Variant::symbolic));
-  append(words, program::evaluation_order(flags, translation.source.language == Language::c, translation.compiler[0]));
+  append(words, program::language_flags(flags, translation.source.language == Language::c, translation.compiler[0]));
   append(words, {"-frandom-seed=" + translation.source.name, option(translation.action)});
   return words;
 }
@@ -208,7 +208,7 @@ bool compile_preprocessed(Translation const &translation, CommandLine const &lin
   Words words = translation.compiler;
   append(words, program::variant_flags(line.flags, program::Variant::symbolic));
   bool const is_c = translation.source.name.ends_with(".i");
-  append(words, program::evaluation_order(line.flags, is_c, translation.compiler[0]));
+  append(words, program::language_flags(line.flags, is_c, translation.compiler[0]));
   append(words, {"-frandom-seed=" + translation.source.name, option(translation.action)});
   append(words, {"-x", "c++-cpp-output", translation.source.name});
   if (!translation.output.empty()) append(words, {"-o", translation.output});

@@ -62,18 +62,32 @@ Command compiler_run(Words words, std::string const &directory) {
   return {.arguments = std::move(words), .directory = directory, .environment = {"LC_ALL=C", "GCC_COLORS="}};
 }
 
-Words evaluation_order(Words const &flags, bool is_c, std::string const &compiler) {
-  if (compiler.find("clang") != compiler.npos) return {};
+// Where char8_t is a type of its own.
+bool is_cxx20(Words const &flags) {
+  bool is = false;
+  for (std::string_view const flag : flags)
+    if (flag.starts_with("-std=") || flag.starts_with("--std=")) {
+      is = false;
+      for (std::string_view newer : {"++20", "++2a", "++23", "++2b", "++26", "++2c"}) is |= flag.ends_with(newer);
+    }
+  return is;
+}
+
+Words language_flags(Words const &flags, bool is_c, std::string const &compiler) {
+  Words words;
+  if (is_c || !is_cxx20(flags)) words.emplace_back("-fno-char8_t");
+  if (compiler.find("clang") != compiler.npos) return words;
   constexpr char const *arguments_first = "-DSYMREAL_ARGUMENTS_FIRST"; // before what is called (text.h)
-  if (is_c) return {"-fno-strong-eval-order", arguments_first};
+  if (is_c) append(words, {"-fno-strong-eval-order", arguments_first});
+  if (is_c) return words;
   bool is_older = false;
   for (std::string_view const flag : flags)
     if (flag.starts_with("-std=") || flag.starts_with("--std=")) {
       is_older = false;
       for (std::string_view older : {"++98", "++03", "++0x", "++11", "++1y", "++14"}) is_older |= flag.ends_with(older);
     }
-  if (is_older) return {"-fstrong-eval-order=some", arguments_first};
-  return {};
+  if (is_older) append(words, {"-fstrong-eval-order=some", arguments_first});
+  return words;
 }
 
 Words variant_flags(Words const &flags, Variant variant) {
@@ -115,8 +129,7 @@ Words rewritten_compilation(BuildRequest const &request, Variant variant, Overla
   Words words = {request.compiler};
   append(words, rewrite::type_name_flags(request.type_name)); // a header that the flags include is rewritten, too
   append(words, overlay.search_flags(variant_flags(source.flags, variant), source.directory));
-  append(words, evaluation_order(source.flags, is_c(source), request.compiler));
-  if (is_c(source)) words.emplace_back("-fno-char8_t"); // a name like others
+  append(words, language_flags(source.flags, is_c(source), request.compiler));
   if (is_c(source) && is_before_c99(source.flags)) words.emplace_back("-DSYMREAL_BEFORE_C99");
   append(words, {"-I", runtime_include()});
   if (auto const more = request.source_flags.find(rewrite::real_source(source)); more != request.source_flags.end())
