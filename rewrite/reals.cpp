@@ -148,6 +148,23 @@ bool Reals::call_stays_double(CallExpr const *call) const {
   return !declared->isDependentType() && is_double(declared);
 }
 
+namespace {
+
+// Looks for a number that does not stay one: what is chosen by it is a REAL, whatever the arms are.
+class Numbers : public RecursiveASTVisitor<Numbers> {
+public:
+  explicit Numbers(Reals const &reals) : reals_(reals) {}
+  bool are_in(Expr const *expression) { return !TraverseStmt(const_cast<Expr *>(expression)); }
+  bool VisitExpr(Expr *expression) {
+    return !Reals::is_double(expression->getType()) || reals_.stays_double(expression);
+  }
+
+private:
+  Reals const &reals_;
+};
+
+} // namespace
+
 bool Reals::stays_double(Expr const *expression) const {
   while (true) { // through what has no spelling of its own
     Expr const *inner = expression->IgnoreParenImpCasts();
@@ -172,7 +189,8 @@ bool Reals::stays_double(Expr const *expression) const {
     return (binary->isCommaOp() || stays_double(binary->getLHS())) && stays_double(binary->getRHS());
   }
   if (auto const *choice = dyn_cast<ConditionalOperator>(expression))
-    return stays_double(choice->getTrueExpr()) && stays_double(choice->getFalseExpr());
+    return stays_double(choice->getTrueExpr()) && stays_double(choice->getFalseExpr()) &&
+           !Numbers(*this).are_in(choice->getCond());
   if (auto const *reference = dyn_cast<DeclRefExpr>(expression)) {
     if (isa<NonTypeTemplateParmDecl>(reference->getDecl())) return true;
     auto const *variable = dyn_cast<VarDecl>(reference->getDecl());
