@@ -1,21 +1,16 @@
 #include "rewrite/anonymous_structs.h"
+#include "rewrite/walk.h"
 
 namespace symreal::rewrite {
 namespace {
 
 using namespace clang;
 
-class Anonymous : public RecursiveASTVisitor<Anonymous> {
-  using Walk = RecursiveASTVisitor<Anonymous>;
-
+class Anonymous : public Walk {
 public:
-  Anonymous(ASTContext &context, SourceMap const &map, Reals const &reals, Facts &facts)
-      : context_(context),
-        map_(map),
-        reals_(reals),
-        facts_(facts) {}
+  Anonymous(SourceMap const &map, Reals const &reals, Facts &facts) : map_(map), reals_(reals), facts_(facts) {}
 
-  bool TraverseDecl(Decl *declaration) {
+  bool TraverseDecl(Decl *declaration) override {
     bool const is_outside = declaration && !isa<TranslationUnitDecl, NamespaceDecl, LinkageSpecDecl>(declaration) &&
                             declaration->getLexicalDeclContext()->isFileContext() &&
                             !map_.in_roots(declaration->getLocation());
@@ -23,7 +18,7 @@ public:
   }
 
   // The field that an anonymous structure is to others is none of the source.
-  bool VisitRecordDecl(RecordDecl *record) {
+  bool VisitRecordDecl(RecordDecl *record) override {
     for (FieldDecl const *field : record->fields()) {
       std::string const name = name_of(field);
       if (name.empty()) continue;
@@ -33,7 +28,7 @@ public:
     return true;
   }
 
-  bool VisitMemberExpr(MemberExpr *member) {
+  bool VisitMemberExpr(MemberExpr *member) override {
     if (!member->getMemberDecl()->getDeclName()) return true; // part of the way to one that is written
     std::string names;
     for (auto const *base = dyn_cast<MemberExpr>(member->getBase()->IgnoreParenImpCasts());
@@ -45,7 +40,7 @@ public:
     return true;
   }
 
-  bool VisitOffsetOfExpr(OffsetOfExpr *offset) {
+  bool VisitOffsetOfExpr(OffsetOfExpr *offset) override {
     std::string names;
     for (unsigned k = 0; k < offset->getNumComponents(); ++k) {
       OffsetOfNode const &node = offset->getComponent(k);
@@ -61,7 +56,7 @@ public:
   }
 
   // .x = 1 would need to name the structure around x, which C++ does not allow in one step.
-  bool VisitDesignatedInitExpr(DesignatedInitExpr *initializer) {
+  bool VisitDesignatedInitExpr(DesignatedInitExpr *initializer) override {
     for (DesignatedInitExpr::Designator const &designator : initializer->designators())
       if (designator.isFieldDesignator() && designator.getFieldDecl())
         if (std::string const name = around(designator.getFieldDecl()); !name.empty())
@@ -110,7 +105,6 @@ private:
         {DiagnosticId::c_source, Severity::error, map_.place(location), std::move(message), map_.expansions(location)});
   }
 
-  ASTContext &context_;
   SourceMap const &map_;
   Reals const &reals_;
   Facts &facts_;
@@ -119,7 +113,7 @@ private:
 } // namespace
 
 void record_anonymous_structs(ASTContext &context, SourceMap const &map, Reals const &reals, Facts &facts) {
-  Anonymous(context, map, reals, facts).TraverseDecl(context.getTranslationUnitDecl());
+  Anonymous(map, reals, facts).TraverseDecl(context.getTranslationUnitDecl());
 }
 
 } // namespace symreal::rewrite

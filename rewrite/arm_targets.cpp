@@ -1,5 +1,6 @@
 #include "rewrite/arm_walker.h"
 #include "rewrite/pragma_text.h"
+#include "rewrite/walk.h"
 
 namespace symreal::rewrite {
 using namespace clang;
@@ -47,10 +48,10 @@ Expr const *whole_of(Expr const *part) {
   return nullptr;
 }
 
-class Mentions : public RecursiveASTVisitor<Mentions> {
+class Mentions : public Walk {
 public:
   explicit Mentions(std::set<VarDecl const *> const &variables) : variables_(variables) {}
-  bool VisitDeclRefExpr(DeclRefExpr *reference) {
+  bool VisitDeclRefExpr(DeclRefExpr *reference) override {
     auto const *variable = dyn_cast<VarDecl>(reference->getDecl());
     found = found || (variable && variables_.count(variable) != 0);
     return !found;

@@ -1,4 +1,5 @@
 #include "rewrite/arm_walker.h"
+#include "rewrite/walk.h"
 
 namespace symreal::rewrite {
 using namespace clang;
@@ -137,18 +138,18 @@ Arms ArmAnalysis::arms(std::vector<Stmt const *> const &statements, Allowed cons
 namespace {
 
 // Does a `return` stand under a condition of REALs?
-class RealReturns : public RecursiveASTVisitor<RealReturns> {
+class RealReturns : public Walk {
 public:
   explicit RealReturns(Conditions const &conditions) : conditions_(conditions) {}
-  bool TraverseLambdaExpr(LambdaExpr *) { return true; }
-  bool TraverseIfStmt(IfStmt *choice) {
+  bool TraverseLambdaExpr(LambdaExpr *) override { return true; }
+  bool TraverseIfStmt(IfStmt *choice) override {
     bool const on_real = !choice->isConsteval() && conditions_.classify(choice->getCond()).is_real;
     within_ += on_real;
-    RecursiveASTVisitor<RealReturns>::TraverseIfStmt(choice);
+    Walk::TraverseIfStmt(choice);
     within_ -= on_real;
     return true;
   }
-  bool VisitReturnStmt(ReturnStmt *) {
+  bool VisitReturnStmt(ReturnStmt *) override {
     found = found || within_ > 0;
     return true;
   }
@@ -159,11 +160,11 @@ private:
   int within_ = 0;
 };
 
-class Locals : public RecursiveASTVisitor<Locals> {
+class Locals : public Walk {
 public:
   explicit Locals(ArmWalker &walker) : walker_(walker) {}
-  bool TraverseLambdaExpr(LambdaExpr *) { return true; }
-  bool VisitVarDecl(VarDecl *variable) {
+  bool TraverseLambdaExpr(LambdaExpr *) override { return true; }
+  bool VisitVarDecl(VarDecl *variable) override {
     if (variable->hasLocalStorage()) walker_.own(variable);
     return true;
   }

@@ -1,4 +1,5 @@
 #include "rewrite/boundaries.h"
+#include "rewrite/walk.h"
 
 #include "rewrite/references.h"
 
@@ -99,21 +100,21 @@ private:
 
 // The variables of the source itself, whose initialisers run, and the functions that it instantiates for others:
 // `template class Angle<double>;`.
-class Objects : public RecursiveASTVisitor<Objects> {
+class Objects : public Walk {
 public:
   std::vector<VarDecl const *> found;
   std::vector<FunctionDecl const *> instantiated;
-  bool TraverseFunctionDecl(FunctionDecl *) { return true; }
-  bool VisitClassTemplateDecl(ClassTemplateDecl *declaration) {
+  bool TraverseFunctionDecl(FunctionDecl *) override { return true; }
+  bool VisitClassTemplateDecl(ClassTemplateDecl *declaration) override {
     for (ClassTemplateSpecializationDecl const *specialization : declaration->specializations())
       for (FunctionDecl const *method : specialization->methods()) instantiate(method);
     return true;
   }
-  bool VisitFunctionTemplateDecl(FunctionTemplateDecl *declaration) {
+  bool VisitFunctionTemplateDecl(FunctionTemplateDecl *declaration) override {
     for (FunctionDecl const *function : declaration->specializations()) instantiate(function);
     return true;
   }
-  bool VisitVarDecl(VarDecl *variable) {
+  bool VisitVarDecl(VarDecl *variable) override {
     if (variable->hasGlobalStorage() && variable->hasInit() && !variable->getDeclContext()->isDependentContext())
       found.push_back(variable);
     return true;

@@ -8,12 +8,12 @@ namespace {
 
 using namespace clang;
 
-class Arrays : public CWalk<Arrays> {
+class Arrays : public CWalk {
 public:
   using CWalk::CWalk;
 
   // An array's initialiser has the type of the array.
-  bool VisitStringLiteral(StringLiteral *literal) {
+  bool VisitStringLiteral(StringLiteral *literal) override {
     // The words of a static assertion have no type.
     auto const *array = literal->getType().isNull() ? nullptr : context_.getAsConstantArrayType(literal->getType());
     if (!array || array->getSize().ugt(literal->getLength())) return true;
@@ -30,7 +30,7 @@ public:
     return true;
   }
 
-  bool VisitParmVarDecl(ParmVarDecl *parameter) {
+  bool VisitParmVarDecl(ParmVarDecl *parameter) override {
     if (!map_.in_roots(parameter->getLocation()) || is_rewritten(parameter->getBeginLoc())) return true;
     auto const array = parameter->getTypeSourceInfo()
                            ? parameter->getTypeSourceInfo()->getTypeLoc().getAs<ArrayTypeLoc>()
@@ -43,7 +43,7 @@ public:
   }
 
   // In its body such a parameter is what it is to the caller.
-  bool VisitFunctionDecl(FunctionDecl *function) {
+  bool VisitFunctionDecl(FunctionDecl *function) override {
     if (!function->doesThisDeclarationHaveABody()) return true;
     std::string words;
     for (ParmVarDecl const *parameter : function->parameters()) {
@@ -59,7 +59,7 @@ public:
   }
 
   // An array of which more than the first extent is variable. Its rows have the name, behind the declaration.
-  bool VisitDeclStmt(DeclStmt *statement) {
+  bool VisitDeclStmt(DeclStmt *statement) override {
     std::string words;
     for (Decl const *one : statement->decls()) {
       auto const *variable = dyn_cast<VarDecl>(one);
@@ -82,7 +82,7 @@ public:
     return true;
   }
 
-  bool VisitUnaryExprOrTypeTraitExpr(UnaryExprOrTypeTraitExpr *asked) {
+  bool VisitUnaryExprOrTypeTraitExpr(UnaryExprOrTypeTraitExpr *asked) override {
     if (asked->isArgumentType()) return true;
     Expr const *of = asked->getArgumentExpr()->IgnoreParens();
     ArrayType const *array = context_.getAsArrayType(of->getType());

@@ -2,6 +2,7 @@
 // behind it. In C++ a tag hides a variable, function or type of the same name further out, and a structure keeps what
 // is declared in it to itself. One without members has no size in C, and one byte in C++.
 #include "rewrite/c_declarations.h"
+#include "rewrite/walk.h"
 
 #include <vector>
 
@@ -10,32 +11,30 @@ namespace {
 
 using namespace clang;
 
-class Scopes : public RecursiveASTVisitor<Scopes> {
-  using Walk = RecursiveASTVisitor<Scopes>;
-
+class Scopes : public Walk {
 public:
   Scopes(ASTContext &context, SourceMap const &map, Facts &facts) : context_(context), map_(map), facts_(facts) {}
 
-  bool TraverseDecl(Decl *declaration) {
+  bool TraverseDecl(Decl *declaration) override {
     bool const is_outside = declaration && !isa<TranslationUnitDecl>(declaration) &&
                             declaration->getLexicalDeclContext()->isFileContext() &&
                             !map_.in_roots(declaration->getLocation());
     return is_outside || Walk::TraverseDecl(declaration);
   }
-  bool TraverseFunctionDecl(FunctionDecl *function) {
+  bool TraverseFunctionDecl(FunctionDecl *function) override {
     Entered const here(*this, function->getBody()); // whose names are in one block with those of the parameters
     return Walk::TraverseFunctionDecl(function);
   }
-  bool TraverseCompoundStmt(CompoundStmt *block) {
+  bool TraverseCompoundStmt(CompoundStmt *block) override {
     if (!blocks_.empty() && blocks_.back().block == block) return Walk::TraverseCompoundStmt(block);
     Entered const here(*this, block);
     return Walk::TraverseCompoundStmt(block);
   }
-  bool TraverseForStmt(ForStmt *loop) {
+  bool TraverseForStmt(ForStmt *loop) override {
     Entered const here(*this, loop);
     return Walk::TraverseForStmt(loop);
   }
-  bool TraverseRecordDecl(RecordDecl *record) {
+  bool TraverseRecordDecl(RecordDecl *record) override {
     Entered const here(*this, nullptr);
     records_.push_back(record);
     bool const more = Walk::TraverseRecordDecl(record);
@@ -43,34 +42,34 @@ public:
     return more;
   }
 
-  bool VisitRecordDecl(RecordDecl *record) {
+  bool VisitRecordDecl(RecordDecl *record) override {
     bool const is_empty = std::all_of(record->field_begin(), record->field_end(),
                                       [](FieldDecl const *field) { return field->isUnnamedBitField(); });
     if (record->isThisDeclarationADefinition() && !record->isInvalidDecl() && is_empty)
       report(record->getLocation(), "a structure without members has another size in C++");
     return true;
   }
-  bool VisitTagDecl(TagDecl *tag) {
+  bool VisitTagDecl(TagDecl *tag) override {
     if (!tag->getIdentifier() || blocks_.empty()) return true;
     // A structure has entered its own block already.
     std::size_t const depth = blocks_.size() - (isa<RecordDecl>(tag) ? 2 : 1);
     if (depth < blocks_.size()) blocks_[depth].tags.insert(tag->getName());
     return true;
   }
-  bool VisitValueDecl(ValueDecl *declaration) { return ordinary(declaration); }
-  bool VisitTypedefNameDecl(TypedefNameDecl *declaration) { return ordinary(declaration); }
+  bool VisitValueDecl(ValueDecl *declaration) override { return ordinary(declaration); }
+  bool VisitTypedefNameDecl(TypedefNameDecl *declaration) override { return ordinary(declaration); }
 
-  bool VisitDeclRefExpr(DeclRefExpr *use) {
+  bool VisitDeclRefExpr(DeclRefExpr *use) override {
     look_up(use->getDecl(), use->getLocation());
     if (auto const *enumerator = dyn_cast<EnumConstantDecl>(use->getDecl()))
       leave(enumerator, cast<EnumDecl>(enumerator->getDeclContext()), use->getLocation());
     return true;
   }
-  bool VisitTypedefTypeLoc(TypedefTypeLoc use) {
+  bool VisitTypedefTypeLoc(TypedefTypeLoc use) override {
     look_up(use.getTypedefNameDecl(), use.getNameLoc());
     return true;
   }
-  bool VisitTagTypeLoc(TagTypeLoc use) {
+  bool VisitTagTypeLoc(TagTypeLoc use) override {
     leave(use.getDecl(), use.getDecl(), use.getNameLoc());
     return true;
   }

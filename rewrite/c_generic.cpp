@@ -1,15 +1,16 @@
 #include "rewrite/c_generic.h"
+#include "rewrite/walk.h"
 
 namespace symreal::rewrite {
 namespace {
 
 using namespace clang;
 
-class Selections : public RecursiveASTVisitor<Selections> {
+class Selections : public Walk {
 public:
   Selections(ASTContext &context, SourceMap const &map, Facts &facts) : context_(context), map_(map), facts_(facts) {}
 
-  bool VisitGenericSelectionExpr(GenericSelectionExpr *selection) {
+  bool VisitGenericSelectionExpr(GenericSelectionExpr *selection) override {
     if (!map_.in_roots(selection->getBeginLoc())) return true;
     bool known = selection->isExprPredicate();
     for (auto const association : selection->associations()) {

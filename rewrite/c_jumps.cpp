@@ -1,6 +1,7 @@
 // `int n = f(), m = 2;` becomes `int n; initialised(n) = f(); int m; initialised(m) = 2;` where a jump passes it. The
 // words are inserted, so that the initialisers keep what other rules do to them.
 #include "rewrite/c_jumps.h"
+#include "rewrite/walk.h"
 
 #include "rewrite/pragma_text.h"
 
@@ -12,19 +13,19 @@ namespace {
 using namespace clang;
 
 // The labels of a statement that a jump from outside may lead to.
-class Labels : public RecursiveASTVisitor<Labels> {
+class Labels : public Walk {
 public:
-  bool TraverseSwitchStmt(SwitchStmt *choice) {
+  bool TraverseSwitchStmt(SwitchStmt *choice) override {
     ++switches_;
-    bool const more = RecursiveASTVisitor::TraverseSwitchStmt(choice);
+    bool const more = Walk::TraverseSwitchStmt(choice);
     --switches_;
     return more;
   }
-  bool VisitSwitchCase(SwitchCase *) {
+  bool VisitSwitchCase(SwitchCase *) override {
     has_case = has_case || switches_ == 0;
     return true;
   }
-  bool VisitLabelStmt(LabelStmt *label) {
+  bool VisitLabelStmt(LabelStmt *label) override {
     labels.push_back(label->getDecl());
     return true;
   }
@@ -36,20 +37,18 @@ private:
   unsigned switches_ = 0;
 };
 
-class Jumps : public RecursiveASTVisitor<Jumps> {
-  using Walk = RecursiveASTVisitor<Jumps>;
-
+class Jumps : public Walk {
 public:
   Jumps(ASTContext &context, SourceMap const &map, Facts &facts) : context_(context), map_(map), facts_(facts) {}
 
-  bool TraverseFunctionDecl(FunctionDecl *function) {
+  bool TraverseFunctionDecl(FunctionDecl *function) override {
     if (!map_.in_roots(function->getLocation()) || !function->doesThisDeclarationHaveABody()) return true;
     gotos_.clear();
     collect_gotos(function->getBody());
     return Walk::TraverseFunctionDecl(function);
   }
 
-  bool VisitCompoundStmt(CompoundStmt *block) {
+  bool VisitCompoundStmt(CompoundStmt *block) override {
     Labels behind; // the statement that is looked at, from the last one up
     std::vector<Stmt *> const statements(block->body_begin(), block->body_end());
     for (std::size_t k = statements.size(); k-- > 0;) {

@@ -7,13 +7,13 @@ namespace {
 
 using namespace clang;
 
-class Literals : public CWalk<Literals> {
-  using Walk = CWalk<Literals>;
+class Literals : public CWalk {
+  using Walk = CWalk;
 
 public:
   using CWalk::CWalk;
 
-  bool TraverseFunctionDecl(FunctionDecl *function) {
+  bool TraverseFunctionDecl(FunctionDecl *function) override {
     std::uint64_t const outer = bytes_;
     bytes_ = 0;
     bool const more = Walk::TraverseFunctionDecl(function);
@@ -23,10 +23,10 @@ public:
     bytes_ = outer;
     return more;
   }
-  bool TraverseUnaryExprOrTypeTraitExpr(UnaryExprOrTypeTraitExpr *) { return true; }
+  bool TraverseUnaryExprOrTypeTraitExpr(UnaryExprOrTypeTraitExpr *) override { return true; }
 
   // One whose value alone is used is a value in C++ as well.
-  bool VisitImplicitCastExpr(ImplicitCastExpr *cast) {
+  bool VisitImplicitCastExpr(ImplicitCastExpr *cast) override {
     if (cast->getCastKind() != CK_LValueToRValue) return true;
     Expr const *object = cast->getSubExpr()->IgnoreParens();
     while (auto const *member = dyn_cast<MemberExpr>(object)) {
@@ -36,7 +36,7 @@ public:
     if (auto const *literal = dyn_cast<CompoundLiteralExpr>(object)) values_.insert(literal);
     return true;
   }
-  bool VisitCompoundLiteralExpr(CompoundLiteralExpr *literal) {
+  bool VisitCompoundLiteralExpr(CompoundLiteralExpr *literal) override {
     if (values_.contains(literal)) return true;
     constexpr unsigned alignment = 16;
     auto const size = static_cast<std::uint64_t>(context_.getTypeSizeInChars(literal->getType()).getQuantity());

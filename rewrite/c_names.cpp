@@ -9,28 +9,28 @@ namespace {
 
 using namespace clang;
 
-class Names : public CWalk<Names> {
+class Names : public CWalk {
 public:
   using CWalk::CWalk;
 
-  bool VisitNamedDecl(NamedDecl *declaration) {
+  bool VisitNamedDecl(NamedDecl *declaration) override {
     rename(*declaration, declaration->getLocation());
     return true;
   }
-  bool VisitDeclRefExpr(DeclRefExpr *use) {
+  bool VisitDeclRefExpr(DeclRefExpr *use) override {
     rename(*use->getDecl(), use->getLocation());
     return true;
   }
-  bool VisitTypedefTypeLoc(TypedefTypeLoc use) {
+  bool VisitTypedefTypeLoc(TypedefTypeLoc use) override {
     rename(*use.getTypedefNameDecl(), use.getNameLoc());
     return true;
   }
 
-  bool VisitTagDecl(TagDecl *tag) {
+  bool VisitTagDecl(TagDecl *tag) override {
     rename_tag(*tag, tag->getLocation());
     return true;
   }
-  bool VisitTagTypeLoc(TagTypeLoc use) {
+  bool VisitTagTypeLoc(TagTypeLoc use) override {
     rename_tag(*use.getDecl(), use.getNameLoc());
     return true;
   }

@@ -7,18 +7,18 @@ namespace {
 
 using namespace clang;
 
-class Specifiers : public CWalk<Specifiers> {
+class Specifiers : public CWalk {
 public:
   using CWalk::CWalk;
 
-  bool VisitVarDecl(VarDecl *variable) {
+  bool VisitVarDecl(VarDecl *variable) override {
     if (isa<ParmVarDecl>(variable) || !variable->getTypeSourceInfo()) return true;
     if (variable->getStorageClass() == SC_Auto && !variable->getType()->getContainedAutoType())
       leave_out_auto(*variable);
     add_int(*variable, variable->getTypeSourceInfo()->getTypeLoc());
     return true;
   }
-  bool VisitFunctionDecl(FunctionDecl *function) {
+  bool VisitFunctionDecl(FunctionDecl *function) override {
     FunctionTypeLoc const type = function->getFunctionTypeLoc();
     if (!type) return true;
     add_int(*function, type.getReturnLoc());
@@ -26,17 +26,21 @@ public:
     return true;
   }
 
-  bool VisitParmVarDecl(ParmVarDecl *parameter) {
+  bool VisitParmVarDecl(ParmVarDecl *parameter) override {
     return !parameter->getTypeSourceInfo() || named_before(parameter->getTypeSourceInfo()->getTypeLoc());
   }
-  bool VisitUnaryExprOrTypeTraitExpr(UnaryExprOrTypeTraitExpr *asked) {
+  bool VisitUnaryExprOrTypeTraitExpr(UnaryExprOrTypeTraitExpr *asked) override {
     return !asked->isArgumentType() || named_before(asked->getArgumentTypeInfo()->getTypeLoc());
   }
-  bool VisitCStyleCastExpr(CStyleCastExpr *cast) { return named_before(cast->getTypeInfoAsWritten()->getTypeLoc()); }
-  bool VisitCompoundLiteralExpr(CompoundLiteralExpr *literal) {
+  bool VisitCStyleCastExpr(CStyleCastExpr *cast) override {
+    return named_before(cast->getTypeInfoAsWritten()->getTypeLoc());
+  }
+  bool VisitCompoundLiteralExpr(CompoundLiteralExpr *literal) override {
     return named_before(literal->getTypeSourceInfo()->getTypeLoc());
   }
-  bool VisitOffsetOfExpr(OffsetOfExpr *offset) { return named_before(offset->getTypeSourceInfo()->getTypeLoc()); }
+  bool VisitOffsetOfExpr(OffsetOfExpr *offset) override {
+    return named_before(offset->getTypeSourceInfo()->getTypeLoc());
+  }
 
 private:
   // Of a type without what the declarator adds.

@@ -4,10 +4,11 @@
 #include "rewrite/clang.h"
 #include "rewrite/facts.h"
 #include "rewrite/source_map.h"
+#include "rewrite/walk.h"
 
 namespace symreal::rewrite {
 
-template <class Derived> class CWalk : public clang::RecursiveASTVisitor<Derived> {
+class CWalk : public Walk {
 public:
   CWalk(clang::ASTContext &context, SourceMap const &map, Facts &facts)
       : context_(context),
@@ -15,11 +16,11 @@ public:
         map_(map),
         facts_(facts) {}
 
-  bool TraverseDecl(clang::Decl *declaration) {
+  bool TraverseDecl(clang::Decl *declaration) override {
     bool const is_outside = declaration && !clang::isa<clang::TranslationUnitDecl>(declaration) &&
                             declaration->getLexicalDeclContext()->isFileContext() &&
                             !map_.in_roots(declaration->getLocation());
-    return is_outside || clang::RecursiveASTVisitor<Derived>::TraverseDecl(declaration);
+    return is_outside || Walk::TraverseDecl(declaration);
   }
 
 protected:

@@ -1,4 +1,5 @@
 #include "rewrite/callables.h"
+#include "rewrite/walk.h"
 
 #include "rewrite/plain_declaration.h"
 #include "rewrite/record_source.h"
@@ -208,7 +209,7 @@ private:
   SourceMap const &map_;
 };
 
-class Finder : public RecursiveASTVisitor<Finder> {
+class Finder : public Walk {
 public:
   Finder(ASTContext &context, SourceMap const &map, std::string const &name, std::vector<Callable> &found)
       : context_(context),
@@ -216,7 +217,7 @@ public:
         name_(name),
         found_(found) {}
 
-  bool VisitFunctionDecl(FunctionDecl *function) {
+  bool VisitFunctionDecl(FunctionDecl *function) override {
     if (!function->doesThisDeclarationHaveABody() || function->isTemplated() || function->isImplicit()) return true;
     if (!function->getDeclName().isIdentifier() || function->getName() != name_) return true;
     SourceManager const &sources = context_.getSourceManager();

@@ -1,4 +1,5 @@
 #include "rewrite/conditions.h"
+#include "rewrite/walk.h"
 
 namespace symreal::rewrite {
 using namespace clang;
@@ -29,30 +30,30 @@ bool is_truth_value(Expr const *expression) {
 
 // May it be evaluated where the original would not have come to it? What goes through pointers and indices may only
 // where nothing but REALs would have kept the original from it.
-class Harmless : public RecursiveASTVisitor<Harmless> {
+class Harmless : public Walk {
 public:
   Harmless(Reals const &reals, bool may_access) : reals_(reals), may_access_(may_access) {}
   bool ok = true;
-  bool VisitCallExpr(CallExpr *call) {
+  bool VisitCallExpr(CallExpr *call) override {
     FunctionDecl const *function = call->getDirectCallee();
     return ok = function && (reals_.is_math(function) || is_std_function(function, {"abs", "min", "max", "clamp"}));
   }
-  bool VisitArraySubscriptExpr(ArraySubscriptExpr *) { return ok = may_access_; }
-  bool VisitMemberExpr(MemberExpr *member) {
+  bool VisitArraySubscriptExpr(ArraySubscriptExpr *) override { return ok = may_access_; }
+  bool VisitMemberExpr(MemberExpr *member) override {
     return ok = may_access_ || !member->isArrow() || member->isImplicitAccess();
   }
-  bool VisitUnaryOperator(UnaryOperator *unary) {
+  bool VisitUnaryOperator(UnaryOperator *unary) override {
     return ok = !unary->isIncrementDecrementOp() && (may_access_ || unary->getOpcode() != UO_Deref);
   }
-  bool VisitBinaryOperator(BinaryOperator *binary) {
+  bool VisitBinaryOperator(BinaryOperator *binary) override {
     bool const divides = binary->getOpcode() == BO_Div || binary->getOpcode() == BO_Rem;
     return ok = !binary->isAssignmentOp() && (!divides || Reals::is_double(binary->getType()));
   }
-  bool VisitCastExpr(CastExpr *cast) {
+  bool VisitCastExpr(CastExpr *cast) override {
     return ok = cast->getCastKind() != CK_FloatingToIntegral || !reals_.is_real(cast->getSubExpr());
   }
-  bool VisitLambdaExpr(LambdaExpr *) { return ok = false; }
-  bool VisitStmtExpr(StmtExpr *) { return ok = false; }
+  bool VisitLambdaExpr(LambdaExpr *) override { return ok = false; }
+  bool VisitStmtExpr(StmtExpr *) override { return ok = false; }
 
 private:
   Reals const &reals_;
@@ -71,11 +72,11 @@ bool is_bare_joint(Expr const *operand) {
   return binary && binary->isLogicalOp();
 }
 
-class Comparisons : public RecursiveASTVisitor<Comparisons> {
+class Comparisons : public Walk {
 public:
   explicit Comparisons(Reals const &reals) : reals_(reals) {}
-  bool TraverseLambdaExpr(LambdaExpr *) { return true; }
-  bool VisitBinaryOperator(BinaryOperator *binary) {
+  bool TraverseLambdaExpr(LambdaExpr *) override { return true; }
+  bool VisitBinaryOperator(BinaryOperator *binary) override {
     found = found || (binary->isComparisonOp() &&
                       (is_symbolic(binary->getLHS(), reals_) || is_symbolic(binary->getRHS(), reals_)));
     return !found;
@@ -86,12 +87,12 @@ private:
   Reals const &reals_;
 };
 
-class RealParts : public RecursiveASTVisitor<RealParts> {
+class RealParts : public Walk {
 public:
   explicit RealParts(Reals const &reals) : reals_(reals) {}
-  bool TraverseLambdaExpr(LambdaExpr *) { return true; }
-  bool TraverseUnaryExprOrTypeTraitExpr(UnaryExprOrTypeTraitExpr *) { return true; }
-  bool VisitExpr(Expr *expression) {
+  bool TraverseLambdaExpr(LambdaExpr *) override { return true; }
+  bool TraverseUnaryExprOrTypeTraitExpr(UnaryExprOrTypeTraitExpr *) override { return true; }
+  bool VisitExpr(Expr *expression) override {
     found = found || (!expression->isLValue() && reals_.is_real(expression)) ||
             (isa<ImplicitCastExpr>(expression) && reals_.is_real(cast<ImplicitCastExpr>(expression)->getSubExpr()));
     return !found;

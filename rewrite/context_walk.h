@@ -4,18 +4,17 @@
 #include "rewrite/clang.h"
 #include "rewrite/reals.h"
 #include "rewrite/source_map.h"
+#include "rewrite/walk.h"
 
 #include <utility>
 
 namespace symreal::rewrite {
 
-template <class Derived> class ContextWalk : public clang::RecursiveASTVisitor<Derived> {
-  using Walk = clang::RecursiveASTVisitor<Derived>;
-
+class ContextWalk : public Walk {
 public:
   ContextWalk(SourceMap const &map, Reals const &reals) : map_(map), reals_(reals) {}
 
-  bool TraverseDecl(clang::Decl *declaration) {
+  bool TraverseDecl(clang::Decl *declaration) override {
     if (!declaration) return true;
     if (!clang::isa<clang::TranslationUnitDecl>(declaration) && declaration->getLexicalDeclContext()->isFileContext() &&
         !map_.in_roots(declaration->getLocation()) && !map_.in_roots(declaration->getBeginLoc()))
@@ -30,7 +29,7 @@ public:
     return more;
   }
 
-  bool TraverseLambdaExpr(clang::LambdaExpr *lambda) {
+  bool TraverseLambdaExpr(clang::LambdaExpr *lambda) override {
     Within const generic(in_template_, lambda->isGenericLambda());
     clang::FunctionDecl const *const outer = std::exchange(function_, lambda->getCallOperator());
     bool const more = Walk::TraverseLambdaExpr(lambda);
@@ -39,24 +38,25 @@ public:
   }
 
   // A capture without an initializer is no expression that could be wrapped.
-  bool TraverseLambdaCapture(clang::LambdaExpr *lambda, clang::LambdaCapture const *capture, clang::Expr *initializer) {
+  bool TraverseLambdaCapture(clang::LambdaExpr *lambda, clang::LambdaCapture const *capture,
+                             clang::Expr *initializer) override {
     return !lambda->isInitCapture(capture) || Walk::TraverseLambdaCapture(lambda, capture, initializer);
   }
 
   // The constructors of a base: their name is no type, and the type before it is walked.
-  bool TraverseUsingDecl(clang::UsingDecl *declaration) {
+  bool TraverseUsingDecl(clang::UsingDecl *declaration) override {
     if (declaration->getDeclName().getNameKind() == clang::DeclarationName::CXXConstructorName)
       return this->TraverseNestedNameSpecifierLoc(declaration->getQualifierLoc());
     return Walk::TraverseUsingDecl(declaration);
   }
-  bool TraverseUnresolvedUsingValueDecl(clang::UnresolvedUsingValueDecl *declaration) {
+  bool TraverseUnresolvedUsingValueDecl(clang::UnresolvedUsingValueDecl *declaration) override {
     if (declaration->getDeclName().getNameKind() == clang::DeclarationName::CXXConstructorName)
       return this->TraverseNestedNameSpecifierLoc(declaration->getQualifierLoc());
     return Walk::TraverseUnresolvedUsingValueDecl(declaration);
   }
 
   // Where double stays double.
-  bool TraverseVarDecl(clang::VarDecl *variable) {
+  bool TraverseVarDecl(clang::VarDecl *variable) override {
     Passive const why = variable->isConstexpr()       ? constant_variable
                         : reals_.is_passive(variable) ? static_member
                                                       : not_passive;
@@ -64,47 +64,47 @@ public:
     Within const constant(no_state_, variable->isFileVarDecl() || variable->isStaticDataMember());
     return Walk::TraverseVarDecl(variable);
   }
-  bool TraverseFunctionDecl(clang::FunctionDecl *function) {
+  bool TraverseFunctionDecl(clang::FunctionDecl *function) override {
     Within const passive(passive_, reals_.external(function) ? external_declaration : not_passive);
     return Walk::TraverseFunctionDecl(function);
   }
-  bool TraverseNonTypeTemplateParmDecl(clang::NonTypeTemplateParmDecl *parameter) {
+  bool TraverseNonTypeTemplateParmDecl(clang::NonTypeTemplateParmDecl *parameter) override {
     Within const passive(passive_, template_value);
     return Walk::TraverseNonTypeTemplateParmDecl(parameter);
   }
-  bool TraverseStaticAssertDecl(clang::StaticAssertDecl *assertion) {
+  bool TraverseStaticAssertDecl(clang::StaticAssertDecl *assertion) override {
     Within const passive(passive_, static_assertion);
     return Walk::TraverseStaticAssertDecl(assertion);
   }
-  bool TraverseEnumConstantDecl(clang::EnumConstantDecl *constant) {
+  bool TraverseEnumConstantDecl(clang::EnumConstantDecl *constant) override {
     Within const passive(passive_, enumerator);
     return Walk::TraverseEnumConstantDecl(constant);
   }
-  bool TraverseConstantExpr(clang::ConstantExpr *constant) {
+  bool TraverseConstantExpr(clang::ConstantExpr *constant) override {
     Within const passive(passive_, constant_expression);
     return Walk::TraverseConstantExpr(constant);
   }
-  bool TraverseConstantArrayTypeLoc(clang::ConstantArrayTypeLoc type) {
+  bool TraverseConstantArrayTypeLoc(clang::ConstantArrayTypeLoc type) override {
     if (!this->TraverseTypeLoc(type.getElementLoc())) return false;
     Within const passive(passive_, array_bound);
     return this->TraverseStmt(type.getSizeExpr());
   }
-  bool TraverseTemplateSpecializationTypeLoc(clang::TemplateSpecializationTypeLoc type) {
+  bool TraverseTemplateSpecializationTypeLoc(clang::TemplateSpecializationTypeLoc type) override {
     clang::TemplateDecl const *declaration = type.getTypePtr()->getTemplateName().getAsTemplateDecl();
     Within const passive(passive_, Reals::is_passive_template(declaration) ? plain_template : not_passive);
     return Walk::TraverseTemplateSpecializationTypeLoc(type);
   }
 
   // Operands that are not evaluated: their types count, their values do not.
-  bool TraverseUnaryExprOrTypeTraitExpr(clang::UnaryExprOrTypeTraitExpr *expression) {
+  bool TraverseUnaryExprOrTypeTraitExpr(clang::UnaryExprOrTypeTraitExpr *expression) override {
     Within const unevaluated(no_state_, true);
     return Walk::TraverseUnaryExprOrTypeTraitExpr(expression);
   }
-  bool TraverseCXXNoexceptExpr(clang::CXXNoexceptExpr *expression) {
+  bool TraverseCXXNoexceptExpr(clang::CXXNoexceptExpr *expression) override {
     Within const unevaluated(no_state_, true);
     return Walk::TraverseCXXNoexceptExpr(expression);
   }
-  bool TraverseCXXTypeidExpr(clang::CXXTypeidExpr *expression) {
+  bool TraverseCXXTypeidExpr(clang::CXXTypeidExpr *expression) override {
     Within const unevaluated(no_state_, true);
     return Walk::TraverseCXXTypeidExpr(expression);
   }

@@ -1,4 +1,5 @@
 #include "rewrite/externals.h"
+#include "rewrite/walk.h"
 
 #include <algorithm>
 
@@ -9,26 +10,26 @@ using namespace clang;
 
 // Calls with effects that the language lets happen in either order: the symbolic program need not have them in the
 // order of the original.
-class Order : public RecursiveASTVisitor<Order> {
+class Order : public Walk {
 public:
   Order(SourceMap const &map, Facts &facts, Reals const &reals) : map_(map), facts_(facts), reals_(reals) {}
 
-  bool VisitBinaryOperator(BinaryOperator *binary) {
+  bool VisitBinaryOperator(BinaryOperator *binary) override {
     if (!binary->isLogicalOp() && !binary->isCommaOp())
       check({binary->getLHS(), binary->getRHS()}, binary->getOperatorLoc());
     return true;
   }
-  bool VisitCallExpr(CallExpr *call) {
+  bool VisitCallExpr(CallExpr *call) override {
     check({call->arg_begin(), call->arg_end()}, call->getBeginLoc());
     return true;
   }
 
 private:
-  class Effects : public RecursiveASTVisitor<Effects> {
+  class Effects : public Walk {
   public:
     explicit Effects(Reals const &reals) : reals_(reals) {}
-    bool TraverseLambdaExpr(LambdaExpr *) { return true; }
-    bool VisitCallExpr(CallExpr *call) {
+    bool TraverseLambdaExpr(LambdaExpr *) override { return true; }
+    bool VisitCallExpr(CallExpr *call) override {
       FunctionDecl const *function = call->getDirectCallee();
       Reals::External const *external = function ? reals_.external(function) : nullptr;
       found = found || (external && !external->pure);

@@ -26,24 +26,24 @@ bool is_mathematical(FunctionDecl const *function, Reals const &reals) {
 }
 
 // Which variables are used in another way than by their values?
-class AddressUses : public EvaluatedWalk<AddressUses> {
+class AddressUses : public EvaluatedWalk {
 public:
-  bool TraverseLambdaExpr(LambdaExpr *lambda) { // what it captures may be by reference
+  bool TraverseLambdaExpr(LambdaExpr *lambda) override { // what it captures may be by reference
     return TraverseStmt(lambda->getBody());
   }
-  bool VisitImplicitCastExpr(ImplicitCastExpr *cast) {
+  bool VisitImplicitCastExpr(ImplicitCastExpr *cast) override {
     if (cast->getCastKind() == CK_LValueToRValue) by_value_.insert(Storage::base(cast->getSubExpr()));
     return true;
   }
-  bool VisitBinaryOperator(BinaryOperator *binary) {
+  bool VisitBinaryOperator(BinaryOperator *binary) override {
     if (binary->isAssignmentOp()) by_value_.insert(Storage::base(binary->getLHS()));
     return true;
   }
-  bool VisitUnaryOperator(UnaryOperator *unary) {
+  bool VisitUnaryOperator(UnaryOperator *unary) override {
     if (unary->isIncrementDecrementOp()) by_value_.insert(Storage::base(unary->getSubExpr()));
     return true;
   }
-  bool VisitDeclRefExpr(DeclRefExpr *name) {
+  bool VisitDeclRefExpr(DeclRefExpr *name) override {
     auto const *variable = dyn_cast<VarDecl>(name->getDecl());
     if (variable && (!by_value_.contains(name) || name->refersToEnclosingVariableOrCapture())) found.insert(variable);
     return true;
@@ -57,22 +57,24 @@ private:
 } // namespace
 
 // Does a body change what is not its own?
-class BodyEffects : public EvaluatedWalk<BodyEffects> {
+class BodyEffects : public EvaluatedWalk {
 public:
   BodyEffects(EffectAnalysis &analysis, FunctionDecl const *function) : analysis_(analysis), function_(function) {}
 
-  bool VisitBinaryOperator(BinaryOperator *binary) { return !binary->isAssignmentOp() || change(binary->getLHS()); }
-  bool VisitUnaryOperator(UnaryOperator *unary) {
+  bool VisitBinaryOperator(BinaryOperator *binary) override {
+    return !binary->isAssignmentOp() || change(binary->getLHS());
+  }
+  bool VisitUnaryOperator(UnaryOperator *unary) override {
     return !unary->isIncrementDecrementOp() || change(unary->getSubExpr());
   }
-  bool VisitVAArgExpr(VAArgExpr *) { return add(EffectAnalysis::Reach::anything); }
-  bool VisitAtomicExpr(AtomicExpr *) { return add(EffectAnalysis::Reach::anything); }
-  bool VisitGCCAsmStmt(GCCAsmStmt *) { return add(EffectAnalysis::Reach::anything); }
-  bool VisitCXXConstructExpr(CXXConstructExpr *construction) {
+  bool VisitVAArgExpr(VAArgExpr *) override { return add(EffectAnalysis::Reach::anything); }
+  bool VisitAtomicExpr(AtomicExpr *) override { return add(EffectAnalysis::Reach::anything); }
+  bool VisitGCCAsmStmt(GCCAsmStmt *) override { return add(EffectAnalysis::Reach::anything); }
+  bool VisitCXXConstructExpr(CXXConstructExpr *construction) override {
     if (analysis_.reach(construction->getConstructor()) != EffectAnalysis::Reach::anything) return true;
     return add(EffectAnalysis::Reach::anything);
   }
-  bool VisitCallExpr(CallExpr *call) {
+  bool VisitCallExpr(CallExpr *call) override {
     EffectAnalysis::Reach const reach = analysis_.reach_of_call(call);
     if (reach != EffectAnalysis::Reach::own_object) return add(reach);
     Expr const *object = nullptr;
@@ -157,20 +159,20 @@ llvm::SmallPtrSet<VarDecl const *, 8> const &EffectAnalysis::known_elsewhere(Fun
   return at->second;
 }
 
-class OperandEffects : public EvaluatedWalk<OperandEffects> {
+class OperandEffects : public EvaluatedWalk {
 public:
   OperandEffects(EffectAnalysis &analysis, FunctionDecl const *function) : analysis_(analysis), function_(function) {}
 
-  bool VisitImplicitCastExpr(ImplicitCastExpr *cast) {
+  bool VisitImplicitCastExpr(ImplicitCastExpr *cast) override {
     if (cast->getCastKind() == CK_LValueToRValue) result.reads |= is_known_elsewhere(cast->getSubExpr());
     return true;
   }
-  bool VisitCXXConstructExpr(CXXConstructExpr *construction) {
+  bool VisitCXXConstructExpr(CXXConstructExpr *construction) override {
     result.reads |= construction->getNumArgs() > 0; // what it copies
     result.changes |= analysis_.reach(construction->getConstructor()) == EffectAnalysis::Reach::anything;
     return true;
   }
-  bool VisitCallExpr(CallExpr *call) {
+  bool VisitCallExpr(CallExpr *call) override {
     FunctionDecl const *function = call->getDirectCallee();
     result.reads |= !function || !is_mathematical(function, analysis_.reals_);
     if (analysis_.reach_of_call(call) == EffectAnalysis::Reach::none) return true;
@@ -180,14 +182,14 @@ public:
       result.changes = true;
     return true;
   }
-  bool VisitVAArgExpr(VAArgExpr *) { return result.changes = true; }
-  bool VisitAtomicExpr(AtomicExpr *) { return result.changes = true; }
-  bool VisitStmtExpr(StmtExpr *) { return result.changes = true; }
-  bool VisitBinaryOperator(BinaryOperator *binary) {
+  bool VisitVAArgExpr(VAArgExpr *) override { return result.changes = true; }
+  bool VisitAtomicExpr(AtomicExpr *) override { return result.changes = true; }
+  bool VisitStmtExpr(StmtExpr *) override { return result.changes = true; }
+  bool VisitBinaryOperator(BinaryOperator *binary) override {
     if (binary->isAssignmentOp()) result.changes |= is_known_elsewhere(binary->getLHS());
     return true;
   }
-  bool VisitUnaryOperator(UnaryOperator *unary) {
+  bool VisitUnaryOperator(UnaryOperator *unary) override {
     if (unary->isIncrementDecrementOp()) result.changes |= is_known_elsewhere(unary->getSubExpr());
     return true;
   }

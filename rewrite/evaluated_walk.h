@@ -2,16 +2,17 @@
 #pragma once
 
 #include "rewrite/clang.h"
+#include "rewrite/walk.h"
 
 namespace symreal::rewrite {
 
-template <class Derived> class EvaluatedWalk : public clang::RecursiveASTVisitor<Derived> {
+class EvaluatedWalk : public Walk {
 public:
-  bool shouldVisitImplicitCode() const { return true; }
-  bool TraverseLambdaExpr(clang::LambdaExpr *) { return true; }
-  bool TraverseUnaryExprOrTypeTraitExpr(clang::UnaryExprOrTypeTraitExpr *) { return true; }
-  bool TraverseCXXNoexceptExpr(clang::CXXNoexceptExpr *) { return true; }
-  bool TraverseTypeLoc(clang::TypeLoc) { return true; }
+  bool shouldVisitImplicitCode() const override { return true; }
+  bool TraverseLambdaExpr(clang::LambdaExpr *) override { return true; }
+  bool TraverseUnaryExprOrTypeTraitExpr(clang::UnaryExprOrTypeTraitExpr *) override { return true; }
+  bool TraverseCXXNoexceptExpr(clang::CXXNoexceptExpr *) override { return true; }
+  bool TraverseTypeLoc(clang::TypeLoc) override { return true; }
 };
 
 } // namespace symreal::rewrite

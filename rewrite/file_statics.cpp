@@ -1,4 +1,5 @@
 #include "rewrite/file_statics.h"
+#include "rewrite/walk.h"
 
 #include "rewrite/pragma_text.h"
 
@@ -8,13 +9,13 @@ namespace {
 using namespace clang;
 
 // Of each file, once each, in the order of their definitions.
-class Statics : public RecursiveASTVisitor<Statics> {
+class Statics : public Walk {
 public:
   Statics(ASTContext &context, SourceMap const &map) : map_(map), names_(context) {}
 
-  bool shouldVisitTemplateInstantiations() const { return true; }
+  bool shouldVisitTemplateInstantiations() const override { return true; }
 
-  bool VisitVarDecl(VarDecl *variable) {
+  bool VisitVarDecl(VarDecl *variable) override {
     if (!variable->hasGlobalStorage() || variable->isThisDeclarationADefinition() == VarDecl::DeclarationOnly ||
         variable->isTemplated() || !map_.in_roots(variable->getLocation()))
       return true;

@@ -1,4 +1,5 @@
 #include "rewrite/instances.h"
+#include "rewrite/walk.h"
 
 #include "rewrite/recorder.h"
 
@@ -7,18 +8,16 @@ namespace {
 
 using namespace clang;
 
-class Instances : public RecursiveASTVisitor<Instances> {
-  using Walk = RecursiveASTVisitor<Instances>;
-
+class Instances : public Walk {
 public:
   Instances(ASTContext &context, SourceMap const &map, Reals const &reals, IntegerState const &integers,
             Surroundings const &surroundings, Facts &facts)
       : map_(map),
         record_(context, map, reals, integers, surroundings, facts) {}
 
-  bool shouldVisitTemplateInstantiations() const { return true; }
+  bool shouldVisitTemplateInstantiations() const override { return true; }
 
-  bool TraverseDecl(Decl *declaration) {
+  bool TraverseDecl(Decl *declaration) override {
     if (!declaration) return true;
     if (!isa<TranslationUnitDecl>(declaration) && declaration->getLexicalDeclContext()->isFileContext() &&
         !map_.in_roots(declaration->getLocation()) && !map_.in_roots(declaration->getBeginLoc()))
@@ -29,7 +28,7 @@ public:
     Scope const scope(*this, instance_of(declaration, context));
     return Walk::TraverseDecl(declaration);
   }
-  bool TraverseLambdaExpr(LambdaExpr *lambda) {
+  bool TraverseLambdaExpr(LambdaExpr *lambda) override {
     FunctionTemplateDecl *generic = lambda->getLambdaClass()->getDependentLambdaCallOperator();
     if (generic)
       for (FunctionDecl *one : generic->specializations())
@@ -40,43 +39,43 @@ public:
     return Walk::TraverseLambdaExpr(lambda);
   }
   // Neither what is not evaluated is looked at nor what the compiler computes.
-  bool TraverseUnaryExprOrTypeTraitExpr(UnaryExprOrTypeTraitExpr *) { return true; }
-  bool TraverseCXXNoexceptExpr(CXXNoexceptExpr *) { return true; }
-  bool TraverseTypeLoc(TypeLoc) { return true; }
+  bool TraverseUnaryExprOrTypeTraitExpr(UnaryExprOrTypeTraitExpr *) override { return true; }
+  bool TraverseCXXNoexceptExpr(CXXNoexceptExpr *) override { return true; }
+  bool TraverseTypeLoc(TypeLoc) override { return true; }
 
-  bool VisitCallExpr(CallExpr *call) {
+  bool VisitCallExpr(CallExpr *call) override {
     if (is_here(call)) record_.instantiated_call(call);
     return true;
   }
-  bool VisitAtomicExpr(AtomicExpr *call) {
+  bool VisitAtomicExpr(AtomicExpr *call) override {
     if (is_here(call)) record_.atomic_builtin(call);
     return true;
   }
-  bool VisitCXXConstructExpr(CXXConstructExpr *construction) {
+  bool VisitCXXConstructExpr(CXXConstructExpr *construction) override {
     if (is_here(construction)) record_.instantiated_construction(construction);
     return true;
   }
-  bool VisitExplicitCastExpr(ExplicitCastExpr *cast) {
+  bool VisitExplicitCastExpr(ExplicitCastExpr *cast) override {
     if (!is_here(cast)) return true;
     record_.explicit_cast(cast);
     record_.pointer_cast(cast);
     return true;
   }
-  bool VisitMemberExpr(MemberExpr *member) {
+  bool VisitMemberExpr(MemberExpr *member) override {
     if (is_here(member)) record_.union_member(member);
     return true;
   }
-  bool VisitVarDecl(VarDecl *variable) {
+  bool VisitVarDecl(VarDecl *variable) override {
     if (instance_ && !variable->isConstexpr() && map_.in_roots(variable->getLocation()) &&
         !isa<ParmVarDecl>(variable) && variable->getInit())
       record_.instantiated_value(variable->getInit());
     return true;
   }
-  bool VisitReturnStmt(ReturnStmt *statement) {
+  bool VisitReturnStmt(ReturnStmt *statement) override {
     if (instance_ && map_.in_roots(statement->getBeginLoc())) record_.instantiated_value(statement->getRetValue());
     return true;
   }
-  bool VisitBinaryOperator(BinaryOperator *binary) {
+  bool VisitBinaryOperator(BinaryOperator *binary) override {
     if (binary->getOpcode() == BO_Assign && is_here(binary)) record_.instantiated_value(binary->getRHS());
     return true;
   }

@@ -1,4 +1,5 @@
 #include "rewrite/integer_state.h"
+#include "rewrite/walk.h"
 
 namespace symreal::rewrite {
 using namespace clang;
@@ -27,29 +28,29 @@ DeclRefExpr const *part_of(Expr const *expression) {
 }
 
 // Every mention of a variable, but for those that only look at its value.
-class Touched : public RecursiveASTVisitor<Touched> {
+class Touched : public Walk {
 public:
   explicit Touched(llvm::DenseSet<VarDecl const *> &touched) : touched_(touched) {}
 
-  bool TraverseUnaryExprOrTypeTraitExpr(UnaryExprOrTypeTraitExpr *) { return true; }
-  bool VisitImplicitCastExpr(ImplicitCastExpr *cast) {
+  bool TraverseUnaryExprOrTypeTraitExpr(UnaryExprOrTypeTraitExpr *) override { return true; }
+  bool VisitImplicitCastExpr(ImplicitCastExpr *cast) override {
     QualType const object = cast->isGLValue() ? cast->getType() : cast->getType()->getPointeeType();
     bool const adds_const = cast->getCastKind() == CK_NoOp && !object.isNull() && object.isConstQualified();
     if (adds_const || cast->getCastKind() == CK_LValueToRValue) looked_at_.insert(part_of(cast->getSubExpr()));
     return true;
   }
-  bool VisitCXXForRangeStmt(CXXForRangeStmt *loop) {
+  bool VisitCXXForRangeStmt(CXXForRangeStmt *loop) override {
     QualType const type = loop->getLoopVariable()->getType();
     if (!type->isReferenceType() || type.getNonReferenceType().isConstQualified())
       looked_at_.insert(part_of(loop->getRangeInit()));
     return true;
   }
-  bool VisitDeclRefExpr(DeclRefExpr *reference) {
+  bool VisitDeclRefExpr(DeclRefExpr *reference) override {
     if (VarDecl const *variable = visible_here_only(reference->getDecl()); variable && !looked_at_.contains(reference))
       touched_.insert(variable);
     return true;
   }
-  bool VisitMemberExpr(MemberExpr *member) {
+  bool VisitMemberExpr(MemberExpr *member) override {
     if (VarDecl const *variable = visible_here_only(member->getMemberDecl())) touched_.insert(variable);
     return true;
   }

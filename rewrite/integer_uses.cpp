@@ -3,6 +3,7 @@
 #include "rewrite/pragma_text.h"
 #include "rewrite/symbolic_ints.h"
 #include "rewrite/table_elements.h"
+#include "rewrite/walk.h"
 
 #include <algorithm>
 
@@ -11,7 +12,7 @@ namespace {
 
 using namespace clang;
 
-class Uses : public RecursiveASTVisitor<Uses> {
+class Uses : public Walk {
 public:
   Uses(ASTContext &context, IntegerTest depends, IntegerAction keep, SourceMap const &map, Facts &facts, Reals &reals)
       : context_(context),
@@ -21,7 +22,7 @@ public:
         facts_(facts),
         reals_(reals) {}
 
-  bool VisitImplicitCastExpr(ImplicitCastExpr *cast) {
+  bool VisitImplicitCastExpr(ImplicitCastExpr *cast) override {
     if (cast->getCastKind() != CK_LValueToRValue || !Reals::is_double(cast->getType())) return true;
     std::vector<Expr const *> indices;
     Expr const *element = cast->getSubExpr()->IgnoreParens(), *table = element;
@@ -40,7 +41,7 @@ public:
     return true;
   }
 
-  bool VisitCallExpr(CallExpr *call) {
+  bool VisitCallExpr(CallExpr *call) override {
     FunctionDecl const *function = call->getDirectCallee();
     if (!function || is_std_function(function, {"min", "max", "clamp"})) return true;
     if (computes_with_numbers(function)) {
@@ -56,15 +57,15 @@ public:
                function->isVariadic() && i - object >= function->getNumParams() && !reals_.in_roots(function));
     return true;
   }
-  bool VisitCXXConstructExpr(CXXConstructExpr *construction) {
+  bool VisitCXXConstructExpr(CXXConstructExpr *construction) override {
     for (Expr const *each : construction->arguments()) argument(each, false);
     return true;
   }
-  bool VisitForStmt(ForStmt *loop) { return loop_condition(loop->getCond()); }
-  bool VisitWhileStmt(WhileStmt *loop) { return loop_condition(loop->getCond()); }
-  bool VisitDoStmt(DoStmt *loop) { return loop_condition(loop->getCond()); }
+  bool VisitForStmt(ForStmt *loop) override { return loop_condition(loop->getCond()); }
+  bool VisitWhileStmt(WhileStmt *loop) override { return loop_condition(loop->getCond()); }
+  bool VisitDoStmt(DoStmt *loop) override { return loop_condition(loop->getCond()); }
   // A class and a number are no alternatives.
-  bool VisitConditionalOperator(ConditionalOperator *choice) {
+  bool VisitConditionalOperator(ConditionalOperator *choice) override {
     if (!Reals::is_integer(choice->getType())) return true;
     make_plain(choice->getTrueExpr());
     make_plain(choice->getFalseExpr());

@@ -1,4 +1,5 @@
 #include "rewrite/layouts.h"
+#include "rewrite/walk.h"
 
 #include "rewrite/merge.h"
 
@@ -9,7 +10,7 @@ namespace {
 
 using namespace clang;
 
-class Layouts : public RecursiveASTVisitor<Layouts> {
+class Layouts : public Walk {
 public:
   Layouts(ASTContext &context, SourceMap const &map, Reals const &reals, Facts &facts)
       : context_(context),
@@ -17,9 +18,9 @@ public:
         reals_(reals),
         facts_(facts) {}
 
-  bool shouldVisitTemplateInstantiations() const { return true; }
+  bool shouldVisitTemplateInstantiations() const override { return true; }
 
-  bool VisitRecordDecl(RecordDecl *record) {
+  bool VisitRecordDecl(RecordDecl *record) override {
     if (!record->isThisDeclarationADefinition() || record->isDependentContext() || record->isInvalidDecl() ||
         !map_.in_roots(record->getLocation()) || !reals_.carries_real(context_.getRecordType(record)))
       return true;

@@ -1,4 +1,5 @@
 #include "rewrite/links.h"
+#include "rewrite/walk.h"
 
 #include "rewrite/references.h"
 
@@ -8,19 +9,19 @@ namespace {
 using namespace clang;
 
 // The variables of a source, and the functions that it instantiates for others.
-class Objects : public RecursiveASTVisitor<Objects> {
+class Objects : public Walk {
 public:
   std::vector<VarDecl const *> variables;
   std::vector<FunctionDecl const *> instantiated;
 
-  bool shouldVisitTemplateInstantiations() const { return true; }
-  bool VisitVarDecl(VarDecl *variable) {
+  bool shouldVisitTemplateInstantiations() const override { return true; }
+  bool VisitVarDecl(VarDecl *variable) override {
     if (variable->hasGlobalStorage() && !variable->isStaticLocal() && variable->isThisDeclarationADefinition() &&
         !variable->getDeclContext()->isDependentContext() && !variable->getType()->isDependentType())
       variables.push_back(variable);
     return true;
   }
-  bool VisitFunctionDecl(FunctionDecl *function) {
+  bool VisitFunctionDecl(FunctionDecl *function) override {
     if (function->getTemplateSpecializationKind() == TSK_ExplicitInstantiationDefinition && function->isDefined())
       instantiated.push_back(function);
     return true;

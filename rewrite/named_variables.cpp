@@ -6,26 +6,26 @@
 namespace symreal::rewrite {
 using namespace clang;
 
-class NamedUses : public EvaluatedWalk<NamedUses> {
+class NamedUses : public EvaluatedWalk {
 public:
   NamedUses(NamedVariableAnalysis &analysis, NamedVariables &found, bool with_locals)
       : analysis_(analysis),
         found_(found),
         with_locals_(with_locals) {}
 
-  bool VisitImplicitCastExpr(ImplicitCastExpr *cast) {
+  bool VisitImplicitCastExpr(ImplicitCastExpr *cast) override {
     if (cast->getCastKind() == CK_LValueToRValue) add(found_.read, cast->getSubExpr());
     return true;
   }
-  bool VisitBinaryOperator(BinaryOperator *binary) {
+  bool VisitBinaryOperator(BinaryOperator *binary) override {
     if (binary->isAssignmentOp()) add(found_.changed, binary->getLHS());
     return true;
   }
-  bool VisitUnaryOperator(UnaryOperator *unary) {
+  bool VisitUnaryOperator(UnaryOperator *unary) override {
     if (unary->isIncrementDecrementOp()) add(found_.changed, unary->getSubExpr());
     return true;
   }
-  bool VisitCallExpr(CallExpr *call) {
+  bool VisitCallExpr(CallExpr *call) override {
     if (FunctionDecl const *function = call->getDirectCallee()) {
       NamedVariables const &within = analysis_.of(function);
       found_.changed.insert(within.changed.begin(), within.changed.end());

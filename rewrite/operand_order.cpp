@@ -1,4 +1,5 @@
 #include "rewrite/operand_order.h"
+#include "rewrite/walk.h"
 
 #include "rewrite/context_walk.h"
 #include "rewrite/effects.h"
@@ -12,15 +13,17 @@ using namespace clang;
 
 // Signs, choices and operations with 0, 1 and -1, which gcc moves, joins and drops; it may then begin with either
 // operand.
-class Movable : public RecursiveASTVisitor<Movable> {
+class Movable : public Walk {
 public:
   static bool is_within(Expr const *expression, ASTContext const &context) {
     return !Movable(context).TraverseStmt(const_cast<Expr *>(expression)); // ends at the first
   }
-  bool TraverseCallExpr(CallExpr *) { return true; } // what a function is given stays its argument
-  bool VisitUnaryOperator(UnaryOperator *unary) { return unary->getOpcode() != UO_Minus; }
-  bool VisitAbstractConditionalOperator(AbstractConditionalOperator *) { return false; }
-  bool VisitBinaryOperator(BinaryOperator *binary) { return !is_unit(binary->getLHS()) && !is_unit(binary->getRHS()); }
+  bool TraverseCallExpr(CallExpr *) override { return true; } // what a function is given stays its argument
+  bool VisitUnaryOperator(UnaryOperator *unary) override { return unary->getOpcode() != UO_Minus; }
+  bool VisitAbstractConditionalOperator(AbstractConditionalOperator *) override { return false; }
+  bool VisitBinaryOperator(BinaryOperator *binary) override {
+    return !is_unit(binary->getLHS()) && !is_unit(binary->getRHS());
+  }
 
 private:
   explicit Movable(ASTContext const &context) : context_(context) {}
@@ -50,8 +53,8 @@ bool gcc_begins_on_the_right(BinaryOperator const *binary) {
   return commutes && is_variable(binary->getLHS());
 }
 
-class OperandOrder : public ContextWalk<OperandOrder> {
-  using Walk = ContextWalk<OperandOrder>;
+class OperandOrder : public ContextWalk {
+  using Walk = ContextWalk;
 
 public:
   OperandOrder(ASTContext const &context, SourceMap const &map, Reals const &reals, Facts &facts)
@@ -60,9 +63,9 @@ public:
         effects_(reals),
         facts_(facts) {}
 
-  bool shouldVisitTemplateInstantiations() const { return true; }
-  bool shouldVisitImplicitCode() const { return false; }
-  bool TraverseLambdaExpr(LambdaExpr *lambda) {
+  bool shouldVisitTemplateInstantiations() const override { return true; }
+  bool shouldVisitImplicitCode() const override { return false; }
+  bool TraverseLambdaExpr(LambdaExpr *lambda) override {
     if (FunctionTemplateDecl *generic = lambda->getLambdaClass()->getDependentLambdaCallOperator())
       for (FunctionDecl *one : generic->specializations())
         if (one->hasBody()) {
@@ -71,10 +74,10 @@ public:
           function_ = outer;
           if (!more) return false;
         }
-    return Walk::TraverseLambdaExpr(lambda);
+    return ContextWalk::TraverseLambdaExpr(lambda);
   }
 
-  bool VisitBinaryOperator(BinaryOperator *binary) {
+  bool VisitBinaryOperator(BinaryOperator *binary) override {
     Expr const *left = binary->getLHS(), *right = binary->getRHS();
     if (passive_ || no_state_ || binary->isInstantiationDependent()) return true;
     if (!binary->isAdditiveOp() && !binary->isMultiplicativeOp() && !binary->isRelationalOp() &&
@@ -94,7 +97,7 @@ public:
       facts_.wraps.insert({*span, Use::later, ""});
     return true;
   }
-  bool VisitCallExpr(CallExpr *call) {
+  bool VisitCallExpr(CallExpr *call) override {
     if (passive_ || no_state_ || call->isInstantiationDependent() || !map_.in_roots(call->getBeginLoc())) return true;
     FunctionDecl const *function = call->getDirectCallee();
     std::vector<Expr const *> all(call->arg_begin(), call->arg_end());
@@ -104,7 +107,7 @@ public:
     for (std::size_t i = has_object ? 1 : 0; i < all.size(); ++i) argument(all, i);
     return true;
   }
-  bool VisitCXXConstructExpr(CXXConstructExpr *construction) {
+  bool VisitCXXConstructExpr(CXXConstructExpr *construction) override {
     if (passive_ || no_state_ || construction->isInstantiationDependent() || construction->getNumArgs() < 2 ||
         !map_.in_roots(construction->getBeginLoc()))
       return true;

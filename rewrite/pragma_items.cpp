@@ -1,4 +1,5 @@
 #include "rewrite/pragma_items.h"
+#include "rewrite/walk.h"
 
 #include "rewrite/item_type.h"
 #include "rewrite/merge.h"
@@ -105,11 +106,11 @@ ValueDecl const *look_up(std::string const &name, FunctionDecl const *function) 
   return nullptr;
 }
 
-class Returns : public RecursiveASTVisitor<Returns> {
+class Returns : public Walk {
 public:
-  bool TraverseLambdaExpr(LambdaExpr *) { return true; }
-  bool TraverseCXXRecordDecl(CXXRecordDecl *) { return true; }
-  bool VisitReturnStmt(ReturnStmt *statement) {
+  bool TraverseLambdaExpr(LambdaExpr *) override { return true; }
+  bool TraverseCXXRecordDecl(CXXRecordDecl *) override { return true; }
+  bool VisitReturnStmt(ReturnStmt *statement) override {
     if (statement->getRetValue()) found.push_back(statement);
     return true;
   }
@@ -117,13 +118,13 @@ public:
 };
 
 // Does the function change the variable itself, as in `n--` or `*out++ = x`?
-class Changes : public RecursiveASTVisitor<Changes> {
+class Changes : public Walk {
 public:
   explicit Changes(ValueDecl const *variable) : variable_(variable) {}
-  bool VisitUnaryOperator(UnaryOperator *unary) {
+  bool VisitUnaryOperator(UnaryOperator *unary) override {
     return !(unary->isIncrementDecrementOp() && is_it(unary->getSubExpr())) || note(unary->getOperatorLoc());
   }
-  bool VisitBinaryOperator(BinaryOperator *binary) {
+  bool VisitBinaryOperator(BinaryOperator *binary) override {
     return !(binary->isAssignmentOp() && is_it(binary->getLHS())) || note(binary->getOperatorLoc());
   }
   SourceLocation place;

@@ -1,4 +1,5 @@
 #include "rewrite/reach.h"
+#include "rewrite/walk.h"
 
 #include "rewrite/record_source.h"
 #include "rewrite/source_map.h"
@@ -35,26 +36,28 @@ Key key_of(Decl const *declaration) {
   return key.str().str();
 }
 
-class Walk : public RecursiveASTVisitor<Walk> {
+class Calls : public Walk {
 public:
-  Walk(SourceMap const &map, Known &known) : map_(map), known_(known) {}
+  Calls(SourceMap const &map, Known &known) : map_(map), known_(known) {}
 
-  bool shouldVisitTemplateInstantiations() const { return true; }
-  bool shouldVisitImplicitCode() const { return true; }
+  bool shouldVisitTemplateInstantiations() const override { return true; }
+  bool shouldVisitImplicitCode() const override { return true; }
 
-  bool TraverseFunctionDecl(FunctionDecl *f) { return within(f, &Base::TraverseFunctionDecl); }
-  bool TraverseCXXMethodDecl(CXXMethodDecl *f) { return within(f, &Base::TraverseCXXMethodDecl); }
-  bool TraverseCXXConstructorDecl(CXXConstructorDecl *f) { return within(f, &Base::TraverseCXXConstructorDecl); }
-  bool TraverseCXXDestructorDecl(CXXDestructorDecl *f) { return within(f, &Base::TraverseCXXDestructorDecl); }
-  bool TraverseCXXConversionDecl(CXXConversionDecl *f) { return within(f, &Base::TraverseCXXConversionDecl); }
+  bool TraverseFunctionDecl(FunctionDecl *f) override { return within(f, &Walk::TraverseFunctionDecl); }
+  bool TraverseCXXMethodDecl(CXXMethodDecl *f) override { return within(f, &Walk::TraverseCXXMethodDecl); }
+  bool TraverseCXXConstructorDecl(CXXConstructorDecl *f) override {
+    return within(f, &Walk::TraverseCXXConstructorDecl);
+  }
+  bool TraverseCXXDestructorDecl(CXXDestructorDecl *f) override { return within(f, &Walk::TraverseCXXDestructorDecl); }
+  bool TraverseCXXConversionDecl(CXXConversionDecl *f) override { return within(f, &Walk::TraverseCXXConversionDecl); }
 
-  bool VisitCXXMethodDecl(CXXMethodDecl *method) {
+  bool VisitCXXMethodDecl(CXXMethodDecl *method) override {
     for (CXXMethodDecl const *overridden : method->overridden_methods())
       known_.overriders[key_of(overridden->getCanonicalDecl())].insert(key_of(method->getCanonicalDecl()));
     return true;
   }
 
-  bool VisitCallExpr(CallExpr *call) {
+  bool VisitCallExpr(CallExpr *call) override {
     if (!body_) return true;
     if (FunctionDecl const *function = call->getDirectCallee()) {
       calls(function);
@@ -65,43 +68,41 @@ public:
     }
     return true;
   }
-  bool VisitCXXConstructExpr(CXXConstructExpr *construction) {
+  bool VisitCXXConstructExpr(CXXConstructExpr *construction) override {
     if (body_) calls(construction->getConstructor());
     return true;
   }
   // A function that is named without being called may be called by whoever gets it.
-  bool VisitDeclRefExpr(DeclRefExpr *name) {
+  bool VisitDeclRefExpr(DeclRefExpr *name) override {
     if (!body_) return true;
     if (auto const *function = dyn_cast<FunctionDecl>(name->getDecl())) calls(function);
     if (auto const *variable = dyn_cast<VarDecl>(name->getDecl())) state(variable);
     return true;
   }
-  bool VisitMemberExpr(MemberExpr *member) {
+  bool VisitMemberExpr(MemberExpr *member) override {
     if (auto const *variable = dyn_cast<VarDecl>(member->getMemberDecl()); variable && body_) state(variable);
     return true;
   }
-  bool VisitBinaryOperator(BinaryOperator *operation) {
+  bool VisitBinaryOperator(BinaryOperator *operation) override {
     if (operation->isAssignmentOp()) written(operation->getLHS());
     return true;
   }
-  bool VisitUnaryOperator(UnaryOperator *operation) {
+  bool VisitUnaryOperator(UnaryOperator *operation) override {
     if (operation->isIncrementDecrementOp()) written(operation->getSubExpr());
     if (operation->getOpcode() == UO_AddrOf) passed_on(operation->getSubExpr());
     return true;
   }
-  bool VisitImplicitCastExpr(ImplicitCastExpr *cast) {
+  bool VisitImplicitCastExpr(ImplicitCastExpr *cast) override {
     if (cast->getCastKind() == CK_ArrayToPointerDecay && !elements_.contains(cast)) passed_on(cast->getSubExpr());
     return true;
   }
-  bool VisitArraySubscriptExpr(ArraySubscriptExpr *element) {
+  bool VisitArraySubscriptExpr(ArraySubscriptExpr *element) override {
     elements_.insert(element->getBase()->IgnoreParens());
     return true;
   }
 
 private:
-  using Base = RecursiveASTVisitor<Walk>;
-
-  template <class Function> bool within(Function *function, bool (Base::*traverse)(Function *)) {
+  template <class Function> bool within(Function *function, bool (Walk::*traverse)(Function *)) {
     if (function->isDependentContext()) return true; // its instantiations tell
     Body *const outer = body_;
     if (function->doesThisDeclarationHaveABody() && !isa_and_nonnull<CXXRecordDecl>(lambda_of(function))) {
@@ -173,7 +174,7 @@ public:
       : map_(compiler.getSourceManager(), compiler.getLangOpts(), scope),
         known_(known) {}
   void HandleTranslationUnit(ASTContext &context) override {
-    Walk(map_, known_).TraverseDecl(context.getTranslationUnitDecl());
+    Calls(map_, known_).TraverseDecl(context.getTranslationUnitDecl());
   }
 
 private:

@@ -1,4 +1,5 @@
 #include "rewrite/reals.h"
+#include "rewrite/walk.h"
 
 #include "ops/operation.h"
 
@@ -151,11 +152,11 @@ bool Reals::call_stays_double(CallExpr const *call) const {
 namespace {
 
 // Looks for a number that does not stay one: what is chosen by it is a REAL, whatever the arms are.
-class Numbers : public RecursiveASTVisitor<Numbers> {
+class Numbers : public Walk {
 public:
   explicit Numbers(Reals const &reals) : reals_(reals) {}
   bool are_in(Expr const *expression) { return !TraverseStmt(const_cast<Expr *>(expression)); }
-  bool VisitExpr(Expr *expression) {
+  bool VisitExpr(Expr *expression) override {
     return !Reals::is_double(expression->getType()) || reals_.stays_double(expression);
   }
 

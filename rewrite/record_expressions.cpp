@@ -1,5 +1,6 @@
 #include "rewrite/pragma_text.h"
 #include "rewrite/recorder.h"
+#include "rewrite/walk.h"
 
 namespace symreal::rewrite {
 using namespace clang;
@@ -237,11 +238,11 @@ void Recorder::deduced_variable(VarDecl const *variable) {
 
 namespace {
 
-class Returns : public RecursiveASTVisitor<Returns> {
+class Returns : public Walk {
 public:
-  bool TraverseLambdaExpr(LambdaExpr *) { return true; }
-  bool TraverseCXXRecordDecl(CXXRecordDecl *) { return true; }
-  bool VisitReturnStmt(ReturnStmt *statement) {
+  bool TraverseLambdaExpr(LambdaExpr *) override { return true; }
+  bool TraverseCXXRecordDecl(CXXRecordDecl *) override { return true; }
+  bool VisitReturnStmt(ReturnStmt *statement) override {
     if (Expr const *value = statement->getRetValue()) found.push_back(value);
     return true;
   }

@@ -1,4 +1,5 @@
 #include "rewrite/decision_recorder.h"
+#include "rewrite/walk.h"
 
 namespace symreal::rewrite {
 using namespace clang;
@@ -33,13 +34,13 @@ bool is_break(IfStmt const *choice) {
   return then && isa<BreakStmt>(then);
 }
 
-class Uses : public RecursiveASTVisitor<Uses> {
+class Uses : public Walk {
 public:
   Uses(VarDecl const *variable, SourceManager const &sources, SourceLocation end)
       : variable_(variable),
         sources_(sources),
         end_(end) {}
-  bool VisitDeclRefExpr(DeclRefExpr *reference) {
+  bool VisitDeclRefExpr(DeclRefExpr *reference) override {
     found = found || (reference->getDecl() == variable_ &&
                       sources_.isBeforeInTranslationUnit(end_, sources_.getExpansionLoc(reference->getLocation())));
     return !found;
@@ -52,13 +53,13 @@ private:
   SourceLocation end_;
 };
 
-class Assigned : public RecursiveASTVisitor<Assigned> {
+class Assigned : public Walk {
 public:
-  bool VisitUnaryOperator(UnaryOperator *unary) {
+  bool VisitUnaryOperator(UnaryOperator *unary) override {
     if (unary->isIncrementDecrementOp()) note(unary->getSubExpr());
     return true;
   }
-  bool VisitBinaryOperator(BinaryOperator *binary) {
+  bool VisitBinaryOperator(BinaryOperator *binary) override {
     if (binary->isAssignmentOp()) note(binary->getLHS());
     return true;
   }

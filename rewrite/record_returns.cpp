@@ -1,15 +1,16 @@
 #include "rewrite/decision_recorder.h"
+#include "rewrite/walk.h"
 
 namespace symreal::rewrite {
 using namespace clang;
 
 namespace {
 
-class ReturnStatements : public RecursiveASTVisitor<ReturnStatements> {
+class ReturnStatements : public Walk {
 public:
-  bool TraverseLambdaExpr(LambdaExpr *) { return true; }
-  bool TraverseCXXRecordDecl(CXXRecordDecl *) { return true; }
-  bool VisitReturnStmt(ReturnStmt *statement) {
+  bool TraverseLambdaExpr(LambdaExpr *) override { return true; }
+  bool TraverseCXXRecordDecl(CXXRecordDecl *) override { return true; }
+  bool VisitReturnStmt(ReturnStmt *statement) override {
     found.push_back(statement);
     return true;
   }

@@ -1,15 +1,16 @@
 // What goes through `...`: no parameter says there what type it arrives as.
 #include "rewrite/conditions.h"
 #include "rewrite/recorder.h"
+#include "rewrite/walk.h"
 
 namespace symreal::rewrite {
 using namespace clang;
 
 namespace {
 
-class NumberReads : public RecursiveASTVisitor<NumberReads> {
+class NumberReads : public Walk {
 public:
-  bool VisitVAArgExpr(VAArgExpr *read) {
+  bool VisitVAArgExpr(VAArgExpr *read) override {
     found = found || Reals::is_double(read->getType());
     return true;
   }

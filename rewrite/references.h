@@ -2,13 +2,14 @@
 #pragma once
 
 #include "rewrite/clang.h"
+#include "rewrite/walk.h"
 
 #include <utility>
 #include <vector>
 
 namespace symreal::rewrite {
 
-class References : public clang::RecursiveASTVisitor<References> {
+class References : public Walk {
 public:
   using Place = clang::SourceLocation;
   std::vector<std::pair<clang::FunctionDecl const *, Place>> functions;
@@ -22,31 +23,39 @@ public:
         if (initializer->getInit()) TraverseStmt(initializer->getInit());
   }
 
-  bool shouldVisitImplicitCode() const { return true; }
-  bool TraverseUnaryExprOrTypeTraitExpr(clang::UnaryExprOrTypeTraitExpr *) { return true; }
-  bool TraverseCXXNoexceptExpr(clang::CXXNoexceptExpr *) { return true; }
-  bool TraverseTypeLoc(clang::TypeLoc) { return true; }
+  bool shouldVisitImplicitCode() const override { return true; }
+  bool TraverseUnaryExprOrTypeTraitExpr(clang::UnaryExprOrTypeTraitExpr *) override { return true; }
+  bool TraverseCXXNoexceptExpr(clang::CXXNoexceptExpr *) override { return true; }
+  bool TraverseTypeLoc(clang::TypeLoc) override { return true; }
 
-  bool VisitDeclRefExpr(clang::DeclRefExpr *reference) { return add(reference->getDecl(), reference->getLocation()); }
-  bool VisitMemberExpr(clang::MemberExpr *member) { return add(member->getMemberDecl(), member->getMemberLoc()); }
-  bool VisitCXXConstructExpr(clang::CXXConstructExpr *construction) {
+  bool VisitDeclRefExpr(clang::DeclRefExpr *reference) override {
+    return add(reference->getDecl(), reference->getLocation());
+  }
+  bool VisitMemberExpr(clang::MemberExpr *member) override {
+    return add(member->getMemberDecl(), member->getMemberLoc());
+  }
+  bool VisitCXXConstructExpr(clang::CXXConstructExpr *construction) override {
     tables.emplace_back(construction->getConstructor()->getParent(), construction->getLocation());
     return add(construction->getConstructor(), construction->getLocation());
   }
-  bool VisitCXXDynamicCastExpr(clang::CXXDynamicCastExpr *cast) {
+  bool VisitCXXDynamicCastExpr(clang::CXXDynamicCastExpr *cast) override {
     if (clang::CXXRecordDecl const *to = cast->getType()->getPointeeCXXRecordDecl())
       tables.emplace_back(to, cast->getBeginLoc());
     return true;
   }
-  bool VisitCXXDeleteExpr(clang::CXXDeleteExpr *deletion) {
+  bool VisitCXXDeleteExpr(clang::CXXDeleteExpr *deletion) override {
     return deletion->getDestroyedType().isNull() || destroyed(deletion->getDestroyedType(), deletion->getBeginLoc());
   }
-  bool VisitCXXBindTemporaryExpr(clang::CXXBindTemporaryExpr *temporary) {
+  bool VisitCXXBindTemporaryExpr(clang::CXXBindTemporaryExpr *temporary) override {
     return add(temporary->getTemporary()->getDestructor(), temporary->getBeginLoc());
   }
-  bool VisitVarDecl(clang::VarDecl *variable) { return destroyed(variable->getType(), variable->getLocation()); }
-  bool VisitCXXDefaultArgExpr(clang::CXXDefaultArgExpr *argument) { return TraverseStmt(argument->getExpr()); }
-  bool VisitCXXDefaultInitExpr(clang::CXXDefaultInitExpr *initializer) { return TraverseStmt(initializer->getExpr()); }
+  bool VisitVarDecl(clang::VarDecl *variable) override {
+    return destroyed(variable->getType(), variable->getLocation());
+  }
+  bool VisitCXXDefaultArgExpr(clang::CXXDefaultArgExpr *argument) override { return TraverseStmt(argument->getExpr()); }
+  bool VisitCXXDefaultInitExpr(clang::CXXDefaultInitExpr *initializer) override {
+    return TraverseStmt(initializer->getExpr());
+  }
 
 private:
   bool add(clang::Decl const *declaration, Place place) {

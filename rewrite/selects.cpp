@@ -1,4 +1,5 @@
 #include "rewrite/selects.h"
+#include "rewrite/walk.h"
 
 #include "rewrite/decision_recorder.h"
 
@@ -8,29 +9,27 @@ namespace {
 using namespace clang;
 
 // The functions with code that is compiled: templates as they are instantiated.
-class Functions : public RecursiveASTVisitor<Functions> {
-  using Walk = RecursiveASTVisitor<Functions>;
-
+class Functions : public Walk {
 public:
   explicit Functions(SourceMap const &map) : map_(map) {}
-  bool shouldVisitTemplateInstantiations() const { return true; }
+  bool shouldVisitTemplateInstantiations() const override { return true; }
 
   std::vector<FunctionDecl const *> found;
   std::vector<ConditionalOperator const *> choices;
 
-  bool TraverseDecl(Decl *declaration) {
+  bool TraverseDecl(Decl *declaration) override {
     if (!declaration) return true;
     if (!isa<TranslationUnitDecl>(declaration) && declaration->getLexicalDeclContext()->isFileContext() &&
         !map_.in_roots(declaration->getLocation()) && !map_.in_roots(declaration->getBeginLoc()))
       return true;
     return Walk::TraverseDecl(declaration);
   }
-  bool VisitFunctionDecl(FunctionDecl *function) {
+  bool VisitFunctionDecl(FunctionDecl *function) override {
     bool const is_code = function->doesThisDeclarationHaveABody() && !function->isImplicit();
     if (is_code && map_.in_roots(function->getLocation())) found.push_back(function);
     return true;
   }
-  bool VisitConditionalOperator(ConditionalOperator *choice) {
+  bool VisitConditionalOperator(ConditionalOperator *choice) override {
     choices.push_back(choice);
     return true;
   }

@@ -1,4 +1,5 @@
 #include "rewrite/surroundings.h"
+#include "rewrite/walk.h"
 
 #include "rewrite/pragma_text.h"
 
@@ -15,11 +16,11 @@ struct Mention {
   Expr const *name;
 };
 
-class Mentions : public RecursiveASTVisitor<Mentions> {
+class Mentions : public Walk {
 public:
   explicit Mentions(SourceManager const &sources) : sources_(sources) {}
 
-  bool VisitDeclRefExpr(DeclRefExpr *name) {
+  bool VisitDeclRefExpr(DeclRefExpr *name) override {
     if (auto const *variable = dyn_cast<VarDecl>(name->getDecl()))
       found[variable].push_back({sources_.getFileOffset(sources_.getExpansionLoc(name->getLocation())), name});
     return true;
@@ -76,7 +77,7 @@ std::map<std::string, std::vector<Block>> find_blocks(Facts &facts) {
 
 } // namespace
 
-class BlockFunctions : public RecursiveASTVisitor<BlockFunctions> {
+class BlockFunctions : public Walk {
 public:
   BlockFunctions(SourceMap const &map, Reals const &reals, IntegerState const &integers, Surroundings &found,
                  std::map<std::string, std::vector<Block>> blocks)
@@ -86,9 +87,9 @@ public:
         found_(found),
         blocks_(std::move(blocks)) {}
 
-  bool shouldVisitTemplateInstantiations() const { return false; }
+  bool shouldVisitTemplateInstantiations() const override { return false; }
 
-  bool VisitFunctionDecl(FunctionDecl *function) {
+  bool VisitFunctionDecl(FunctionDecl *function) override {
     if (!function->doesThisDeclarationHaveABody() || !map_.in_roots(function->getLocation())) return true;
     std::optional<Span> const body = map_.range(function->getBody()->getSourceRange());
     auto const blocks = body ? blocks_.find(body->file) : blocks_.end();

@@ -1,4 +1,5 @@
 #include "rewrite/symbolic_ints.h"
+#include "rewrite/walk.h"
 
 #include "rewrite/conditions.h"
 
@@ -15,7 +16,7 @@ bool takes_references(CallExpr const *call) {
 }
 
 // What a function does with its integer variables.
-class Uses : public RecursiveASTVisitor<Uses> {
+class Uses : public Walk {
 public:
   struct Variable {
     std::vector<Expr const *> values;
@@ -25,7 +26,7 @@ public:
   bool fits(Variable const &variable) const { return !unfit_.contains(variable.declared_in); }
   std::vector<Expr const *> contexts; // where a conversion is computed with
 
-  bool VisitDeclStmt(DeclStmt *statement) {
+  bool VisitDeclStmt(DeclStmt *statement) override {
     bool all_fit = true;
     for (Decl const *declaration : statement->decls()) {
       auto const *variable = dyn_cast<VarDecl>(declaration);
@@ -38,7 +39,7 @@ public:
     if (!all_fit) unfit_.insert(statement);
     return true;
   }
-  bool VisitBinaryOperator(BinaryOperator *binary) {
+  bool VisitBinaryOperator(BinaryOperator *binary) override {
     if (binary->isAssignmentOp()) {
       if (VarDecl const *variable = named(binary->getLHS())) {
         changed_.insert(Reals::spelled_integer(binary->getLHS()));
@@ -51,25 +52,25 @@ public:
     }
     return true;
   }
-  bool VisitForStmt(ForStmt *loop) { return loop_condition(loop->getCond()); }
-  bool VisitWhileStmt(WhileStmt *loop) { return loop_condition(loop->getCond()); }
-  bool VisitDoStmt(DoStmt *loop) { return loop_condition(loop->getCond()); }
-  bool VisitUnaryOperator(UnaryOperator *unary) {
+  bool VisitForStmt(ForStmt *loop) override { return loop_condition(loop->getCond()); }
+  bool VisitWhileStmt(WhileStmt *loop) override { return loop_condition(loop->getCond()); }
+  bool VisitDoStmt(DoStmt *loop) override { return loop_condition(loop->getCond()); }
+  bool VisitUnaryOperator(UnaryOperator *unary) override {
     if (unary->isIncrementDecrementOp()) changed_.insert(Reals::spelled_integer(unary->getSubExpr()));
     return true;
   }
-  bool VisitCastExpr(CastExpr *cast) {
+  bool VisitCastExpr(CastExpr *cast) override {
     if (cast->getCastKind() == CK_LValueToRValue) read_.insert(cast->getSubExpr()->IgnoreParens());
     if (cast->getCastKind() == CK_IntegralToFloating && Reals::is_double(cast->getType()))
       contexts.push_back(cast->getSubExpr());
     return true;
   }
-  bool VisitCallExpr(CallExpr *call) { // these take and return references
+  bool VisitCallExpr(CallExpr *call) override { // these take and return references
     if (takes_references(call))
       for (Expr const *argument : call->arguments()) read_.insert(Reals::spelled_integer(argument));
     return true;
   }
-  bool VisitDeclRefExpr(DeclRefExpr *reference) {
+  bool VisitDeclRefExpr(DeclRefExpr *reference) override {
     references_.push_back(reference);
     return true;
   }

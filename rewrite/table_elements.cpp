@@ -1,22 +1,23 @@
 #include "rewrite/table_elements.h"
+#include "rewrite/walk.h"
 
 namespace symreal::rewrite {
 using namespace clang;
 
 namespace {
 
-class Writes : public RecursiveASTVisitor<Writes> {
+class Writes : public Walk {
 public:
   explicit Writes(SourceMap const &map) : map_(map) {}
 
   std::set<Span> found;
 
-  bool VisitImplicitCastExpr(ImplicitCastExpr *cast) {
+  bool VisitImplicitCastExpr(ImplicitCastExpr *cast) override {
     if (cast->getCastKind() == CK_LValueToRValue) parts(cast->getSubExpr());
     return true;
   }
-  bool VisitArraySubscriptExpr(ArraySubscriptExpr *element) { return element_of(element); }
-  bool VisitCXXOperatorCallExpr(CXXOperatorCallExpr *element) { return element_of(element); }
+  bool VisitArraySubscriptExpr(ArraySubscriptExpr *element) override { return element_of(element); }
+  bool VisitCXXOperatorCallExpr(CXXOperatorCallExpr *element) override { return element_of(element); }
 
 private:
   // A parent is visited before its parts, and a row is a part of its element.

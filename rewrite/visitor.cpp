@@ -28,8 +28,7 @@ namespace {
 
 using namespace clang;
 
-class Visitor : public ContextWalk<Visitor> {
-  using Walk = RecursiveASTVisitor<Visitor>;
+class Visitor : public ContextWalk {
 
 public:
   Visitor(ASTContext &context, SourceMap const &map, Reals const &reals, IntegerState const &integers,
@@ -43,47 +42,47 @@ public:
 
   std::vector<FunctionDecl const *> definitions;
 
-  bool TraverseDecltypeTypeLoc(DecltypeTypeLoc type) {
+  bool TraverseDecltypeTypeLoc(DecltypeTypeLoc type) override {
     Within const unevaluated(no_state_, true);
     if (!passive_) record_.deduced_elements(type.getUnderlyingExpr());
     record_.looked_at(type.getUnderlyingExpr());
     return Walk::TraverseDecltypeTypeLoc(type);
   }
-  bool VisitUnaryExprOrTypeTraitExpr(UnaryExprOrTypeTraitExpr *expression) {
+  bool VisitUnaryExprOrTypeTraitExpr(UnaryExprOrTypeTraitExpr *expression) override {
     if (expression->isArgumentType()) return true;
     record_.looked_at(expression->getArgumentExpr()->IgnoreParens());
     record_.c_type_asked(expression->getArgumentExpr(), expression->getKind() == UETT_SizeOf);
     return true;
   }
-  bool VisitCXXTypeidExpr(CXXTypeidExpr *expression) {
+  bool VisitCXXTypeidExpr(CXXTypeidExpr *expression) override {
     if (!expression->isTypeOperand()) record_.looked_at(expression->getExprOperand());
     return true;
   }
-  bool TraverseConceptExprRequirement(concepts::ExprRequirement *requirement) {
+  bool TraverseConceptExprRequirement(concepts::ExprRequirement *requirement) override {
     if (requirement->isCompound() && !requirement->isExprSubstitutionFailure())
       record_.looked_at(requirement->getExpr());
     return Walk::TraverseConceptExprRequirement(requirement);
   }
-  bool VisitAtomicExpr(AtomicExpr *call) {
+  bool VisitAtomicExpr(AtomicExpr *call) override {
     if (!passive_ && map_.in_roots(call->getBeginLoc())) record_.atomic_builtin(call);
     return true;
   }
 
-  bool VisitBuiltinTypeLoc(BuiltinTypeLoc type) {
+  bool VisitBuiltinTypeLoc(BuiltinTypeLoc type) override {
     record_.builtin_type(type, passive_);
     return true;
   }
-  bool VisitComplexTypeLoc(ComplexTypeLoc type) {
+  bool VisitComplexTypeLoc(ComplexTypeLoc type) override {
     record_.complex_type(type);
     return true;
   }
-  bool VisitElaboratedTypeLoc(ElaboratedTypeLoc type) {
+  bool VisitElaboratedTypeLoc(ElaboratedTypeLoc type) override {
     NestedNameSpecifierLoc const qualifier = type.getQualifierLoc();
     bool const within_type = qualifier && qualifier.getNestedNameSpecifier()->getAsType();
     named_type(type.getNamedTypeLoc(), static_cast<bool>(qualifier), within_type);
     return true;
   }
-  bool TraverseNestedNameSpecifierLoc(NestedNameSpecifierLoc name) {
+  bool TraverseNestedNameSpecifierLoc(NestedNameSpecifierLoc name) override {
     if (name && name.getNestedNameSpecifier()->getAsType()) {
       NestedNameSpecifierLoc const prefix = name.getPrefix();
       bool const within_type = prefix && prefix.getNestedNameSpecifier()->getAsType();
@@ -92,7 +91,7 @@ public:
     return Walk::TraverseNestedNameSpecifierLoc(name);
   }
 
-  bool VisitCallExpr(CallExpr *call) {
+  bool VisitCallExpr(CallExpr *call) override {
     if (passive_ || !map_.in_roots(call->getBeginLoc())) return true;
     record_.call(call);
     record_.c_call(call);
@@ -107,14 +106,14 @@ public:
     record_.dependent_call(call);
     return true;
   }
-  bool VisitCXXConstructExpr(CXXConstructExpr *construction) {
+  bool VisitCXXConstructExpr(CXXConstructExpr *construction) override {
     if (passive_ || !map_.in_roots(construction->getLocation())) return true;
     record_.construction(construction);
     record_.keeps_text(construction->getType());
     if (!no_state_) record_.state_of_construction(construction);
     return true;
   }
-  bool VisitImplicitCastExpr(ImplicitCastExpr *cast) {
+  bool VisitImplicitCastExpr(ImplicitCastExpr *cast) override {
     if (passive_) return true;
     record_.implicit_cast(cast, decisions_.count(cast) != 0);
     if (no_state_ || cast->isTypeDependent()) return true;
@@ -128,7 +127,7 @@ public:
     return true;
   }
   // Its elements are walked as they were parsed; the conversions and copies that they become stand in the other form.
-  bool VisitInitListExpr(InitListExpr *list) {
+  bool VisitInitListExpr(InitListExpr *list) override {
     if (map_.in_roots(list->getBeginLoc())) record_.designators(list);
     if (passive_ || no_state_) return true;
     InitListExpr const *complete = list->isSemanticForm() ? list : list->getSemanticForm();
@@ -144,63 +143,63 @@ public:
     }
     return true;
   }
-  bool VisitGCCAsmStmt(GCCAsmStmt *assembly) {
+  bool VisitGCCAsmStmt(GCCAsmStmt *assembly) override {
     if (!passive_ && map_.in_roots(assembly->getBeginLoc())) record_.assembly(assembly);
     return true;
   }
-  bool VisitCXXForRangeStmt(CXXForRangeStmt *loop) {
+  bool VisitCXXForRangeStmt(CXXForRangeStmt *loop) override {
     if (!passive_ && !no_state_) {
       record_.copied_elements(loop);
       record_.characters_of(loop);
     }
     return true;
   }
-  bool VisitRecordDecl(RecordDecl *record) {
+  bool VisitRecordDecl(RecordDecl *record) override {
     record_.members(record);
     return true;
   }
-  bool VisitExplicitCastExpr(ExplicitCastExpr *cast) {
+  bool VisitExplicitCastExpr(ExplicitCastExpr *cast) override {
     if (!passive_) record_.explicit_cast(cast);
     if (!passive_ && !no_state_) record_.pointer_cast(cast);
     return true;
   }
-  bool VisitCastExpr(CastExpr *cast) {
+  bool VisitCastExpr(CastExpr *cast) override {
     if (!passive_) record_.conversion(cast);
     return true;
   }
-  bool VisitCompoundAssignOperator(CompoundAssignOperator *assignment) {
+  bool VisitCompoundAssignOperator(CompoundAssignOperator *assignment) override {
     if (!passive_) record_.compound_assignment(assignment);
     return true;
   }
-  bool VisitConditionalOperator(ConditionalOperator *choice) {
+  bool VisitConditionalOperator(ConditionalOperator *choice) override {
     decide(choice->getCond());
     if (!passive_) record_.choice(choice);
     record_.c_choice(choice);
     record_.c_widths(choice);
     return true;
   }
-  bool VisitReturnStmt(ReturnStmt *statement) {
+  bool VisitReturnStmt(ReturnStmt *statement) override {
     if (!passive_ && function_ && depends(function_->getReturnType()))
       record_.dependent_value(statement->getRetValue());
     return true;
   }
-  bool VisitVarDecl(VarDecl *variable) {
+  bool VisitVarDecl(VarDecl *variable) override {
     if (passive_ == constant_variable || passive_ == static_member) record_.constant_initializer(variable->getInit());
     if (!passive_) record_.deduced_variable(variable);
     if (!passive_) record_.named_variable(variable);
     if (!passive_ && !no_state_ && depends(variable->getType())) record_.dependent_value(variable->getInit());
     return true;
   }
-  bool VisitNamedDecl(NamedDecl *declaration) {
+  bool VisitNamedDecl(NamedDecl *declaration) override {
     record_.c_declaration(declaration);
     if (auto const *object = dyn_cast<ValueDecl>(declaration)) record_.keeps_text(object->getType());
     return true;
   }
-  bool VisitLambdaExpr(LambdaExpr *lambda) {
+  bool VisitLambdaExpr(LambdaExpr *lambda) override {
     if (!passive_ && !lambda->hasExplicitResultType()) record_.deduced_return(lambda->getBody());
     return true;
   }
-  bool VisitFunctionDecl(FunctionDecl *function) {
+  bool VisitFunctionDecl(FunctionDecl *function) override {
     if (!function->doesThisDeclarationHaveABody()) return true;
     definitions.push_back(function);
     if (function->isVariadic()) record_.variadic_definition(function);
@@ -208,57 +207,57 @@ public:
       record_.deduced_return(function->getBody());
     return true;
   }
-  bool VisitDeclRefExpr(DeclRefExpr *reference) {
+  bool VisitDeclRefExpr(DeclRefExpr *reference) override {
     if (auto const *variable = dyn_cast<VarDecl>(reference->getDecl())) state(variable, reference);
     if (!passive_) record_.function_value(reference);
     if (!passive_) record_.builtin(reference);
     return true;
   }
-  bool VisitPredefinedExpr(PredefinedExpr *name) {
+  bool VisitPredefinedExpr(PredefinedExpr *name) override {
     if (function_ && name->getIdentKind() == PredefinedIdentKind::PrettyFunction) record_.printed_signature(function_);
     return true;
   }
-  bool VisitMemberExpr(MemberExpr *member) {
+  bool VisitMemberExpr(MemberExpr *member) override {
     if (auto const *variable = dyn_cast<VarDecl>(member->getMemberDecl())) state(variable, member);
     if (!passive_ && !no_state_) record_.union_member(member);
     return true;
   }
-  bool VisitCompoundStmt(CompoundStmt *block) {
+  bool VisitCompoundStmt(CompoundStmt *block) override {
     for (Stmt const *statement : block->body()) note_item(statement, context_, reals_, integers_, index_, facts_);
     return true;
   }
 
-  bool VisitCXXRewrittenBinaryOperator(CXXRewrittenBinaryOperator *comparison) {
+  bool VisitCXXRewrittenBinaryOperator(CXXRewrittenBinaryOperator *comparison) override {
     if (!passive_ && !no_state_) record_.text_comparison(comparison);
     return true;
   }
 
   // Of an expression that is a statement, nobody uses the value.
-  bool VisitStmt(Stmt *statement) {
+  bool VisitStmt(Stmt *statement) override {
     record_.discarded(statement, function_);
     return true;
   }
 
   // Conditions convert to bool by themselves: no cast is needed in front of the decision.
-  bool VisitIfStmt(IfStmt *statement) { return decide(statement->getCond()); }
-  bool VisitWhileStmt(WhileStmt *statement) { return decide(statement->getCond()); }
-  bool VisitDoStmt(DoStmt *statement) { return decide(statement->getCond()); }
-  bool VisitForStmt(ForStmt *statement) { return decide(statement->getCond()); }
-  bool VisitTypeOfExprTypeLoc(TypeOfExprTypeLoc type) {
+  bool VisitIfStmt(IfStmt *statement) override { return decide(statement->getCond()); }
+  bool VisitWhileStmt(WhileStmt *statement) override { return decide(statement->getCond()); }
+  bool VisitDoStmt(DoStmt *statement) override { return decide(statement->getCond()); }
+  bool VisitForStmt(ForStmt *statement) override { return decide(statement->getCond()); }
+  bool VisitTypeOfExprTypeLoc(TypeOfExprTypeLoc type) override {
     record_.c_type_asked(type.getUnderlyingExpr(), /*is_size=*/false);
     return true;
   }
-  bool VisitIntegerLiteral(IntegerLiteral *literal) {
+  bool VisitIntegerLiteral(IntegerLiteral *literal) override {
     record_.c_literal(literal);
     return true;
   }
-  bool VisitUnaryOperator(UnaryOperator *unary) {
+  bool VisitUnaryOperator(UnaryOperator *unary) override {
     record_.c_operation(unary);
     record_.c_widths(unary);
     if (!passive_ && !no_state_ && unary->isIncrementDecrementOp()) record_.step(unary);
     return unary->getOpcode() != UO_LNot || decide(unary->getSubExpr());
   }
-  bool VisitBinaryOperator(BinaryOperator *binary) {
+  bool VisitBinaryOperator(BinaryOperator *binary) override {
     record_.c_operation(binary);
     record_.c_widths(binary);
     if (!passive_) record_.named_target(binary);

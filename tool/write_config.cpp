@@ -120,7 +120,7 @@ rewrite::ConfiguredText function_of(Yaml const &kernel) {
 void extend_entry(Changes &changes, Yaml const &kernel, Clauses const &clauses) {
   std::vector<Yaml::Entry> const entries = kernel.entries();
   for (auto const &[key, names] : clauses) {
-    auto const known = std::find_if(entries.begin(), entries.end(), [&key = key](Yaml::Entry const &one) {
+    auto const known = std::find_if(entries.begin(), entries.end(), [&key](Yaml::Entry const &one) {
       return one.key.text == key || one.key.text + "s" == key;
     });
     std::size_t const begin = changes.offset(kernel.place());

@@ -47,7 +47,7 @@ Graph run_passes(Graph graph, std::span<std::string const> names, FloatingPoint 
     graph = find_pass(name).run(graph, mode);
     if (std::string violation = find_violation(graph); !violation.empty()) {
       std::fprintf(stderr, "symreal: after pass %s: %s\n", name.c_str(), violation.c_str());
-      internal_check(!"a pass left the graph invalid");
+      internal_check(false && "a pass left the graph invalid");
     }
   }
   return graph;

@@ -133,7 +133,7 @@ void flush_events() {
   append("carried", log().carried);
   append("settled", log().settled);
   for (auto const &[id, meetings] : log().interrupted)
-    meetings.for_each([&text, id = id](std::size_t count, std::string const &message, auto const &stack) {
+    meetings.for_each([&text, id](std::size_t count, std::string const &message, auto const &stack) {
       text += joined({"met", code(id), message, hexadecimal(stack), std::to_string(count)}) + '\n';
     });
   try {

@@ -93,8 +93,8 @@ void Kernel::end_region(detail::Program, char const *file_name, SourcePlace plac
 
 using trace::Kernel;
 
-bool detail::begin_object(Program program, Kind kind, char const *label, SourcePlace place) noexcept {
-  return Kernel::current().begin_object(program, kind, label, place);
+bool detail::begin_object(Program compiled_as, Kind kind, char const *label, SourcePlace place) noexcept {
+  return Kernel::current().begin_object(compiled_as, kind, label, place);
 }
 
 void detail::element(void *number, bool is_temporary) noexcept {
@@ -105,14 +105,14 @@ void detail::end_object(std::size_t const *extents, std::size_t rank) noexcept {
   Kernel::current().sink().end_object({extents, extents + rank});
 }
 
-bool detail::begin_function(Program program, char const *name, SourcePlace place, unsigned call) noexcept {
-  return Kernel::current().begin_function(program, name, place, call);
+bool detail::begin_function(Program compiled_as, char const *name, SourcePlace place, unsigned call) noexcept {
+  return Kernel::current().begin_function(compiled_as, name, place, call);
 }
 
 void detail::end_function() noexcept { Kernel::current().end_function(); }
 
-void detail::end_region(Program program, char const *file_name, SourcePlace place) noexcept {
-  Kernel::current().end_region(program, file_name, place);
+void detail::end_region(Program compiled_as, char const *file_name, SourcePlace place) noexcept {
+  Kernel::current().end_region(compiled_as, file_name, place);
 }
 
 void symreal_set_range(double low, double high) noexcept { Kernel::current().set_range(low, high); }

@@ -276,6 +276,12 @@ TEST(SymbolicInts, ConvertAndCount) {
 }
 
 // A conversion of a real number gives what the host's instruction gives, in its range and beyond, and no -0.
+// The conversion of x86-64. What the language leaves open is that of gcc: Clang has another answer from 2^64 on.
+template <class R> R converted_by_host(double value) {
+  if (std::is_unsigned_v<R> && sizeof(R) == 8 && value >= 0x1p64) return 0;
+  return static_cast<R>(value);
+}
+
 TEST(SymbolicInts, ConvertRealNumbersAsTheHost) {
   std::vector<double> const values = {0.0,
                                       -0.0,
@@ -328,7 +334,7 @@ TEST(SymbolicInts, ConvertRealNumbersAsTheHost) {
     graph = run_passes(graph, default_passes(), FloatingPoint::strict);
     Compiled const clang(graph, "clang-19");
     for (double volatile value : values) {
-      Bits const expected = std::bit_cast<Bits>(static_cast<double>(static_cast<R>(value)));
+      Bits const expected = std::bit_cast<Bits>(static_cast<double>(converted_by_host<R>(value)));
       EXPECT_EQ(std::bit_cast<Bits>(evaluate_sample(graph, std::vector<double>{value}, {}).outputs[0]), expected)
           << name<R>() << " of " << value;
       EXPECT_EQ(std::bit_cast<Bits>(clang.run({value}, 1)[0]), expected) << name<R>() << " of " << value << " in C";

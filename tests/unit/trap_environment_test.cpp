@@ -13,7 +13,7 @@ namespace {
 using TrapEnvironmentDeathTest = TrapDeathTest;
 
 TEST_F(TrapEnvironmentDeathTest, LeavesTheEnvironmentAsItWas) {
-  Body const body = [this] {
+  Body const body = [] {
     std::feclearexcept(FE_ALL_EXCEPT);
     static int count = 0;
     std::signal(SIGFPE, [](int) { std::_Exit(count == 2 ? 0 : 3); });
@@ -33,7 +33,7 @@ TEST_F(TrapEnvironmentDeathTest, LeavesTheEnvironmentAsItWas) {
 }
 
 TEST_F(TrapEnvironmentDeathTest, IsKeptFromBeingSwitchedOff) {
-  Body const body = [this] {
+  Body const body = [] {
     enable_trap();
     std::fesetenv(FE_DFL_ENV);
     REQUIRE(!disable_trap());
