@@ -8,15 +8,13 @@ namespace {
 using namespace clang;
 
 class Literals : public CWalk {
-  using Walk = CWalk;
-
 public:
   using CWalk::CWalk;
 
   bool TraverseFunctionDecl(FunctionDecl *function) override {
     std::uint64_t const outer = bytes_;
     bytes_ = 0;
-    bool const more = Walk::TraverseFunctionDecl(function);
+    bool const more = CWalk::TraverseFunctionDecl(function);
     if (bytes_ > 0 && !insert(map_.token(function->getBody()->getBeginLoc()), Use::behind,
                               "::symreal::SymrealCompoundLiterals<" + std::to_string(bytes_) + "> symreal_literals;"))
       report(function->getLocation(), "a macro makes the body of a function with compound literals");

@@ -43,13 +43,21 @@ public:
   bool shouldVisitTemplateInstantiations() const override { return true; }
   bool shouldVisitImplicitCode() const override { return true; }
 
-  bool TraverseFunctionDecl(FunctionDecl *f) override { return within(f, &Walk::TraverseFunctionDecl); }
-  bool TraverseCXXMethodDecl(CXXMethodDecl *f) override { return within(f, &Walk::TraverseCXXMethodDecl); }
-  bool TraverseCXXConstructorDecl(CXXConstructorDecl *f) override {
-    return within(f, &Walk::TraverseCXXConstructorDecl);
+  bool TraverseFunctionDecl(FunctionDecl *f) override {
+    return within(f, [&] { return Walk::TraverseFunctionDecl(f); });
   }
-  bool TraverseCXXDestructorDecl(CXXDestructorDecl *f) override { return within(f, &Walk::TraverseCXXDestructorDecl); }
-  bool TraverseCXXConversionDecl(CXXConversionDecl *f) override { return within(f, &Walk::TraverseCXXConversionDecl); }
+  bool TraverseCXXMethodDecl(CXXMethodDecl *f) override {
+    return within(f, [&] { return Walk::TraverseCXXMethodDecl(f); });
+  }
+  bool TraverseCXXConstructorDecl(CXXConstructorDecl *f) override {
+    return within(f, [&] { return Walk::TraverseCXXConstructorDecl(f); });
+  }
+  bool TraverseCXXDestructorDecl(CXXDestructorDecl *f) override {
+    return within(f, [&] { return Walk::TraverseCXXDestructorDecl(f); });
+  }
+  bool TraverseCXXConversionDecl(CXXConversionDecl *f) override {
+    return within(f, [&] { return Walk::TraverseCXXConversionDecl(f); });
+  }
 
   bool VisitCXXMethodDecl(CXXMethodDecl *method) override {
     for (CXXMethodDecl const *overridden : method->overridden_methods())
@@ -102,7 +110,7 @@ public:
   }
 
 private:
-  template <class Function> bool within(Function *function, bool (Walk::*traverse)(Function *)) {
+  template <class Traverse> bool within(FunctionDecl *function, Traverse const &traverse) {
     if (function->isDependentContext()) return true; // its instantiations tell
     Body *const outer = body_;
     if (function->doesThisDeclarationHaveABody() && !isa_and_nonnull<CXXRecordDecl>(lambda_of(function))) {
@@ -110,7 +118,7 @@ private:
       body_->function = {function->getQualifiedNameAsString(), map_.place(function->getBeginLoc()),
                          map_.place(function->getEndLoc())};
     }
-    bool const done = (this->*traverse)(function);
+    bool const done = traverse();
     body_ = outer;
     return done;
   }

@@ -10,16 +10,17 @@ namespace symreal::rewrite {
 
 // The parts of the tree that a walk may enter in a way of its own. Statements of other kinds are queued by the
 // traversal, so that a long chain of operators needs no deep stack.
+// clang-format off
 #define SYMREAL_ENTERED_STATEMENTS(KIND)                                                                               \
-  KIND(CallExpr)                                                                                                       \
-  KIND(CompoundStmt) KIND(ConstantExpr) KIND(CXXNoexceptExpr) KIND(CXXTypeidExpr) KIND(ForStmt) KIND(IfStmt)           \
-      KIND(LambdaExpr) KIND(SwitchStmt) KIND(UnaryExprOrTypeTraitExpr)
+  KIND(CallExpr) KIND(CompoundStmt) KIND(ConstantExpr) KIND(CXXNoexceptExpr) KIND(CXXTypeidExpr) KIND(ForStmt)         \
+  KIND(IfStmt) KIND(LambdaExpr) KIND(SwitchStmt) KIND(UnaryExprOrTypeTraitExpr)
 #define SYMREAL_ENTERED_DECLARATIONS(KIND)                                                                             \
-  KIND(CXXConstructorDecl)                                                                                             \
-  KIND(CXXConversionDecl) KIND(CXXDestructorDecl) KIND(CXXMethodDecl) KIND(CXXRecordDecl) KIND(EnumConstantDecl)       \
-      KIND(FunctionDecl) KIND(NonTypeTemplateParmDecl) KIND(RecordDecl) KIND(StaticAssertDecl)                         \
-          KIND(UnresolvedUsingValueDecl) KIND(UsingDecl) KIND(VarDecl)
-#define SYMREAL_ENTERED_TYPES(KIND) KIND(ConstantArrayTypeLoc) KIND(DecltypeTypeLoc) KIND(TemplateSpecializationTypeLoc)
+  KIND(CXXConstructorDecl) KIND(CXXConversionDecl) KIND(CXXDestructorDecl) KIND(CXXMethodDecl) KIND(CXXRecordDecl)     \
+  KIND(EnumConstantDecl) KIND(FunctionDecl) KIND(NonTypeTemplateParmDecl) KIND(RecordDecl) KIND(StaticAssertDecl)      \
+  KIND(UnresolvedUsingValueDecl) KIND(UsingDecl) KIND(VarDecl)
+#define SYMREAL_ENTERED_TYPES(KIND)                                                                                    \
+  KIND(ConstantArrayTypeLoc) KIND(DecltypeTypeLoc) KIND(TemplateSpecializationTypeLoc)
+// clang-format on
 
 class Walk {
 public:
