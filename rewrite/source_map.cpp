@@ -71,9 +71,20 @@ std::string SourceMap::compiled_name(llvm::StringRef name) const {
   return name.str();
 }
 
+// To Clang a line that is continued belongs to the token at the beginning of the next.
+static unsigned behind_continuations(llvm::StringRef text, unsigned at) {
+  while (text.substr(at).starts_with("\\")) {
+    std::size_t const next = text.find_first_not_of(" \t\r", at + 1);
+    if (next == text.npos || text[next] != '\n') break;
+    at = static_cast<unsigned>(next) + 1;
+  }
+  return at;
+}
+
 std::optional<Span> SourceMap::characters(clang::SourceLocation begin, clang::SourceLocation end) const {
-  auto const [file, first] = sources_.getDecomposedLoc(begin);
+  auto const [file, clang_first] = sources_.getDecomposedLoc(begin);
   auto const [last_file, last] = sources_.getDecomposedLoc(end);
+  unsigned const first = behind_continuations(sources_.getBufferData(file), clang_first);
   if (file != last_file || last <= first || path(file).empty()) return std::nullopt;
   return Span{path(file), first, last};
 }
@@ -105,6 +116,13 @@ std::optional<Span> SourceMap::range(clang::SourceRange range) const {
   clang::SourceLocation begin = range.getBegin(), end = range.getEnd();
   llvm::SmallString<16> scratch;
   if (!begin.isMacroID() || !end.isMacroID()) return std::nullopt;
+  // Both ends stand in one argument, which is spelled with macros itself.
+  while (sources_.getFileID(begin) != sources_.getFileID(end) && sources_.isMacroArgExpansion(begin) &&
+         sources_.isMacroArgExpansion(end) &&
+         sources_.getImmediateExpansionRange(begin).getBegin() == sources_.getImmediateExpansionRange(end).getBegin()) {
+    begin = sources_.getImmediateSpellingLoc(begin);
+    end = sources_.getImmediateSpellingLoc(end);
+  }
   // Where one end is an argument and the other stands in the macro's body, the body names the parameter.
   if (sources_.getFileID(begin) != sources_.getFileID(end)) {
     if (sources_.isMacroArgExpansion(begin)) begin = sources_.getImmediateExpansionRange(begin).getBegin();
