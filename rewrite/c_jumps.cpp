@@ -1,9 +1,11 @@
 // `int n = f(), m = 2;` becomes `int n; initialised(n) = f(); int m; initialised(m) = 2;` where a jump passes it. The
-// words are inserted, so that the initialisers keep what other rules do to them.
+// words are inserted, so that the initialisers keep what other rules do to them. An array of REALs becomes a class of
+// its own: g++ takes that of a class with constructors for initialised.
 #include "rewrite/c_jumps.h"
 #include "rewrite/walk.h"
 
 #include "rewrite/pragma_text.h"
+#include "rewrite/reals.h"
 
 #include <vector>
 
@@ -83,6 +85,11 @@ private:
       if (auto const *variable = dyn_cast<VarDecl>(one)) variables.push_back(variable);
     auto const is_initialised = [](VarDecl const *one) { return one->hasLocalStorage() && one->hasInit(); };
     auto const first = std::find_if(variables.begin(), variables.end(), is_initialised);
+    bool const has_array = std::any_of(variables.begin(), variables.end(), [&](VarDecl const *one) {
+      return one->hasLocalStorage() && one->getType()->isArrayType() &&
+             Reals::is_double(context_.getBaseElementType(one->getType()));
+    });
+    if (has_array) return declare_anew(declaration, variables, first == variables.end());
     if (first == variables.end()) return;
     std::vector<Wrap> words;
     bool possible = unlock(declaration, variables, words);
@@ -97,6 +104,34 @@ private:
                                     "a jump passes the initialisation of '" + (*first)->getNameAsString() +
                                         "', which is spelled in parts or has a type without a name",
                                     map_.expansions((*first)->getLocation())});
+  }
+
+  void declare_anew(DeclStmt const &declaration, std::vector<VarDecl const *> const &variables, bool no_initialiser) {
+    std::string words;
+    PrintingPolicy policy(context_.getLangOpts());
+    for (VarDecl const *variable : variables) {
+      std::string const name = variable->getNameAsString();
+      QualType const type = variable->getType();
+      bool const is_array = type->isArrayType() && Reals::is_double(context_.getBaseElementType(type));
+      words.append(words.empty() ? "" : "; ");
+      words += is_array ? "::symreal::SymrealArray<" + with_real(type.getAsString(policy)) + "> " + name
+                        : declared(type, name, policy);
+    }
+    SourceLocation const begin = declaration.getBeginLoc();
+    if (map_.is_argument_of(begin, "REAL_EITHER")) return;
+    bool const is_possible =
+        no_initialiser && std::distance(declaration.decl_begin(), declaration.decl_end()) == std::ssize(variables);
+    std::optional<Span> const span =
+        is_possible ? map_.range({begin, variables.back()->getEndLoc()}) : std::optional<Span>();
+    if (span)
+      facts_.wraps.insert({*span, Use::instead, words});
+    else
+      facts_.diagnostics.push_back({DiagnosticId::c_source, Severity::error, map_.place(begin),
+                                    "a jump passes the declaration of an array of REALs", map_.expansions(begin)});
+  }
+  static std::string declared(QualType type, std::string name, PrintingPolicy const &policy) {
+    type.getAsStringInternal(name, policy);
+    return with_real(name);
   }
 
   // Objects that get their value later are not const.

@@ -84,6 +84,12 @@ private:
 };
 template <class T> constexpr Initialised<T> symreal_initialised(T &object) noexcept { return Initialised<T>(object); }
 
+// An array that a jump may pass: a class without constructors, which converts to a pointer to its first element.
+template <class Array> struct SymrealArray {
+  Array elements;
+  constexpr operator std::remove_extent_t<Array> *() noexcept { return elements; }
+};
+
 // Of _Generic: is it the type of the controlling expression's value? The default is looked at last.
 struct SymrealOtherwise {};
 template <class Control, bool is_last, class Type> constexpr bool symreal_is_associated() noexcept {

@@ -1,0 +1,47 @@
+/* Jumps past declarations of arrays: g++ takes an array of a class that has constructors for initialised. */
+// RUN: %rewrite %s -- | FileCheck %s
+// RUN: %same %s --
+// RUN: %rewrite %s -- > %t.rewritten.c && %rewrite %t.rewritten.c -- | diff %t.rewritten.c -
+// RUN: %symreal generate %s -o %t.c && %symreal verify %s %t.c 2>&1 | FileCheck %s --check-prefix=SAME
+// RUN: not %rewrite %s -- -DINITIALISED 2>&1 | FileCheck %s --check-prefix=INITIALISED
+// SAME: y {{ *}}1 {{ *}}0 {{ *}}0
+#include <stdio.h>
+
+static double f(int kind, double x)
+{
+    switch (kind) {
+    case 0:
+        x = 2 * x;
+        // CHECK: REAL_EITHER((REAL a[2][2], s, *p), ::symreal::SymrealArray<REAL[2][2]> a; REAL s; REAL *p);
+        double a[2][2], s, *p;
+        for (int i = 0; i < 4; i++) a[i / 2][i % 2] = i * x;
+        s = a[1][1];
+        p = a[1];
+        p[0] += sizeof(a);
+        return s + *p;
+    case 1:
+        goto end;
+#ifdef INITIALISED
+        // INITIALISED: jumps_past_arrays.c:[[@LINE+1]]:9: error: a jump passes the declaration of an array of REALs [SYM037]
+        double b[2] = {1, x};
+        return b[0];
+#endif
+    default:
+        break;
+    }
+    double t[3];
+    t[0] = x;
+    return t[0];
+end:
+    return 5 - x;
+}
+
+int main(void)
+{
+    double x = 0.5, y;
+#pragma symreal input(x)
+    y = f(0, x) + f(1, x) + f(2, x);
+#pragma symreal output(y) generate("y.c")
+    printf("%.17g\n", y);
+    return 0;
+}
