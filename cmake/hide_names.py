@@ -11,7 +11,7 @@ import subprocess
 import sys
 
 # Every way to read them. With each standard come names of the library.
-MODES = [["-DMBD_REPLAY"], ["-DMBD_SYMBOLIC"], ["-DMBD_SYMBOLIC", "-DSYMREAL_SOURCE_OF_C"]]
+MODES = [["-DMBD_REPLAY"], ["-DMBD_SYMBOLIC"], ["-DMBD_SYMBOLIC", "-DSYMREAL_BEFORE_CXX20"], ["-DMBD_SYMBOLIC", "-DSYMREAL_SOURCE_OF_C"]]
 STANDARDS = ["-std=gnu++20", "-std=gnu++23"]
 
 RESERVED = re.compile(r"_[A-Z]|.*__|[Ss]ymreal|SYMREAL_|REAL_|MBD_")

@@ -62,7 +62,6 @@ Command compiler_run(Words words, std::string const &directory) {
   return {.arguments = std::move(words), .directory = directory, .environment = {"LC_ALL=C", "GCC_COLORS="}};
 }
 
-// Where char8_t is a type of its own.
 bool is_cxx20(Words const &flags) {
   bool is = false;
   for (std::string_view const flag : flags)
@@ -76,6 +75,7 @@ bool is_cxx20(Words const &flags) {
 Words language_flags(Words const &flags, bool is_c, std::string const &compiler) {
   Words words;
   if (is_c || !is_cxx20(flags)) words.emplace_back("-fno-char8_t");
+  if (!is_c && !is_cxx20(flags)) words.emplace_back("-DSYMREAL_BEFORE_CXX20"); // for allocator.h
   if (compiler.find("clang") != compiler.npos) return words;
   constexpr char const *arguments_first = "-DSYMREAL_ARGUMENTS_FIRST"; // before what is called (text.h)
   if (is_c) append(words, {"-fno-strong-eval-order", arguments_first});

@@ -19,6 +19,10 @@ public:
       if (!type && is_replaced(end)) continue;
       known = known && replace_colon(end) && (type || replace(end, "default", "::symreal::SymrealOtherwise"));
     }
+    for (Expr const *chosen : selection->getAssocExprs())
+      if (chosen->getType()->isVoidPointerType() &&
+          chosen->isNullPointerConstant(context_, Expr::NPC_NeverValueDependent) && !is_replaced(chosen->getBeginLoc()))
+        null(*chosen);
     if (!known)
       facts_.diagnostics.push_back({DiagnosticId::c_source, Severity::error, map_.place(selection->getBeginLoc()),
                                     "macros make parts of this _Generic", map_.expansions(selection->getBeginLoc())});
@@ -44,6 +48,12 @@ private:
       end = sources.isMacroArgExpansion(end) ? sources.getImmediateSpellingLoc(end)
                                              : sources.getImmediateExpansionRange(end).getEnd();
     }
+  }
+
+  // NULL converts to any pointer there; in C++ only by its own name, and not as the value of an expression.
+  void null(Expr const &pointer) {
+    if (std::optional<Span> const span = map_.range(pointer.getSourceRange()))
+      facts_.wraps.insert({*span, Use::instead, "nullptr"});
   }
 
   bool replace(SourceLocation at, llvm::StringRef spelling, std::string words) {

@@ -3,6 +3,7 @@
 #include "rewrite/c_walk.h"
 #include "rewrite/library_names.h"
 #include "rewrite/own_names.h"
+#include "rewrite/reals.h"
 
 namespace symreal::rewrite {
 namespace {
@@ -15,6 +16,14 @@ public:
 
   bool VisitNamedDecl(NamedDecl *declaration) override {
     rename(*declaration, declaration->getLocation());
+    return true;
+  }
+  // Symbolic mode has a declaration of its own.
+  bool VisitFunctionDecl(FunctionDecl *function) override {
+    SourceLocation const at = function->getLocation();
+    if (!Reals::is_declared_math(function) || !map_.in_roots(at) || is_rewritten(at)) return true;
+    if (!insert(map_.token(at, function->getName()), Use::of_library, function->getNameAsString()))
+      report(at, "a macro makes '" + function->getNameAsString() + "', which is a function of the C library");
     return true;
   }
   bool VisitDeclRefExpr(DeclRefExpr *use) override {

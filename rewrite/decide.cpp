@@ -70,6 +70,7 @@ Rewording rewording(Wrap const &wrap, bool is_shared) {
   case Use::table: return make("SYMREAL_REAL_TABLE(" + wrap.detail + ", ", ")");
   case Use::pasted: return make("SYMREAL_REAL_PASTED((" + wrap.detail + "), ", ")");
   case Use::prototype: return make(" SYMREAL_REAL_PROTOTYPE((" + wrap.detail + "), ", ")");
+  case Use::of_library: return make("SYMREAL_REAL_EITHER((", "), symreal_" + wrap.detail + ")");
   case Use::own_name:
   case Use::name: return make("SYMREAL_REAL_NAME(", ")");
   case Use::external: return make("SYMREAL_REAL_EXTERNAL(", ", " + wrap.detail + ")");
@@ -162,6 +163,7 @@ void add_wraps(Facts const &facts, std::set<Span> const &pragmas, ByFile &reword
     if (wrap.use == Use::value && facts.number_readers.count(wrap.detail) != 0) continue;
     bool const is_name = wrap.use == Use::name || wrap.use == Use::own_name;
     if (wrap.use == Use::own_name && !is_defined(facts, wrap)) continue;
+    if (wrap.use == Use::of_library && is_defined(facts, wrap)) continue;
     bool const is_text = wrap.use != Use::pasted && is_quoted(facts, wrap.span);
     if (is_text && is_name)
       result.diagnostics.push_back(
@@ -175,7 +177,7 @@ void add_wraps(Facts const &facts, std::set<Span> const &pragmas, ByFile &reword
 // A type in the words of the file, with the types in it that change.
 std::string type_text(Facts const &facts, Span const &span) {
   std::string const &file = facts.files.at(span.file).text;
-  std::string text;
+  std::string text; // in one line: what is inserted moves no others
   std::size_t at = span.begin;
   for (auto token = facts.types.lower_bound({{span.file, span.begin, 0}, ""}); token != facts.types.end(); ++token) {
     if (token->span.file != span.file || token->span.end > span.end) break;
@@ -183,7 +185,9 @@ std::string type_text(Facts const &facts, Span const &span) {
     text += file.substr(at, token->span.begin - at) + token->replacement;
     at = token->span.end;
   }
-  return text + file.substr(at, span.end - at);
+  text += file.substr(at, span.end - at);
+  std::replace_if(text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
+  return text;
 }
 
 // On a line that is kept as it is, it is the user who says that the bytes are not those of a number, or that what

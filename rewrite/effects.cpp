@@ -18,6 +18,22 @@ VarDecl const *own_variable(Expr const *object) {
   return variable->getType()->isPointerType() && name != object->IgnoreParenImpCasts() ? nullptr : variable;
 }
 
+// *this, its members and their elements; not what a pointer or reference in it leads to.
+bool is_of_this(Expr const *object) {
+  object = object->IgnoreParenImpCasts();
+  if (isa<CXXThisExpr>(object)) return true;
+  if (auto const *pointed = dyn_cast<UnaryOperator>(object))
+    return pointed->getOpcode() == UO_Deref && isa<CXXThisExpr>(pointed->getSubExpr()->IgnoreParenImpCasts());
+  if (auto const *index = dyn_cast<ArraySubscriptExpr>(object)) {
+    Expr const *array = index->getBase()->IgnoreParenImpCasts();
+    return array->getType()->isArrayType() && is_of_this(array);
+  }
+  auto const *member = dyn_cast<MemberExpr>(object);
+  auto const *field = member ? dyn_cast<FieldDecl>(member->getMemberDecl()) : nullptr;
+  if (!field || field->getType()->isReferenceType()) return false;
+  return member->isArrow() ? isa<CXXThisExpr>(member->getBase()->IgnoreParenImpCasts()) : is_of_this(member->getBase());
+}
+
 // A function of mathematics, as the library declares it or as the compiler knows it.
 bool is_mathematical(FunctionDecl const *function, Reals const &reals) {
   if (reals.is_math(function)) return true;
@@ -82,7 +98,9 @@ public:
       object = member->getImplicitObjectArgument();
     else if (isa<CXXOperatorCallExpr>(call) && call->getNumArgs() > 0)
       object = call->getArg(0);
-    return !object || change(object);
+    if (!object) return true;
+    bool const is_pointee = object->getType()->isPointerType() && !isa<CXXThisExpr>(object->IgnoreParenImpCasts());
+    return is_pointee ? add(EffectAnalysis::Reach::anything) : change(object);
   }
   EffectAnalysis::Reach result = EffectAnalysis::Reach::none;
 
@@ -98,9 +116,7 @@ private:
     }
     if (VarDecl const *variable = own_variable(object); variable && variable->getDeclContext() == function_)
       return true;
-    Expr const *base = Storage::base(object);
-    bool const is_own = isa_and_nonnull<CXXThisExpr>(base) || isa<CXXThisExpr>(object);
-    return add(is_own ? EffectAnalysis::Reach::own_object : EffectAnalysis::Reach::anything);
+    return add(is_of_this(object) ? EffectAnalysis::Reach::own_object : EffectAnalysis::Reach::anything);
   }
 
   EffectAnalysis &analysis_;

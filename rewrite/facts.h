@@ -82,6 +82,7 @@ enum class Use {
   prototype,   // of a function that is declared as before C89
   name,        // a name of C that is a keyword of C++, or another's there
   own_name,    // the same, of a function or variable: where a source defines it
+  of_library,  // a function of the C library that the program declares itself: where no source defines it
   division,    // before C99, the first of `//`, which C++ takes for a comment
   environment, // errno, and what reads or sets the floating-point environment
   formatting,  // the name of a function that makes text of numbers, or moves text
@@ -105,7 +106,8 @@ struct Wrap {
   // and state: the other arguments (returned: with the rest of the macro's name before them); value: the function of
   // the program, if it is one, whose variadic argument the expression is; as_width, width: the bits, and whether they
   // are signed; external, table, formatting: the other arguments; pasted: the text that the macro expands to; name,
-  // own_name: it; layout, padding: sizes and offsets; prototype: the parameters; before, behind, instead: the words
+  // own_name, of_library: it; layout, padding: sizes and offsets; prototype: the parameters; before, behind, instead:
+  // the words
   std::string detail;
   auto operator<=>(Wrap const &) const = default;
 };

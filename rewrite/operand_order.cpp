@@ -54,8 +54,6 @@ bool gcc_begins_on_the_right(BinaryOperator const *binary) {
 }
 
 class OperandOrder : public ContextWalk {
-  using Walk = ContextWalk;
-
 public:
   OperandOrder(ASTContext const &context, SourceMap const &map, Reals const &reals, Facts &facts)
       : ContextWalk(map, reals),
@@ -102,7 +100,8 @@ public:
     FunctionDecl const *function = call->getDirectCallee();
     std::vector<Expr const *> all(call->arg_begin(), call->arg_end());
     bool const has_object = isa<CXXOperatorCallExpr>(call) && isa_and_nonnull<CXXMethodDecl>(function) && !all.empty();
-    if (auto const *operation = dyn_cast<CXXOperatorCallExpr>(call); operation && operation->isInfixBinaryOp())
+    if (auto const *operation = dyn_cast<CXXOperatorCallExpr>(call);
+        operation && operation->isInfixBinaryOp() && Reals::is_double(call->getArg(1)->getType()))
       if (std::optional<Span> const span = map_.range(call->getArg(1)->getSourceRange())) on_classes_.insert(*span);
     for (std::size_t i = has_object ? 1 : 0; i < all.size(); ++i) argument(all, i);
     return true;
@@ -116,7 +115,7 @@ public:
     return true;
   }
 
-  // One text for both: an operator of the language, in another instantiation one of a class.
+  // One text for both: an operator of the language, in another instantiation one of a class with a number.
   void refuse_mixed() {
     for (auto const &[span, place] : on_numbers_)
       if (on_classes_.contains(span) && facts_.wraps.contains({span, Use::later, ""})) refuse(place);

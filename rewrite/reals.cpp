@@ -100,8 +100,14 @@ bool Reals::is_math_name(llvm::StringRef name) {
   return names.contains(name) || name == "isinf_sign";
 }
 
+bool Reals::is_declared_math(FunctionDecl const *function) {
+  return !function->getASTContext().getLangOpts().CPlusPlus && function->isExternC() && !function->isDefined() &&
+         function->getBuiltinID() != 0 && is_math_name(function->getName());
+}
+
 bool Reals::is_math(FunctionDecl const *function) const {
-  if (!function || !function->getDeclName().isIdentifier() || in_roots(function)) return false;
+  if (!function || !function->getDeclName().isIdentifier()) return false;
+  if (in_roots(function)) return is_declared_math(function);
   DeclContext const *context = function->getDeclContext()->getRedeclContext();
   if (!context->isTranslationUnit() && !function->isInStdNamespace()) return false;
   if (function->getName() == "lerp") return function->isInStdNamespace();

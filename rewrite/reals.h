@@ -73,6 +73,8 @@ public:
   // A function of <math.h> or <cmath>, for which the runtime has an overload.
   bool is_math(clang::FunctionDecl const *function) const;
   static bool is_math_name(llvm::StringRef name);
+  // In C: one that the program declares itself, and does not define.
+  static bool is_declared_math(clang::FunctionDecl const *function);
 
   // What the function was before its template parameters were replaced.
   static clang::FunctionDecl const *pattern(clang::FunctionDecl const *function);

@@ -97,6 +97,10 @@ void Recorder::call(CallExpr const *call) {
     overloaded = member->hadMultipleCandidates();
   std::vector<Expr const *> all(call->arg_begin(), call->arg_end());
   if (isa<CXXOperatorCallExpr>(call) && isa<CXXMethodDecl>(function) && !all.empty()) all.erase(all.begin());
+  // stream.operator<<(x): the operator for REALs is no member.
+  if (isa<CXXMemberCallExpr>(call) && function->getOverloadedOperator() == OO_LessLess &&
+      runtime_overloads(function, map_.sources()) && all.size() == 1 && reals_.is_real(all[0]))
+    wrap_for(call->getRParenLoc(), all[0], Use::value, function->getQualifiedNameAsString());
   arguments(call->getRParenLoc(), function, written_arguments(all), overloaded);
 }
 
@@ -105,8 +109,26 @@ void Recorder::construction(CXXConstructExpr const *construction) {
   CXXConstructorDecl const *constructor = construction->getConstructor();
   if (constructor->isCopyOrMoveConstructor()) return;
   if (construction->getParenOrBraceRange().isInvalid()) converting_construction(construction);
+  kept_callable(construction);
   std::vector<Expr const *> const all(construction->arg_begin(), construction->arg_end());
   arguments(construction->getLocation(), constructor, written_arguments(all), construction->hadMultipleCandidates());
+}
+
+// A std::function with an integer or a float as its result, of a callable with a double.
+void Recorder::kept_callable(CXXConstructExpr const *construction) {
+  auto const *type = dyn_cast<ClassTemplateSpecializationDecl>(construction->getConstructor()->getParent());
+  if (!type || !type->isInStdNamespace() || type->getName() != "function" || construction->getNumArgs() != 1) return;
+  auto const *signature = type->getTemplateArgs()[0].getAsType()->getAs<FunctionProtoType>();
+  Expr const *callable = construction->getArg(0)->IgnoreImplicit();
+  FunctionDecl const *function = nullptr;
+  if (CXXRecordDecl const *lambda = callable->getType()->getAsCXXRecordDecl(); lambda && lambda->isLambda())
+    function = lambda->getLambdaCallOperator();
+  else if (auto const *name = dyn_cast<DeclRefExpr>(callable))
+    function = dyn_cast<FunctionDecl>(name->getDecl());
+  if (!signature || !function || !reals_.in_roots(function) || !Reals::is_double(function->getReturnType())) return;
+  QualType const result = signature->getReturnType();
+  if (result->isArithmeticType() && !Reals::is_double(result))
+    wrap(callable, Use::before, "::symreal::SymrealReturning<" + spelled(result) + ">() ->*");
 }
 
 // An implicit conversion through a constructor that takes double: from a literal it would need two steps, double to
@@ -133,6 +155,7 @@ void Recorder::arguments(SourceLocation call, FunctionDecl const *function, Argu
       if (elements && (deduced || elements->getNumInits() <= 2)) deduced_elements(elements);
     }
     truth_argument(function, i, arguments[i], overloaded);
+    extreme_argument(function, i, arguments[i]);
     if (outside)
       outside_argument(call, function, i, arguments[i]);
     else if (i < function->getNumParams() || !function->isVariadic())

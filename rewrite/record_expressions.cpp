@@ -70,6 +70,18 @@ ImplicitCastExpr const *conversion_by_class(Expr const *expression) {
   return cast && cast->getCastKind() == CK_UserDefinedConversion ? cast : nullptr;
 }
 
+// numeric_limits<NUMBER>::epsilon() in a macro is one text for all of its uses, and gives a REAL where they do.
+bool gives_real_by_macro(Stmt const *part) {
+  auto const *call = dyn_cast_or_null<CallExpr>(part);
+  auto const *method = call ? dyn_cast_or_null<CXXMethodDecl>(call->getDirectCallee()) : nullptr;
+  auto const *type = method ? dyn_cast<ClassTemplateSpecializationDecl>(method->getParent()) : nullptr;
+  if (type && call->getBeginLoc().isMacroID() && Reals::is_double(call->getType())) {
+    TemplateArgument const &argument = type->getTemplateArgs()[0];
+    return argument.getKind() == TemplateArgument::Type && Reals::is_double(argument.getAsType());
+  }
+  return part && std::any_of(part->child_begin(), part->child_end(), gives_real_by_macro);
+}
+
 } // namespace
 
 void Recorder::implicit_cast(ImplicitCastExpr const *cast, bool decides) {
@@ -80,7 +92,10 @@ void Recorder::implicit_cast(ImplicitCastExpr const *cast, bool decides) {
   case CK_FloatingToIntegral:
   case CK_FloatingToBoolean:
   case CK_FloatingCast:
-    if (cast->isPartOfExplicitCast() || decides || !Reals::is_double(from->getType()) || !reals_.is_real(from)) return;
+    if (auto const *first = conversion_by_class(from); first && reals_.is_real(from)) // two steps
+      return wrap(from, Use::conversion, spelled(decides ? first->getType() : to));
+    if (cast->isPartOfExplicitCast() || decides || !Reals::is_double(from->getType())) return;
+    if (!reals_.is_real(from) && !gives_real_by_macro(from)) return;
     if (compared_exactly_.contains(cast)) return;
     if (to->isSpecificBuiltinType(BuiltinType::LongDouble)) // an operand, perhaps, with no context of its own
       return wrap(from, Use::conversion, spelled(to));
@@ -104,10 +119,8 @@ void Recorder::implicit_cast(ImplicitCastExpr const *cast, bool decides) {
   case CK_IntegralCast:
     if (!map_.language().CPlusPlus && to->isEnumeralType() && !cast->isPartOfExplicitCast() &&
         !from->IgnoreParens()->getType()->isEnumeralType() &&
-        enumeration_of(from) != to->getAsTagDecl()->getCanonicalDecl()) {
-      bool const is_named = to->getAsTagDecl()->getIdentifier() || to->getAs<TypedefType>();
-      convert(from, is_named ? Use::cast : Use::fit, spelled(to));
-    }
+        enumeration_of(from) != to->getAsTagDecl()->getCanonicalDecl())
+      convert(from, Use::fit, {}); // a cast in numeric mode too would be folded otherwise
     return;
   default: return;
   }
@@ -130,6 +143,39 @@ void Recorder::converted_operands(BinaryOperator const *operation, DeclContext c
              has_operator(BinaryOperator::getOverloadedOperator(operation->getOpcode()), from))
       wrap(operand->IgnoreImpCasts(), Use::literal);
   }
+}
+
+void Recorder::converted_operand(UnaryOperator const *operation) {
+  Expr const *const operand = operation->getSubExpr();
+  if (!operation->isTypeDependent() && Reals::is_double(operand->getType()) && reals_.is_real(operand) &&
+      conversion_by_class(operand))
+    wrap(operand, Use::conversion, spelled(operand->getType()));
+}
+
+// 2.0i is of the library's class of doubles, which does not go with that of REALs.
+void Recorder::complex_literal(UserDefinedLiteral const *literal) {
+  if (literal->isTypeDependent() || reals_.in_roots(literal->getDirectCallee()) ||
+      !map_.in_roots(literal->getBeginLoc()))
+    return;
+  if (auto const *type = dyn_cast_or_null<ClassTemplateSpecializationDecl>(literal->getType()->getAsCXXRecordDecl());
+      type && type->isInStdNamespace() && type->getName() == "complex" &&
+      Reals::is_double(type->getTemplateArgs()[0].getAsType()))
+    wrap(literal, Use::conversion, "::std::complex<" + std::string(reserved_type_name) + ">");
+}
+
+// C++20, which symbolic mode is, has functions in place of std::allocator<T>::construct and destroy.
+void Recorder::removed_member(CXXMemberCallExpr const *call) {
+  auto const *callee = dyn_cast<MemberExpr>(call->getCallee());
+  CXXMethodDecl const *method = call->getMethodDecl();
+  if (map_.language().CPlusPlus20 || !callee || !method || !method->getParent()->isInStdNamespace() ||
+      !method->getIdentifier() || callee->isArrow() || !map_.in_roots(callee->getMemberLoc()))
+    return;
+  bool const constructs = method->getName() == "construct", destroys = method->getName() == "destroy";
+  if ((!constructs && !destroys) || method->getParent()->getName() != "__new_allocator" ||
+      callee->getBase()->HasSideEffects(context_) || map_.is_argument_of(callee->getBeginLoc(), "REAL_EITHER"))
+    return;
+  if (std::optional<Span> const span = map_.range({callee->getBeginLoc(), callee->getMemberLoc()}))
+    facts_.wraps.insert({*span, Use::instead, constructs ? "::std::construct_at" : "::std::destroy_at"});
 }
 
 // Has the program an operator of this kind that is found by its name alone?
@@ -216,7 +262,8 @@ void Recorder::constant_initializer(Expr const *initializer) {
   }
   if (auto const *cast = dyn_cast<ImplicitCastExpr>(initializer); cast && cast->getCastKind() != CK_LValueToRValue)
     return constant_initializer(cast->getSubExpr());
-  if (Reals::is_double(initializer->getType()) && reals_.is_real(initializer)) wrap(initializer, Use::value);
+  if (Reals::is_double(initializer->getType()) && (reals_.is_real(initializer) || gives_real_by_macro(initializer)))
+    wrap(initializer, Use::value);
 }
 
 // `auto s = 0.0`: the literal says what the type is.

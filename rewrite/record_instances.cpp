@@ -89,6 +89,19 @@ void Recorder::truth_argument(FunctionDecl const *function, unsigned index, Expr
   wrap(argument->IgnoreImpCasts(), Use::argument, "bool");
 }
 
+// std::max<long>(i, x > 1): of the overloads for symbolic integers none is better than the others.
+void Recorder::extreme_argument(FunctionDecl const *function, unsigned index, Expr const *argument) {
+  if (index >= function->getNumParams() || !function->isInStdNamespace() || !function->getPrimaryTemplate()) return;
+  if (!function->getIdentifier() || (function->getName() != "min" && function->getName() != "max")) return;
+  QualType const parameter = function->getParamDecl(index)->getType().getNonReferenceType();
+  Expr const *written = argument->IgnoreParenImpCasts();
+  if (auto const *temporary = dyn_cast<MaterializeTemporaryExpr>(argument)) written = temporary->getSubExpr();
+  written = written->IgnoreParenImpCasts();
+  if (parameter->isIntegerType() && !context_.hasSameUnqualifiedType(parameter, written->getType()) &&
+      may_be_truth(written))
+    wrap(written, Use::conversion, spelled(parameter));
+}
+
 // sizeof(x > 1), decltype(x > 1): a comparison of REALs is a class of its own, and in a template it may be one.
 void Recorder::looked_at(Expr const *operand) {
   Expr const *bare = operand->IgnoreParens();

@@ -163,6 +163,8 @@ std::vector<std::string> command_line(Compilation const &compilation) {
                                     "-fno-caret-diagnostics",
                                     "-resource-dir=" SYMREAL_CLANG_RESOURCES,
                                     "-isystem",
+                                    runtime_include() + "/reading",
+                                    "-isystem",
                                     runtime_include(),
                                     "-ferror-limit=20"};
   std::vector<std::string> const &flags = compilation.flags;

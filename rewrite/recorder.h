@@ -41,6 +41,10 @@ public:
   void dependent_variadic_call(clang::CallExpr const *call);
   void variadic_definition(clang::FunctionDecl const *function);
   void converting_construction(clang::CXXConstructExpr const *construction);
+  void converted_operand(clang::UnaryOperator const *operation);
+  void removed_member(clang::CXXMemberCallExpr const *call);
+  void kept_callable(clang::CXXConstructExpr const *construction);
+  void complex_literal(clang::UserDefinedLiteral const *literal);
   void converted_operands(clang::BinaryOperator const *operation, clang::DeclContext const *from);
 
   // What an instantiation shows that its template does not (record_instances.cpp).
@@ -133,6 +137,7 @@ public:
   void state_of_construction(clang::CXXConstructExpr const *construction);
 
 private:
+  bool fill(clang::DesignatedInitExpr const &designated, std::uint64_t index, std::uint64_t &next, bool is_counted);
   bool has_operator(clang::OverloadedOperatorKind kind, clang::DeclContext const *from) const;
   void environment(clang::Expr const *expression, char const *what, std::string const &name);
   void shows(clang::CallExpr const *call, clang::FunctionDecl const *function);
@@ -156,6 +161,7 @@ private:
   bool takes_only(clang::FunctionDecl const *function) const;
   bool may_be_truth(clang::Expr const *argument) const;
   void instantiated_arguments(clang::FunctionDecl const *function, Arguments arguments);
+  void extreme_argument(clang::FunctionDecl const *function, unsigned index, clang::Expr const *argument);
   void truth_argument(clang::FunctionDecl const *function, unsigned index, clang::Expr const *argument,
                       bool overloaded);
   void bytes_of_arguments(clang::CallExpr const *call, clang::FunctionDecl const *function);

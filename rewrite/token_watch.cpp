@@ -86,7 +86,7 @@ void watch_tokens(Preprocessor &preprocessor, SourceMap const &map, std::string 
       if (std::optional<Span> const span = map.token(token.getLocation())) facts.doubles.insert(*span);
     } else if (token.is(tok::identifier)) {
       names.note(token.getIdentifierInfo()->getName(), token.getLocation());
-      if (!map.language().CPlusPlus) note_keyword_name(token, map, facts);
+      if (!map.language().CPlusPlus20) note_keyword_name(token, map, facts);
     } else if (token.is(tok::slash) && !map.language().LineComment) {
       note_division(token, map, facts);
     }

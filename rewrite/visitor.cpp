@@ -195,6 +195,14 @@ public:
     if (auto const *object = dyn_cast<ValueDecl>(declaration)) record_.keeps_text(object->getType());
     return true;
   }
+  bool VisitCXXMemberCallExpr(CXXMemberCallExpr *call) override {
+    if (!passive_) record_.removed_member(call);
+    return true;
+  }
+  bool VisitUserDefinedLiteral(UserDefinedLiteral *literal) override {
+    if (!passive_) record_.complex_literal(literal);
+    return true;
+  }
   bool VisitLambdaExpr(LambdaExpr *lambda) override {
     if (!passive_ && !lambda->hasExplicitResultType()) record_.deduced_return(lambda->getBody());
     return true;
@@ -254,6 +262,7 @@ public:
   bool VisitUnaryOperator(UnaryOperator *unary) override {
     record_.c_operation(unary);
     record_.c_widths(unary);
+    if (!passive_) record_.converted_operand(unary);
     if (!passive_ && !no_state_ && unary->isIncrementDecrementOp()) record_.step(unary);
     return unary->getOpcode() != UO_LNot || decide(unary->getSubExpr());
   }

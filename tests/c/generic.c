@@ -21,6 +21,9 @@ int main(void)
     double x = 1.5, y;
 #pragma symreal input(x)
     y = TWICE(x) + TWICE(3) + (double)SIZE(text);
+    // CHECK: _Generic({{.*}}p{{.*}}, int REAL_EITHER((:), ,) "%d", REAL_EITHER((default), ::symreal::SymrealOtherwise)REAL_EITHER((:), ,) REAL_EITHER((NULL), nullptr));
+    char const *format = _Generic(p, int: "%d", default: NULL);
+    if (format) y = 0;
     y += NAME(x)[0] + 2 * NAME(p)[0] + 3 * NAME('c')[0];
 #pragma symreal output(y) generate("y.c")
     printf("%.17g\n", y);

@@ -85,6 +85,7 @@
 /* Macros of the program, from its command line or from before this point, are not seen within our headers. */
 #include <symreal/names_hide.h>
 
+#include <symreal/allocator.h>
 #include <symreal/annotate.h>
 #include <symreal/fit.h>
 #include <symreal/macro_names.h>
@@ -102,7 +103,7 @@
 
 #ifdef MBD_SYMBOLIC
 #define SYMREAL_REAL ::symreal::SymrealReal
-#define SYMREAL_REAL_C(...) (::symreal::SymrealReal(__VA_ARGS__))
+#define SYMREAL_REAL_C(...) (static_cast<::symreal::SymrealReal>(__VA_ARGS__)) /* T(A(b)) may be a type */
 #define SYMREAL_REAL_VALUE(...) (::symreal::symreal_value(__VA_ARGS__))
 #define SYMREAL_REAL_TO(type, ...) (static_cast<type>(__VA_ARGS__))
 /* In a template: as a double converts to the parameter's type, of a call that was chosen for a double. */

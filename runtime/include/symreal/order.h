@@ -47,9 +47,13 @@ template <class T> [[gnu::always_inline]] constexpr later_result<T> symreal_late
   return static_cast<T &&>(x);
 }
 
-template <class Function>
-[[gnu::always_inline]] constexpr types::Later<Function> symreal_later(Function function) noexcept {
-  return {function};
+// In another instantiation of a template the operand may be of a class, whose operators are calls in the original too.
+template <class Function> [[gnu::always_inline]] constexpr decltype(auto) symreal_later(Function function) noexcept {
+  using Result = std::remove_cvref_t<decltype(function())>;
+  if constexpr (is_number_or_truth<Result> || std::is_convertible_v<Result const &, RealNumber>)
+    return types::Later<Function>{function};
+  else
+    return function();
 }
 
 // The value that the object has now; a class is handed over as it is.

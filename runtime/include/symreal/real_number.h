@@ -257,6 +257,26 @@ SYMREAL_COMPARISON(!=, ne)
   return SymbolicBool::from_condition(detail::record(Op::logical_not, x.condition(), 0.0, 0.0));
 }
 
+template <class T, bool = __is_class(T)> inline constexpr bool is_plain_number = false;
+template <class T> inline constexpr bool is_plain_number<T, false> = std::is_arithmetic_v<T>;
+
+// A plain number as it is: where it had to be converted, a class that is made of a number too and has the operator
+// would do as well, vector(int) in 5 * epsilon.
+#define SYMREAL_BESIDE_PLAIN(op)                                                                                       \
+  template <class T, std::enable_if_t<is_plain_number<T>, int> = 0>                                                    \
+  [[gnu::always_inline]] constexpr RealNumber operator op(T x, RealNumber y) noexcept {                                \
+    return RealNumber(x) op y;                                                                                         \
+  }                                                                                                                    \
+  template <class T, std::enable_if_t<is_plain_number<T>, int> = 0>                                                    \
+  [[gnu::always_inline]] constexpr RealNumber operator op(RealNumber x, T y) noexcept {                                \
+    return x op RealNumber(y);                                                                                         \
+  }
+SYMREAL_BESIDE_PLAIN(+)
+SYMREAL_BESIDE_PLAIN(-)
+SYMREAL_BESIDE_PLAIN(*)
+SYMREAL_BESIDE_PLAIN(/)
+#undef SYMREAL_BESIDE_PLAIN
+
 // i += x for an arithmetic i: what the original did, a conversion back included.
 #define SYMREAL_COMPOUND(op)                                                                                           \
   template <class T, class = std::enable_if_t<std::is_arithmetic_v<T>>>                                                \
