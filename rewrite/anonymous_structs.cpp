@@ -1,4 +1,5 @@
 #include "rewrite/anonymous_structs.h"
+
 #include "rewrite/walk.h"
 
 namespace symreal::rewrite {

@@ -1,4 +1,5 @@
 #include "rewrite/arm_walker.h"
+
 #include "rewrite/walk.h"
 
 namespace symreal::rewrite {

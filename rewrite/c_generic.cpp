@@ -1,4 +1,5 @@
 #include "rewrite/c_generic.h"
+
 #include "rewrite/walk.h"
 
 namespace symreal::rewrite {

@@ -2,10 +2,10 @@
 // words are inserted, so that the initialisers keep what other rules do to them. An array of REALs becomes a class of
 // its own: g++ takes that of a class with constructors for initialised.
 #include "rewrite/c_jumps.h"
-#include "rewrite/walk.h"
 
 #include "rewrite/pragma_text.h"
 #include "rewrite/reals.h"
+#include "rewrite/walk.h"
 
 #include <vector>
 

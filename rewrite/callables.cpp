@@ -1,9 +1,9 @@
 #include "rewrite/callables.h"
-#include "rewrite/walk.h"
 
 #include "rewrite/plain_declaration.h"
 #include "rewrite/record_source.h"
 #include "rewrite/source_map.h"
+#include "rewrite/walk.h"
 
 #include <algorithm>
 #include <clang/AST/QualTypeNames.h>

@@ -1,4 +1,5 @@
 #include "rewrite/conditions.h"
+
 #include "rewrite/walk.h"
 
 namespace symreal::rewrite {

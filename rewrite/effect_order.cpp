@@ -1,4 +1,5 @@
 #include "rewrite/externals.h"
+
 #include "rewrite/walk.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #include "rewrite/file_statics.h"
-#include "rewrite/walk.h"
 
 #include "rewrite/pragma_text.h"
+#include "rewrite/walk.h"
 
 namespace symreal::rewrite {
 namespace {

@@ -1,7 +1,7 @@
 #include "rewrite/instances.h"
-#include "rewrite/walk.h"
 
 #include "rewrite/recorder.h"
+#include "rewrite/walk.h"
 
 namespace symreal::rewrite {
 namespace {

@@ -1,4 +1,5 @@
 #include "rewrite/integer_state.h"
+
 #include "rewrite/walk.h"
 
 namespace symreal::rewrite {

@@ -1,7 +1,7 @@
 #include "rewrite/layouts.h"
-#include "rewrite/walk.h"
 
 #include "rewrite/merge.h"
+#include "rewrite/walk.h"
 
 #include <clang/AST/RecordLayout.h>
 

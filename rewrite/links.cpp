@@ -1,7 +1,7 @@
 #include "rewrite/links.h"
-#include "rewrite/walk.h"
 
 #include "rewrite/references.h"
+#include "rewrite/walk.h"
 
 namespace symreal::rewrite {
 namespace {

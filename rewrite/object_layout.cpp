@@ -37,16 +37,19 @@ QualType element_by(CXXRecordDecl const *record, OverloadedOperatorKind kind, un
   return method ? method->getReturnType().getNonReferenceType() : QualType();
 }
 
-// Of what the runtime takes for a sequence or a matrix (<symreal/numbers.h>).
+bool is_standard(CXXRecordDecl const *record, llvm::StringRef name) {
+  return record->isInStdNamespace() && record->getIdentifier() && record->getName() == name;
+}
+
+} // namespace
+
 QualType element_of(CXXRecordDecl const *record) {
   if (has_function(record, "rows") && has_function(record, "cols"))
     if (QualType const element = element_by(record, OO_Call, 2); !element.isNull()) return element;
   return has_function(record, "size") ? element_by(record, OO_Subscript, 1) : QualType();
 }
 
-bool is_standard(CXXRecordDecl const *record, llvm::StringRef name) {
-  return record->isInStdNamespace() && record->getIdentifier() && record->getName() == name;
-}
+namespace {
 
 class Description {
 public:

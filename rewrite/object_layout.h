@@ -21,4 +21,7 @@ struct DescribedObject {
 DescribedObject describe_object(clang::QualType type, bool is_packed, clang::ASTContext const &context,
                                 Reals const &reals);
 
+// Of a class that the runtime takes for a sequence or a matrix (<symreal/numbers.h>): what its elements are; else null.
+clang::QualType element_of(clang::CXXRecordDecl const *record);
+
 } // namespace symreal::rewrite

@@ -1,10 +1,10 @@
 #include "rewrite/operand_order.h"
-#include "rewrite/walk.h"
 
 #include "rewrite/context_walk.h"
 #include "rewrite/effects.h"
 #include "rewrite/merge.h"
 #include "rewrite/named_variables.h"
+#include "rewrite/walk.h"
 
 namespace symreal::rewrite {
 namespace {

@@ -1,5 +1,4 @@
 #include "rewrite/pragma_items.h"
-#include "rewrite/walk.h"
 
 #include "rewrite/item_type.h"
 #include "rewrite/merge.h"
@@ -7,6 +6,7 @@
 #include "rewrite/plain_declaration.h"
 #include "rewrite/pragma_text.h"
 #include "rewrite/redefinition.h"
+#include "rewrite/walk.h"
 
 #include <algorithm>
 
@@ -331,8 +331,10 @@ void note_item(Stmt const *statement, ASTContext const &context, Reals const &re
   item.type = what->getType().getAsString();
   if (ValueDecl const *base = base_of(what)) note_declaration(item, base);
   bool const has_extents = !item.sections.empty() && what->getType()->isPointerType();
-  item.carries_real = what->isTypeDependent() ||
-                      (has_extents ? reals.mentions_real(what->getType()) : reals.carries_real(what->getType()));
+  CXXRecordDecl const *record = what->isTypeDependent() ? nullptr : what->getType()->getAsCXXRecordDecl();
+  bool const is_sequence = record && record->hasDefinition() && !element_of(record).isNull();
+  item.carries_real = what->isTypeDependent() || (has_extents || is_sequence ? reals.mentions_real(what->getType())
+                                                                             : reals.carries_real(what->getType()));
   item.holds_integer = integers.holds(has_extents ? what->getType()->getPointeeType() : what->getType());
   note_layout(clause, item, type_of_item(what), context, reals, facts);
 }

@@ -1,9 +1,9 @@
 #include "rewrite/reach.h"
-#include "rewrite/walk.h"
 
 #include "rewrite/record_source.h"
 #include "rewrite/source_map.h"
 #include "rewrite/storage.h"
+#include "rewrite/walk.h"
 
 #include <clang/Index/USRGeneration.h>
 

@@ -1,7 +1,7 @@
 #include "rewrite/reals.h"
-#include "rewrite/walk.h"
 
 #include "ops/operation.h"
+#include "rewrite/walk.h"
 
 namespace symreal::rewrite {
 using namespace clang;

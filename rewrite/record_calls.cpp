@@ -102,6 +102,7 @@ void Recorder::call(CallExpr const *call) {
       runtime_overloads(function, map_.sources()) && all.size() == 1 && reals_.is_real(all[0]))
     wrap_for(call->getRParenLoc(), all[0], Use::value, function->getQualifiedNameAsString());
   arguments(call->getRParenLoc(), function, written_arguments(all), overloaded);
+  converted_by_library(call, function);
 }
 
 void Recorder::construction(CXXConstructExpr const *construction) {
@@ -112,23 +113,6 @@ void Recorder::construction(CXXConstructExpr const *construction) {
   kept_callable(construction);
   std::vector<Expr const *> const all(construction->arg_begin(), construction->arg_end());
   arguments(construction->getLocation(), constructor, written_arguments(all), construction->hadMultipleCandidates());
-}
-
-// A std::function with an integer or a float as its result, of a callable with a double.
-void Recorder::kept_callable(CXXConstructExpr const *construction) {
-  auto const *type = dyn_cast<ClassTemplateSpecializationDecl>(construction->getConstructor()->getParent());
-  if (!type || !type->isInStdNamespace() || type->getName() != "function" || construction->getNumArgs() != 1) return;
-  auto const *signature = type->getTemplateArgs()[0].getAsType()->getAs<FunctionProtoType>();
-  Expr const *callable = construction->getArg(0)->IgnoreImplicit();
-  FunctionDecl const *function = nullptr;
-  if (CXXRecordDecl const *lambda = callable->getType()->getAsCXXRecordDecl(); lambda && lambda->isLambda())
-    function = lambda->getLambdaCallOperator();
-  else if (auto const *name = dyn_cast<DeclRefExpr>(callable))
-    function = dyn_cast<FunctionDecl>(name->getDecl());
-  if (!signature || !function || !reals_.in_roots(function) || !Reals::is_double(function->getReturnType())) return;
-  QualType const result = signature->getReturnType();
-  if (result->isArithmeticType() && !Reals::is_double(result))
-    wrap(callable, Use::before, "::symreal::SymrealReturning<" + spelled(result) + ">() ->*");
 }
 
 // An implicit conversion through a constructor that takes double: from a literal it would need two steps, double to

@@ -1,4 +1,5 @@
 #include "rewrite/decision_recorder.h"
+
 #include "rewrite/walk.h"
 
 namespace symreal::rewrite {

@@ -43,6 +43,7 @@ public:
   void converting_construction(clang::CXXConstructExpr const *construction);
   void converted_operand(clang::UnaryOperator const *operation);
   void removed_member(clang::CXXMemberCallExpr const *call);
+  void converted_by_library(clang::CallExpr const *call, clang::FunctionDecl const *function);
   void kept_callable(clang::CXXConstructExpr const *construction);
   void complex_literal(clang::UserDefinedLiteral const *literal);
   void converted_operands(clang::BinaryOperator const *operation, clang::DeclContext const *from);

@@ -1,7 +1,7 @@
 #include "rewrite/selects.h"
-#include "rewrite/walk.h"
 
 #include "rewrite/decision_recorder.h"
+#include "rewrite/walk.h"
 
 namespace symreal::rewrite {
 namespace {

@@ -1,7 +1,7 @@
 #include "rewrite/surroundings.h"
-#include "rewrite/walk.h"
 
 #include "rewrite/pragma_text.h"
+#include "rewrite/walk.h"
 
 #include <algorithm>
 

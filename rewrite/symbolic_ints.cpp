@@ -1,7 +1,7 @@
 #include "rewrite/symbolic_ints.h"
-#include "rewrite/walk.h"
 
 #include "rewrite/conditions.h"
+#include "rewrite/walk.h"
 
 #include <algorithm>
 

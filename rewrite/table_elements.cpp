@@ -1,4 +1,5 @@
 #include "rewrite/table_elements.h"
+
 #include "rewrite/walk.h"
 
 namespace symreal::rewrite {

@@ -39,16 +39,6 @@ template <class To, class From>
     return static_cast<From &&>(value);
 }
 
-// SymrealReturning<int>() ->* f: what f is, but for its result, which is converted. A std::function converts that of a
-// callable by itself, and cannot where it is a REAL.
-template <class To> struct SymrealReturning {
-  template <class Function> constexpr auto operator->*(Function function) const {
-    return [function](auto &&...arguments) mutable -> To {
-      return static_cast<To>(function(static_cast<decltype(arguments) &&>(arguments)...));
-    };
-  }
-};
-
 // A truth value of C counts: ++ leaves true, -- the other one.
 class CountedTruth {
 public:

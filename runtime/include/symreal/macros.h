@@ -88,6 +88,7 @@
 #include <symreal/allocator.h>
 #include <symreal/annotate.h>
 #include <symreal/fit.h>
+#include <symreal/library_conversions.h>
 #include <symreal/macro_names.h>
 #include <symreal/object_layout.h>
 #ifdef SYMREAL_SOURCE_OF_C /* a header may be included by C and by C++ */
