@@ -2,6 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cctype>
+#include <set>
+
 namespace symreal::program {
 namespace {
 
@@ -35,6 +39,31 @@ std::string bare(std::string const &text) {
   return result;
 }
 
+std::set<std::string> names(std::string const &text) {
+  auto const is_part = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
+  std::set<std::string> result;
+  for (std::size_t at = 0; at < text.size();) {
+    std::size_t const end = static_cast<std::size_t>(
+        std::find_if_not(text.begin() + std::ptrdiff_t(at), text.end(), is_part) - text.begin());
+    if (end > at && std::isdigit(static_cast<unsigned char>(text[at])) == 0) result.insert(text.substr(at, end - at));
+    at = std::max(end, at + 1);
+  }
+  return result;
+}
+
+// A compiler says of both operands of && and || that they end the condition. Where the one that ends there is of other
+// objects than what was recorded, and one before it in the line of the same: that one.
+DecidingText const *meant(std::string const &recorded, DecidingText const *found,
+                          std::multimap<Position, DecidingText const *> const &texts) {
+  std::set<std::string> const of_recorded = names(recorded);
+  if (!found || of_recorded.empty() || names(found->text) == of_recorded) return found;
+  for (auto one = texts.lower_bound({found->begin.line, 0}); one != texts.end() && one->first < position(found->begin);
+       ++one)
+    if (names(one->second->text) == of_recorded && position(one->second->end) < position(found->begin))
+      return one->second;
+  return found;
+}
+
 constexpr std::string_view conversion_of = "the conversion of ";
 
 } // namespace
@@ -47,12 +76,13 @@ DecidingTexts::DecidingTexts(std::vector<DecidingText> const &texts) {
   }
 }
 
-DecidingText const *DecidingTexts::condition(Place const &place) const {
+DecidingText const *DecidingTexts::condition(Place const &place, std::string const &recorded) const {
   auto const file = files_.find(place.file);
   if (file == files_.end() || place.column == 0) return nullptr;
   auto const keyword = file->second.by_keyword.find(position(place));
-  return keyword != file->second.by_keyword.end() ? keyword->second
-                                                  : innermost(file->second.conditions, position(place));
+  return keyword != file->second.by_keyword.end()
+             ? keyword->second
+             : meant(recorded, innermost(file->second.conditions, position(place)), file->second.conditions);
 }
 
 DecidingText const *DecidingTexts::conversion(Place const &place) const {
@@ -63,7 +93,7 @@ DecidingText const *DecidingTexts::conversion(Place const &place) const {
 
 SaidDecision said_by_source(std::string const &recorded, Place const &place, DecidingTexts const &texts) {
   bool const converts = recorded.starts_with(conversion_of);
-  DecidingText const *text = converts ? texts.conversion(place) : texts.condition(place);
+  DecidingText const *text = converts ? texts.conversion(place) : texts.condition(place, recorded);
   if (!text) return {recorded, {}};
   std::string const value = converts ? recorded.substr(conversion_of.size()) : recorded;
   bool const is_cut_off = value.find("...") != value.npos;

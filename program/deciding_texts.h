@@ -15,7 +15,8 @@ public:
   explicit DecidingTexts(std::vector<rewrite::DecidingText> const &texts);
 
   // The condition, or the operand of the conversion, that a decision at this place is about; null: not known.
-  rewrite::DecidingText const *condition(Place const &place) const;
+  // `recorded`: it in terms of the kernel.
+  rewrite::DecidingText const *condition(Place const &place, std::string const &recorded) const;
   rewrite::DecidingText const *conversion(Place const &place) const;
 
 private:

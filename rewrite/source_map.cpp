@@ -116,10 +116,11 @@ std::optional<Span> SourceMap::range(clang::SourceRange range) const {
   clang::SourceLocation begin = range.getBegin(), end = range.getEnd();
   llvm::SmallString<16> scratch;
   if (!begin.isMacroID() || !end.isMacroID()) return std::nullopt;
-  // Both ends stand in one argument, which is spelled with macros itself.
+  // Both ends stand in one argument of a macro of the program, which is spelled with macros itself.
   while (sources_.getFileID(begin) != sources_.getFileID(end) && sources_.isMacroArgExpansion(begin) &&
          sources_.isMacroArgExpansion(end) &&
-         sources_.getImmediateExpansionRange(begin).getBegin() == sources_.getImmediateExpansionRange(end).getBegin()) {
+         sources_.getImmediateExpansionRange(begin).getBegin() == sources_.getImmediateExpansionRange(end).getBegin() &&
+         in_roots(sources_.getSpellingLoc(sources_.getImmediateExpansionRange(begin).getBegin()))) {
     begin = sources_.getImmediateSpellingLoc(begin);
     end = sources_.getImmediateSpellingLoc(end);
   }

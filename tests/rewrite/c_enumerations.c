@@ -11,12 +11,12 @@ enum colour { red, green };
 enum side side_of(int n)
 {
     int i;
-    // CHECK: if (n < 0) return (enum side)(-1);
+    // CHECK: if (n < 0) return REAL_FIT(-1);
     if (n < 0) return -1;
-    // CHECK: if (n > 9) return (enum side)(green);
+    // CHECK: if (n > 9) return REAL_FIT(green);
     if (n > 9) return green;
     for (i = 0; i < 2; ++i)
-        // CHECK: if (i == n) return (enum side)(i);
+        // CHECK: if (i == n) return REAL_FIT(i);
         if (i == n) return i;
     return right;
 }
