@@ -25,11 +25,14 @@
 
 namespace symreal::program {
 
+// By the names of clauses: what would stand in their parentheses.
+using Clauses = std::map<std::string, std::string>;
+
 struct RecordedKernel {
   std::string name, graph_file, output_file;
-  std::string begun_as;                            // a kernel in a block learns its name at its end
-  std::vector<std::string> scratch;                // static integers of functions in which nobody reads what is left
-  std::map<std::string, std::string> clauses = {}; // that its pragma lacks: what would stand in their parentheses
+  std::string begun_as;             // a kernel in a block learns its name at its end
+  std::vector<std::string> scratch; // static integers of functions in which nobody reads what is left
+  Clauses clauses = {};             // that its pragma lacks; "elsewhere": what no pragma there can name
 };
 
 // A diagnostic whose place is where the program stood.
@@ -59,8 +62,8 @@ struct Events {
   std::vector<Decision> decisions, carried, settled;
   std::vector<Located> located;
   std::vector<FrozenRead> frozen;
-  std::vector<std::string> scratch;           // of the kernel that has not ended yet
-  std::map<std::string, std::string> clauses; // of the same
+  std::vector<std::string> scratch; // of the kernel that has not ended yet
+  Clauses clauses;                  // of the same
 };
 
 // A file that does not exist holds no events.

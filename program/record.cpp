@@ -11,6 +11,7 @@
 #include <cstring>
 #include <fmt/format.h>
 #include <map>
+#include <regex>
 #include <set>
 #include <sstream>
 
@@ -132,15 +133,18 @@ bool has_error(std::vector<Diagnostic> const &diagnostics) {
 
 // Behind the last complaint about what the kernel leaves.
 void add_clauses(Recorded const &recorded, std::vector<Diagnostic> &diagnostics) {
-  std::string text;
-  bool const leaves = recorded.clauses.contains("output") || recorded.clauses.contains("scratch");
+  bool const leaves = std::any_of(recorded.clauses.begin(), recorded.clauses.end(),
+                                  [](auto const &one) { return one.first != "input" && one.first != "constant"; });
   if (!leaves) return; // what is only read is the option's matter
-  for (std::string const clause : {"input", "output", "constant", "scratch"})
-    if (auto const found = recorded.clauses.find(clause); found != recorded.clauses.end())
-      text += " " + clause + "(" + found->second + ")";
   auto const last = std::find_if(diagnostics.rbegin(), diagnostics.rend(),
                                  [](Diagnostic const &one) { return one.id == DiagnosticId::state_not_output; });
-  if (!text.empty() && last != diagnostics.rend()) last->notes.push_back(clause_note(recorded.kernel, text));
+  if (last == diagnostics.rend()) return;
+  auto const found = recorded.clauses.find("elsewhere");
+  if (recorded.clauses.size() > (found != recorded.clauses.end()))
+    last->notes.push_back(clause_note(recorded.kernel, recorded.clauses));
+  if (found != recorded.clauses.end())
+    last->notes.push_back(
+        {recorded.kernel.place, "only a kernel in their own file can name these static variables: " + found->second});
 }
 
 // Of a program whose sources are not at hand.
@@ -164,9 +168,25 @@ Command command(std::string const &executable, RunOptions const &options) {
 
 } // namespace
 
-Note clause_note(rewrite::Kernel const &kernel, std::string const &clauses) {
-  return {kernel.place,
-          "all of them at once: #pragma symreal" + std::string(kernel.is_function ? " function ..." : "") + clauses};
+// In the words of what asks for the kernel: a pragma, a call, or an entry of the configuration, which may be either.
+Note clause_note(rewrite::Kernel const &kernel, Clauses const &clauses, std::string const &behind) {
+  std::string pragma, entry, items, outputs;
+  for (std::string const clause : {"input", "output", "constant", "scratch"}) {
+    auto const found = clauses.find(clause);
+    if (found == clauses.end()) continue;
+    std::string const before = clause == "input" ? ", " : ", " + clause + " ";
+    pragma += " " + clause + "(" + found->second + ")";
+    entry += (entry.empty() ? "" : ", ") + clause + (clause.ends_with("put") ? "s: [" : ": [") + found->second + "]";
+    if (clause == "output")
+      outputs = " -> ..., " + found->second;
+    else
+      items += before + std::regex_replace(found->second, std::regex(", "), before);
+  }
+  std::string const call = kernel.name + "(..." + items + ")" + outputs;
+  std::string text = "#pragma symreal" + std::string(kernel.is_function ? " function ..." : "") + pragma;
+  if (kernel.place.file == "--kernel") text = call;
+  if (kernel.place.file.ends_with(".yaml")) text = entry + "; in a call: " + call;
+  return {kernel.place, "all of them at once: " + text + behind};
 }
 
 Recording record(std::string const &executable, RunOptions const &options, rewrite::Result const &rewritten,

@@ -32,11 +32,11 @@ struct Recorded {
   std::string begun_as;                             // for replay: the name under which it begins
   std::vector<std::vector<Note>> frozen_reads = {}; // parallel to graph.frozen: where each was first read
   std::vector<std::string> scratch = {};            // static integers of functions, as in RecordedKernel
-  std::map<std::string, std::string> clauses = {};  // that its pragma lacks, as there
+  Clauses clauses = {};                             // that its pragma lacks, as there
 };
 
-// What the kernel's pragma lacks, ready to be pasted, for the last of the diagnostics that ask for it.
-Note clause_note(rewrite::Kernel const &kernel, std::string const &clauses);
+// What the kernel's pragma or call lacks, ready to be pasted, for the last of the diagnostics that ask for it.
+Note clause_note(rewrite::Kernel const &kernel, Clauses const &clauses, std::string const &behind = {});
 
 struct Recording {
   std::vector<Recorded> kernels;       // in the order of recording

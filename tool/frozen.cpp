@@ -31,7 +31,7 @@ bool report_frozen(std::vector<program::Recorded> const &kernels, FrozenOption c
       if (i < recorded.frozen_reads.size()) diagnostic.notes = recorded.frozen_reads[i];
       if (i == last && clause != recorded.clauses.end())
         diagnostic.notes.push_back(
-            program::clause_note(recorded.kernel, " constant(" + clause->second + "), if they may be kept"));
+            program::clause_note(recorded.kernel, {*clause}, ", if they may be kept"));
       console.report(diagnostic);
     }
   }

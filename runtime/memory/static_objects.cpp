@@ -93,7 +93,7 @@ void add_objects(Loaded const &loaded, std::vector<StaticObject> &objects) {
                                     : reinterpret_cast<char *>(loaded.base + symbol.st_value);
       auto const at = reinterpret_cast<std::uintptr_t>(begin);
       if (type == STT_OBJECT && loaded.constant_begin <= at && at < loaded.constant_end) continue;
-      objects.push_back({text + symbol.st_name, begin, symbol.st_size});
+      objects.push_back({text + symbol.st_name, begin, symbol.st_size, symbol.st_info >> 4 == STB_LOCAL});
     }
   }
 }

@@ -11,6 +11,7 @@ struct StaticObject {
   std::string name; // as the linker knows it
   char *begin;
   std::size_t size;
+  bool is_of_one_file; // no other file can name it
 };
 
 // Those of this thread's program that can be written, by address: of the executable and of the shared libraries that

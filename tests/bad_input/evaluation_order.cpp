@@ -9,7 +9,7 @@ static double state = 1.0;
 static double next() { return state = state * 3.0 + 1.0; }
 static std::complex<double> turn() { return {next(), 0.0}; }
 // CHECK-DAG: evaluation_order.cpp:[[@LINE+1]]:{{[0-9]+}}: error: one operand changes what the other reads, or both change the same [SYM133]
-template <class T> T difference(T (*make)()) { return make() - make(); }
+template <class T> T difference(T (*make)()) { return make() - next(); }
 #define SQUARE(x) ((x) * (x))
 
 int main() {

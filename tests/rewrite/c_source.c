@@ -21,7 +21,7 @@ double smallest(int n, double *given)
     double *x = malloc(n * sizeof *x);
     // CHECK: struct node *head = (struct node *)(calloc(1, sizeof(struct node)));
     struct node *head = calloc(1, sizeof(struct node));
-    // CHECK: enum side s = (enum side)(1);
+    // CHECK: enum side s = REAL_FIT(1);
     enum side s = 1;
     double result;
     int i;
