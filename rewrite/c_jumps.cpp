@@ -106,23 +106,29 @@ private:
                                     map_.expansions((*first)->getLocation())});
   }
 
+  // An initialiser stays what it is, in a declaration of one array.
   void declare_anew(DeclStmt const &declaration, std::vector<VarDecl const *> const &variables, bool no_initialiser) {
     std::string words;
-    PrintingPolicy policy(context_.getLangOpts());
     for (VarDecl const *variable : variables) {
       std::string const name = variable->getNameAsString();
-      QualType const type = variable->getType();
+      QualType const type = context_.getUnqualifiedArrayType(variable->getType());
       bool const is_array = type->isArrayType() && Reals::is_double(context_.getBaseElementType(type));
+      PrintingPolicy const policy(context_.getLangOpts());
       words.append(words.empty() ? "" : "; ");
       words += is_array ? "::symreal::SymrealArray<" + with_real(type.getAsString(policy)) + "> " + name
-                        : declared(type, name, policy);
+                        : declared(variable->getType(), name, policy);
     }
     SourceLocation const begin = declaration.getBeginLoc();
     if (map_.is_argument_of(begin, "REAL_EITHER")) return;
-    bool const is_possible =
-        no_initialiser && std::distance(declaration.decl_begin(), declaration.decl_end()) == std::ssize(variables);
-    std::optional<Span> const span =
-        is_possible ? map_.range({begin, variables.back()->getEndLoc()}) : std::optional<Span>();
+    VarDecl const &last = *variables.back();
+    SourceLocation end = last.getEndLoc();
+    bool is_possible = std::distance(declaration.decl_begin(), declaration.decl_end()) == std::ssize(variables);
+    if (!no_initialiser) {
+      end = last.getTypeSourceInfo()->getTypeLoc().getEndLoc();
+      words += "; ::symreal::symreal_initialised(" + last.getNameAsString() + ".elements)";
+      is_possible = variables.size() == 1 && !last.isStaticLocal();
+    }
+    std::optional<Span> const span = is_possible ? map_.range({begin, end}) : std::optional<Span>();
     if (span)
       facts_.wraps.insert({*span, Use::instead, words});
     else

@@ -85,7 +85,8 @@ private:
     SourceManager const &sources = map_.sources();
     if (!declaration->isExternallyVisible() || sources.isInSystemHeader(declaration->getLocation())) return;
     if (auto const *method = dyn_cast<CXXMethodDecl>(declaration))
-      if (method->isPureVirtual() || method->isImplicit() || method->isDefaulted()) return;
+      if ((method->isPureVirtual() && !isa<CXXDestructorDecl>(method)) || method->isImplicit() || method->isDefaulted())
+        return; // a destructor that is pure virtual is called by those of the classes derived from it
     std::string symbol = names_.getName(declaration);
     facts_.linked_words.try_emplace(symbol, word_of(declaration));
     needs_->insert(std::move(symbol));

@@ -46,6 +46,10 @@ void Recorder::instantiated_construction(CXXConstructExpr const *construction) {
   CXXConstructorDecl const *constructor = construction->getConstructor();
   if (construction->isTypeDependent() || constructor->isCopyOrMoveConstructor()) return;
   std::vector<Expr const *> const all(construction->arg_begin(), construction->arg_end());
+  // `return 1.0;` in a template: a number here, and a class of numbers there.
+  if (construction->getParenOrBraceRange().isInvalid() && !all.empty() && is_plain_double(all[0]) &&
+      Reals::is_double(constructor->getParamDecl(0)->getType()) && !Reals::is_passive_class(construction->getType()))
+    return wrap(all[0], Use::fit);
   instantiated_arguments(constructor, all);
 }
 

@@ -30,8 +30,7 @@ bool report_frozen(std::vector<program::Recorded> const &kernels, FrozenOption c
                             frozen_message(recorded.kernel.name, state)};
       if (i < recorded.frozen_reads.size()) diagnostic.notes = recorded.frozen_reads[i];
       if (i == last && clause != recorded.clauses.end())
-        diagnostic.notes.push_back(
-            program::clause_note(recorded.kernel, {*clause}, ", if they may be kept"));
+        diagnostic.notes.push_back(program::clause_note(recorded.kernel, {*clause}, ", if they may be kept"));
       console.report(diagnostic);
     }
   }

@@ -21,10 +21,13 @@ static double f(int kind, double x)
         return s + *p;
     case 1:
         goto end;
+        // CHECK: REAL_EITHER((REAL const b[2][2]), ::symreal::SymrealArray<REAL[2][2]> b; ::symreal::symreal_initialised(b.elements)) = {REAL_EITHER(([1] =), {}, ) {1, x}};
+        double const b[2][2] = {[1] = {1, x}};
+        return b[1][1] + b[0][1];
 #ifdef INITIALISED
         // INITIALISED: jumps_past_arrays.c:[[@LINE+1]]:9: error: a jump passes the declaration of an array of REALs [SYM037]
-        double b[2] = {1, x};
-        return b[0];
+        double c[2] = {1, x}, d = 2;
+        return c[0] + d;
 #endif
     default:
         break;

@@ -30,7 +30,8 @@ int main() {
   // CHECK: REAL_EITHER((points.construct), ::std::construct_at)(p, Point{x, 2});
   points.construct(p, Point{x, 2});
   Storage<double> const storage(x);
-  y = p->x * p->y + concept(2) + *storage.data;
+  Storage<unsigned long> const index(1);
+  y = p->x * p->y + concept(2) + *storage.data * static_cast<double>(*index.data);
   // CHECK: REAL_EITHER((points.destroy), ::std::destroy_at)(p);
   points.destroy(p);
   points.deallocate(p, 1);

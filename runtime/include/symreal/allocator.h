@@ -1,4 +1,5 @@
-// std::allocator with what C++20, which symbolic mode is, took out of it: for sources before C++20.
+// std::allocator with what C++20, which symbolic mode is, took out of it: for sources before C++20, of numbers and of
+// the integers beside them.
 #pragma once
 
 #ifdef MBD_SYMBOLIC
@@ -12,41 +13,54 @@
 #include <type_traits>
 #include <utility>
 
+namespace symreal {
+
+template <class T> class OlderAllocator : public std::__allocator_base<T> {
+public:
+  using value_type = T;
+  using size_type = std::size_t;
+  using difference_type = std::ptrdiff_t;
+  using pointer = T *;
+  using const_pointer = T const *;
+  using reference = T &;
+  using const_reference = T const &;
+  template <class Other> struct rebind {
+    using other = std::allocator<Other>;
+  };
+  using propagate_on_container_move_assignment = std::true_type;
+  using is_always_equal = std::true_type;
+
+  template <class Object, class... Arguments> void construct(Object *at, Arguments &&...arguments) {
+    ::new (static_cast<void *>(at)) Object(std::forward<Arguments>(arguments)...);
+  }
+  template <class Object> void destroy(Object *at) { at->~Object(); }
+  pointer address(reference x) const noexcept { return std::addressof(x); }
+  const_pointer address(const_reference x) const noexcept { return std::addressof(x); }
+  size_type max_size() const noexcept { return size_type(PTRDIFF_MAX) / sizeof(T); }
+};
+
+} // namespace symreal
+
 namespace std {
 
-#ifdef MBD_SYMBOLIC
-template <> class allocator<symreal::RealNumber> : public __allocator_base<symreal::RealNumber> {
-  using Real = symreal::RealNumber;
-#else
-template <> class allocator<double> : public __allocator_base<double> {
-  using Real = double;
-#endif
-
-public:
-  using value_type = Real;
-  using size_type = size_t;
-  using difference_type = ptrdiff_t;
-  using pointer = Real *;
-  using const_pointer = Real const *;
-  using reference = Real &;
-  using const_reference = Real const &;
-  template <class T> struct rebind {
-    using other = allocator<T>;
+#define SYMREAL_ALLOCATOR(T)                                                                                           \
+  template <> class allocator<T> : public symreal::OlderAllocator<T> {                                                 \
+  public:                                                                                                              \
+    allocator() = default;                                                                                             \
+    template <class Other> allocator(allocator<Other> const &) noexcept {}                                             \
+    friend bool operator==(allocator const &, allocator const &) noexcept { return true; }                             \
   };
-  using propagate_on_container_move_assignment = true_type;
-  using is_always_equal = true_type;
-
-  allocator() = default;
-  template <class T> allocator(allocator<T> const &) noexcept {}
-  template <class T, class... Arguments> void construct(T *at, Arguments &&...arguments) {
-    ::new (static_cast<void *>(at)) T(forward<Arguments>(arguments)...);
-  }
-  template <class T> void destroy(T *at) { at->~T(); }
-  pointer address(reference x) const noexcept { return addressof(x); }
-  const_pointer address(const_reference x) const noexcept { return addressof(x); }
-  size_type max_size() const noexcept { return size_type(PTRDIFF_MAX) / sizeof(Real); }
-  friend bool operator==(allocator const &, allocator const &) noexcept { return true; }
-};
+#ifdef MBD_SYMBOLIC
+SYMREAL_ALLOCATOR(symreal::RealNumber)
+#else
+SYMREAL_ALLOCATOR(double)
+#endif
+SYMREAL_ALLOCATOR(float)
+SYMREAL_ALLOCATOR(int)
+SYMREAL_ALLOCATOR(unsigned)
+SYMREAL_ALLOCATOR(long)
+SYMREAL_ALLOCATOR(unsigned long)
+#undef SYMREAL_ALLOCATOR
 
 } // namespace std
 #endif

@@ -1,0 +1,2 @@
+#include "joint.h"
+Joint::~Joint() {}
