@@ -22,7 +22,7 @@ public:
     }
     for (Expr const *chosen : selection->getAssocExprs())
       if (chosen->getType()->isVoidPointerType() &&
-          chosen->isNullPointerConstant(context_, Expr::NPC_NeverValueDependent) && !is_replaced(chosen->getBeginLoc()))
+          chosen->isNullPointerConstant(context_, Expr::NPC_NeverValueDependent))
         null(*chosen);
     if (!known)
       facts_.diagnostics.push_back({DiagnosticId::c_source, Severity::error, map_.place(selection->getBeginLoc()),
@@ -53,8 +53,9 @@ private:
 
   // NULL converts to any pointer there; in C++ only by its own name, and not as the value of an expression.
   void null(Expr const &pointer) {
-    if (std::optional<Span> const span = map_.range(pointer.getSourceRange()))
-      facts_.wraps.insert({*span, Use::instead, "nullptr"});
+    SourceLocation at = pointer.getBeginLoc();
+    if (at.isMacroID()) at = context_.getSourceManager().getImmediateExpansionRange(at).getBegin(); // the name
+    if (!is_replaced(at)) replace(at, "NULL", "nullptr");
   }
 
   bool replace(SourceLocation at, llvm::StringRef spelling, std::string words) {

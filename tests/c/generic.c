@@ -8,6 +8,8 @@
 
 // CHECK: #define NAME(x) _Generic((x), REAL REAL_EITHER((:), ,) "double", REAL_EITHER((default), ::symreal::SymrealOtherwise)REAL_EITHER((:), ,) "other", int const *REAL_EITHER((:), ,) "pointer")
 #define NAME(x) _Generic((x), double: "double", default: "other", int const *: "pointer")
+// CHECK: #define FORMAT(x) _Generic((x), int REAL_EITHER((:), ,) "%d", REAL_EITHER((default), ::symreal::SymrealOtherwise)REAL_EITHER((:), ,) REAL_EITHER((NULL), nullptr))
+#define FORMAT(x) _Generic((x), int: "%d", default: NULL)
 #define SIZE(array) _Generic(&(array), char (*)[sizeof(array)]: sizeof(array))
 
 static double twice(double x) { return 2 * x; }
@@ -23,6 +25,8 @@ int main(void)
     y = TWICE(x) + TWICE(3) + (double)SIZE(text);
     // CHECK: _Generic({{.*}}p{{.*}}, int REAL_EITHER((:), ,) "%d", REAL_EITHER((default), ::symreal::SymrealOtherwise)REAL_EITHER((:), ,) REAL_EITHER((NULL), nullptr));
     char const *format = _Generic(p, int: "%d", default: NULL);
+    if (format) y = 0;
+    format = FORMAT(p);
     if (format) y = 0;
     y += NAME(x)[0] + 2 * NAME(p)[0] + 3 * NAME('c')[0];
 #pragma symreal output(y) generate("y.c")
