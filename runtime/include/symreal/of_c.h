@@ -122,6 +122,7 @@ template <class Control, bool is_last, class Type> constexpr bool symreal_is_ass
 #define restrict
 #endif
 #define _Noreturn __attribute__((__noreturn__))
+#define __PRETTY_FUNCTION__ __func__ // without the parameters, which C++ adds
 #define _Thread_local thread_local
 #define __thread thread_local
 #define _Alignof alignof
