@@ -15,7 +15,7 @@
 
 #pragma symreal function input(x[0:3]) output(return)
 double sum(std::vector<double> &x) {
-  // CHECK: accumulate.cpp:[[@LINE+1]]:{{[0-9]+}}: error: the program does not compile in symbolic mode: {{.*}} [SYM005]
+  // CHECK: accumulate.cpp:[[@LINE+1]]:{{[0-9]+}}: error: the program decides on a symbolic value: the conversion of 0 + x[0] {{.*}} [SYM016]
   return x[0] + std::accumulate(x.begin(), x.end(), ZERO);
 }
 
