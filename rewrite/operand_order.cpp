@@ -63,6 +63,7 @@ public:
 
   bool shouldVisitTemplateInstantiations() const override { return true; }
   bool shouldVisitImplicitCode() const override { return false; }
+  bool TraverseDecltypeTypeLoc(DecltypeTypeLoc) override { return true; } // nothing in it is evaluated
   bool TraverseLambdaExpr(LambdaExpr *lambda) override {
     if (FunctionTemplateDecl *generic = lambda->getLambdaClass()->getDependentLambdaCallOperator())
       for (FunctionDecl *one : generic->specializations())

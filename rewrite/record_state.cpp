@@ -155,6 +155,11 @@ void Recorder::dependent_value(Expr const *value) {
 }
 
 void Recorder::dependent_call(CallExpr const *call) {
+  // stream.operator<<(x): the operator for REALs is no member.
+  if (auto const *member = dyn_cast<UnresolvedMemberExpr>(call->getCallee()->IgnoreParenImpCasts()))
+    if (member->getMemberName().getCXXOverloadedOperator() == OO_LessLess && call->getNumArgs() == 1 &&
+        member->getNamingClass()->isInStdNamespace() && call->getArg(0)->isTypeDependent())
+      wrap_for(call->getRParenLoc(), call->getArg(0), Use::value);
   auto const *callee = dyn_cast<UnresolvedLookupExpr>(call->getCallee()->IgnoreParenImpCasts());
   if (!callee || !callee->getName().isIdentifier()) return;
   if (!Reals::is_math_name(callee->getName().getAsIdentifierInfo()->getName())) return;

@@ -15,6 +15,12 @@ template <class T> static T series(double nu, T const &x) { return 0.5 * x / Gam
 // CHECK: return series<T>(-nu, x) - REAL_LATER(series<T>(nu, x));
 template <class T> static T difference(double nu, T const &x) { return series<T>(-nu, x) - series<T>(nu, x); }
 
+// Nothing in a decltype is evaluated.
+template <class Left, class Right>
+static auto less(Left left, Right right) -> decltype(Left(left++) < Right(left++ + right)) {
+  return left < right;
+}
+
 struct Solver {
   double tolerance;
   // CHECK: return REAL_READ({{.*}}, errors.back()) < REAL_READ({{.*}}, tolerance);
@@ -28,7 +34,7 @@ int main() {
   std::list<double> const errors = {x, 2 * x};
   y = difference<double>(2.0, x);
   y += std::imag(difference<std::complex<double>>(2.0, std::complex<double>(x, 1.0)));
-  y += Solver{1.5}.done(errors) ? x : 0.0;
+  y += Solver{1.5}.done(errors) && less(2.0, 3.0) ? x : 0.0;
 #pragma symreal output(y) generate("y.c")
   std::printf("%g\n", y);
 }
