@@ -1,6 +1,6 @@
 #include "compiler/link_marks.h"
 
-#include "rewrite/pragma_text.h"
+#include "rewrite/text/pragma_text.h"
 
 #include <cctype>
 #include <cstdlib>

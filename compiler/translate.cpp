@@ -6,8 +6,8 @@
 #include "program/compile.h"
 #include "program/compiler_errors.h"
 #include "program/make_rule.h"
-#include "rewrite/pragma_text.h"
 #include "rewrite/rewrite.h"
+#include "rewrite/text/pragma_text.h"
 #include "support/files.h"
 #include "support/installation.h"
 

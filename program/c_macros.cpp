@@ -2,7 +2,7 @@
 
 #include "program/directives.h"
 #include "program/parallel.h"
-#include "rewrite/compose.h"
+#include "rewrite/edit/compose.h"
 #include "support/installation.h"
 
 #include <algorithm>

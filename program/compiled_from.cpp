@@ -1,7 +1,7 @@
 #include "program/compiled_from.h"
 
 #include "program/inclusion_lookups.h"
-#include "rewrite/bytes.h"
+#include "rewrite/facts/bytes.h"
 #include "support/files.h"
 
 #include <llvm/ADT/StringExtras.h>

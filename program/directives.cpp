@@ -1,6 +1,6 @@
 #include "program/directives.h"
 
-#include "rewrite/scan_text.h"
+#include "rewrite/text/source_text.h"
 
 #include <cctype>
 

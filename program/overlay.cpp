@@ -2,7 +2,7 @@
 
 #include "program/neighbours.h"
 #include "program/search_flags.h"
-#include "rewrite/pragma_text.h"
+#include "rewrite/text/pragma_text.h"
 #include "support/files.h"
 #include "support/installation.h"
 

@@ -1,7 +1,7 @@
 #include "program/wrapped_original.h"
 
 #include "program/wrapper_text.h"
-#include "rewrite/pragma_text.h"
+#include "rewrite/text/pragma_text.h"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 #include "rewrite/reading.h"
 
-#include "rewrite/merge.h"
-#include "rewrite/reachable_sources.h"
+#include "rewrite/facts/merge.h"
+#include "rewrite/unit/reachable_sources.h"
 
 #include <numeric>
 #include <thread>
@@ -56,7 +56,7 @@ void Reading::choose_reachable() {
     in_threads(std::min<std::size_t>(std::max(1U, request_.jobs), numbers.size()), [&] {
       for (std::size_t mine = next++; mine < numbers.size(); mine = next++) {
         try {
-          Facts facts = recorder_.record(sources_[numbers[mine]]);
+          Facts facts = collector_.collect(sources_[numbers[mine]]);
           links[mine] = {std::exchange(facts.links, {}), std::exchange(facts.linked_words, {})};
           std::unique_lock const lock(mutex_);
           known_.emplace(numbers[mine], std::move(facts));
@@ -83,7 +83,7 @@ void Reading::work() {
     std::exception_ptr problem;
     try {
       auto const known = known_.find(wanted_[mine]);
-      found = known != known_.end() ? std::move(known->second) : recorder_.record(source);
+      found = known != known_.end() ? std::move(known->second) : collector_.collect(source);
     } catch (DiagnosticError const &error) {
       if (request_.leave_out_broken) {
         found.broken = true;

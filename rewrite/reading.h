@@ -1,8 +1,8 @@
 // Reads the sources of a request, several at a time, into the facts of one program.
 #pragma once
 
-#include "rewrite/configurations.h"
-#include "rewrite/kept_facts.h"
+#include "rewrite/decide/configurations.h"
+#include "rewrite/unit/kept_facts.h"
 
 #include <condition_variable>
 #include <exception>
@@ -16,12 +16,12 @@ public:
   Reading(Request const &request, std::vector<Compilation> const &sources, Scope const &scope)
       : request_(request),
         sources_(sources),
-        recorder_(request, scope) {}
+        collector_(request, scope) {}
 
   // Throws DiagnosticError where a source cannot be read.
   Facts all();
 
-  KeptFacts const &recorder() const { return recorder_; }
+  KeptFacts const &collector() const { return collector_; }
 
   std::vector<std::string> left_out;  // sources that do not compile, if the request allows it
   std::vector<Compilation> unreached; // if it asks for those that are reached
@@ -34,7 +34,7 @@ private:
 
   Request const &request_;
   std::vector<Compilation> const &sources_;
-  KeptFacts recorder_;
+  KeptFacts collector_;
   std::vector<std::size_t> wanted_;    // the numbers of the sources that are merged
   std::map<std::size_t, Facts> known_; // of some of them
   std::set<std::string> reached_;      // symbols

@@ -1,7 +1,7 @@
-#include "rewrite/configured.h"
-#include "rewrite/decide.h"
+#include "rewrite/decide/decide.h"
+#include "rewrite/pragma/configured.h"
 #include "rewrite/reading.h"
-#include "rewrite/source_map.h"
+#include "rewrite/source/source_map.h"
 
 #include <algorithm>
 
@@ -30,19 +30,6 @@ void require_type_name(std::string const &name) {
 
 } // namespace
 
-std::vector<Compilation> compilations_of(Request const &request) {
-  if (!request.compilations.empty()) return request.compilations;
-  std::vector<Compilation> result;
-  for (std::string const &source : request.sources) result.push_back({source, {}, request.flags});
-  return result;
-}
-
-std::string real_source(Compilation const &compilation) {
-  llvm::SmallString<256> path(compilation.source);
-  if (!compilation.directory.empty()) llvm::sys::fs::make_absolute(compilation.directory, path);
-  return real_path(path.str().str());
-}
-
 Result run(Request const &request) {
   require_type_name(request.type_name);
   std::vector<Compilation> sources = compilations_of(request);
@@ -57,8 +44,8 @@ Result run(Request const &request) {
   Result result = decide(std::move(facts), request);
   result.left_out = std::move(reading.left_out);
   result.unreached = std::move(reading.unreached);
-  result.sources_read = reading.recorder().read();
-  result.sources_kept = reading.recorder().kept();
+  result.sources_read = reading.collector().read();
+  result.sources_kept = reading.collector().kept();
   return result;
 }
 

@@ -1,7 +1,7 @@
 // A call of a kernel bound to the function that it calls: the statements that make it, and what else would be a pragma.
 #pragma once
 
-#include "rewrite/callables.h"
+#include "rewrite/unit/callables.h"
 #include "tool/call_spec.h"
 
 #include <string>

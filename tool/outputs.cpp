@@ -2,7 +2,7 @@
 
 #include "diagnostics/diagnostic.h"
 #include "emit/emit.h"
-#include "rewrite/rewrite.h"
+#include "support/diff.h"
 #include "support/files.h"
 #include "tool/line_map.h"
 
@@ -74,11 +74,7 @@ bool check_files(std::vector<OutputFile> const &files) {
     std::string const there = exists ? read_file(file.path) : "";
     if (exists && there == file.text) continue;
     current = false;
-    rewrite::File difference;
-    difference.display_path = file.path;
-    difference.original = there;
-    difference.text = file.text;
-    std::cout << rewrite::unified_diff(difference) << std::flush;
+    std::cout << unified_diff(file.path, there, file.text) << std::flush;
     print(std::cerr, {DiagnosticId::out_of_date,
                       Severity::error,
                       {file.path},

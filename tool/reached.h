@@ -2,7 +2,7 @@
 // values.
 #pragma once
 
-#include "rewrite/reach.h"
+#include "rewrite/unit/reach.h"
 
 #include <ostream>
 #include <string>

@@ -1,6 +1,9 @@
+#include "rewrite/rewrite.h"
 #include "diagnostics/diagnostic.h"
 #include "program/tree_edit.h"
-#include "rewrite/fixes.h"
+#include "rewrite/edit/fixes.h"
+#include "rewrite/edit/mirror.h"
+#include "support/diff.h"
 #include "support/files.h"
 #include "tool/project_options.h"
 #include "tool/subcommands.h"
@@ -96,7 +99,8 @@ void run(CLI::App &command, Options &options, Session &session) {
   else if (options.in_place)
     edit_in_place(result);
   else
-    for (rewrite::File const &file : result.files) std::cout << rewrite::unified_diff(file);
+    for (rewrite::File const &file : result.files)
+      std::cout << unified_diff(file.display_path, file.original, file.text);
 }
 
 } // namespace

@@ -1,6 +1,8 @@
 // Prints what the rewriter makes of its arguments: rewrite_dump [--diff | --refusals] [--root DIR]... SOURCE... [--
 // FLAG...]. A tool of the tests: the library's result without a driver around it. Exits 1 when there is an error.
+#include "rewrite/edit/mirror.h"
 #include "rewrite/rewrite.h"
+#include "support/diff.h"
 
 #include <algorithm>
 #include <iostream>
@@ -72,7 +74,7 @@ int main(int argc, char **argv) {
                   << to_string(one.token) << "\n";
     if (refusals) return 0;
     for (rewrite::File const &file : result.files)
-      std::cout << (diff   ? unified_diff(file)
+      std::cout << (diff   ? unified_diff(file.display_path, file.original, file.text)
                     : bare ? without_checks(file.text)
                            : "==== " + file.display_path + "\n" + file.text);
     if (!bare && !diff)

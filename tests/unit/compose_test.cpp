@@ -1,4 +1,4 @@
-#include "rewrite/compose.h"
+#include "rewrite/edit/compose.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "rewrite/fact_bytes.h"
+#include "rewrite/facts/fact_bytes.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "rewrite/pragma_parser.h"
+#include "rewrite/pragma/pragma_parser.h"
 
 #include <gtest/gtest.h>
 

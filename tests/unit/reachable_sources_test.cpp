@@ -1,4 +1,4 @@
-#include "rewrite/reachable_sources.h"
+#include "rewrite/unit/reachable_sources.h"
 
 #include "diagnostics/diagnostic.h"
 

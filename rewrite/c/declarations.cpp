@@ -1,0 +1,148 @@
+// In C a tag is told from other names by the word before it, and one that is declared within a structure is known
+// behind it. In C++ a tag hides a variable, function or type of the same name further out, and a structure keeps what
+// is declared in it to itself. One without members has no size in C, and one byte in C++.
+#include "rewrite/c/declarations.h"
+#include "rewrite/source/walk.h"
+
+#include <vector>
+
+namespace symreal::rewrite {
+namespace {
+
+using namespace clang;
+
+class Scopes : public Walk {
+public:
+  Scopes(ASTContext &context, SourceMap const &map, Facts &facts) : context_(context), map_(map), facts_(facts) {}
+
+  bool TraverseDecl(Decl *declaration) override {
+    bool const is_outside = declaration && !isa<TranslationUnitDecl>(declaration) &&
+                            declaration->getLexicalDeclContext()->isFileContext() &&
+                            !map_.in_roots(declaration->getLocation());
+    return is_outside || Walk::TraverseDecl(declaration);
+  }
+  bool TraverseFunctionDecl(FunctionDecl *function) override {
+    Entered const here(*this, function->getBody()); // whose names are in one block with those of the parameters
+    return Walk::TraverseFunctionDecl(function);
+  }
+  bool TraverseCompoundStmt(CompoundStmt *block) override {
+    if (!blocks_.empty() && blocks_.back().block == block) return Walk::TraverseCompoundStmt(block);
+    Entered const here(*this, block);
+    return Walk::TraverseCompoundStmt(block);
+  }
+  bool TraverseForStmt(ForStmt *loop) override {
+    Entered const here(*this, loop);
+    return Walk::TraverseForStmt(loop);
+  }
+  bool TraverseRecordDecl(RecordDecl *record) override {
+    Entered const here(*this, nullptr);
+    records_.push_back(record);
+    bool const more = Walk::TraverseRecordDecl(record);
+    records_.pop_back();
+    return more;
+  }
+
+  bool VisitRecordDecl(RecordDecl *record) override {
+    bool const is_empty = std::all_of(record->field_begin(), record->field_end(),
+                                      [](FieldDecl const *field) { return field->isUnnamedBitField(); });
+    if (record->isThisDeclarationADefinition() && !record->isInvalidDecl() && is_empty)
+      report(record->getLocation(), "a structure without members has another size in C++");
+    return true;
+  }
+  bool VisitTagDecl(TagDecl *tag) override {
+    if (!tag->getIdentifier() || blocks_.empty()) return true;
+    // A structure has entered its own block already.
+    std::size_t const depth = blocks_.size() - (isa<RecordDecl>(tag) ? 2 : 1);
+    if (depth < blocks_.size()) blocks_[depth].tags.insert(tag->getName());
+    return true;
+  }
+  bool VisitValueDecl(ValueDecl *declaration) override { return ordinary(declaration); }
+  bool VisitTypedefNameDecl(TypedefNameDecl *declaration) override { return ordinary(declaration); }
+
+  bool VisitDeclRefExpr(DeclRefExpr *use) override {
+    look_up(use->getDecl(), use->getLocation());
+    if (auto const *enumerator = dyn_cast<EnumConstantDecl>(use->getDecl()))
+      leave(enumerator, cast<EnumDecl>(enumerator->getDeclContext()), use->getLocation());
+    return true;
+  }
+  bool VisitTypedefTypeLoc(TypedefTypeLoc use) override {
+    look_up(use.getTypedefNameDecl(), use.getNameLoc());
+    return true;
+  }
+  bool VisitTagTypeLoc(TagTypeLoc use) override {
+    leave(use.getDecl(), use.getDecl(), use.getNameLoc());
+    return true;
+  }
+
+private:
+  struct Block {
+    Stmt const *block;
+    llvm::StringSet<> ordinary, tags;
+  };
+  class Entered {
+  public:
+    Entered(Scopes &scopes, Stmt const *block) : scopes_(scopes) { scopes_.blocks_.push_back({block, {}, {}}); }
+    ~Entered() { scopes_.blocks_.pop_back(); }
+    Entered(Entered const &) = delete;
+    Entered &operator=(Entered const &) = delete;
+
+  private:
+    Scopes &scopes_;
+  };
+
+  bool ordinary(NamedDecl const *declaration) {
+    if (declaration->getIdentifier() && !blocks_.empty() && !isa<FieldDecl>(declaration))
+      blocks_.back().ordinary.insert(declaration->getName());
+    return true;
+  }
+
+  void report(SourceLocation location, std::string message) {
+    facts_.diagnostics.push_back(
+        {DiagnosticId::c_source, Severity::error, map_.place(location), std::move(message), map_.expansions(location)});
+  }
+
+  void look_up(NamedDecl const *declaration, SourceLocation use) {
+    if (!declaration->getIdentifier()) return;
+    for (auto block = blocks_.rbegin(); block != blocks_.rend(); ++block) {
+      if (block->ordinary.contains(declaration->getName())) return;
+      if (block->tags.contains(declaration->getName()))
+        return report(use, "'" + declaration->getName().str() + "' is a tag here in C++, which hides the other name");
+    }
+  }
+
+  // What a structure declares, used behind it: in C++ that is the structure's, or another of the name if there is one.
+  void leave(NamedDecl const *declaration, TagDecl const *tag, SourceLocation use) {
+    auto const *record = dyn_cast<RecordDecl>(tag->getLexicalDeclContext());
+    if (!record || !declaration->getIdentifier()) return;
+    for (RecordDecl const *outer : records_)
+      if (outer->getCanonicalDecl() == record->getCanonicalDecl()) return;
+    for (NamedDecl const *other : context_.getTranslationUnitDecl()->lookup(declaration->getDeclName()))
+      if (other->getCanonicalDecl() != declaration->getCanonicalDecl())
+        return report(use, "'" + declaration->getName().str() + "' is declared in a structure, and is another in C++");
+    std::string words;
+    for (auto const *outer = record; outer; outer = dyn_cast<RecordDecl>(outer->getLexicalDeclContext())) {
+      TypedefNameDecl const *alias = outer->getTypedefNameForAnonDecl();
+      if (outer->isAnonymousStructOrUnion()) continue; // its names are those of the structure around it
+      if (!alias && !outer->getIdentifier())
+        return report(use, "'" + declaration->getName().str() + "' is declared in a structure without a name");
+      words.insert(0, (alias ? alias->getName() : outer->getName()).str() + "::");
+    }
+    if (!map_.in_roots(use)) return;
+    if (std::optional<Span> const token = map_.token(use, declaration->getName()))
+      facts_.wraps.insert({*token, Use::before, words});
+  }
+
+  ASTContext &context_;
+  SourceMap const &map_;
+  Facts &facts_;
+  std::vector<Block> blocks_;
+  std::vector<RecordDecl const *> records_;
+};
+
+} // namespace
+
+void collect_c_declarations(ASTContext &context, SourceMap const &map, Facts &facts) {
+  if (!map.language().CPlusPlus) Scopes(context, map, facts).TraverseDecl(context.getTranslationUnitDecl());
+}
+
+} // namespace symreal::rewrite

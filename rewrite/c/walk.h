@@ -1,0 +1,58 @@
+// What the walks over sources in C for what C++ does not allow have in common.
+#pragma once
+
+#include "rewrite/facts/facts.h"
+#include "rewrite/source/clang.h"
+#include "rewrite/source/source_map.h"
+#include "rewrite/source/walk.h"
+
+namespace symreal::rewrite {
+
+class CWalk : public Walk {
+public:
+  CWalk(clang::ASTContext &context, SourceMap const &map, Facts &facts)
+      : context_(context),
+        sources_(context.getSourceManager()),
+        map_(map),
+        facts_(facts) {}
+
+  bool TraverseDecl(clang::Decl *declaration) override {
+    bool const is_outside = declaration && !clang::isa<clang::TranslationUnitDecl>(declaration) &&
+                            declaration->getLexicalDeclContext()->isFileContext() &&
+                            !map_.in_roots(declaration->getLocation());
+    return is_outside || Walk::TraverseDecl(declaration);
+  }
+
+protected:
+  void report(clang::SourceLocation location, std::string message) {
+    facts_.diagnostics.push_back(
+        {DiagnosticId::c_source, Severity::error, map_.place(location), std::move(message), map_.expansions(location)});
+  }
+
+  // False where a macro makes what is to be changed.
+  bool insert(std::optional<Span> const &span, Use use, std::string words) {
+    if (span) facts_.wraps.insert({*span, use, std::move(words)});
+    return span.has_value();
+  }
+
+  // Is it in what C alone reads, from the rewriting before?
+  bool is_rewritten(clang::SourceLocation location) const {
+    return map_.is_argument_of(location, "REAL_EITHER") || map_.is_argument_of(location, "REAL_ONLY");
+  }
+
+  // The raw token behind another; `unknown` where that ends a macro.
+  clang::Token next_token(clang::SourceLocation token) const {
+    clang::Token none;
+    none.startToken();
+    if (token.isInvalid()) return none;
+    auto const next = clang::Lexer::findNextToken(sources_.getSpellingLoc(token), sources_, context_.getLangOpts());
+    return next.value_or(none);
+  }
+
+  clang::ASTContext &context_;
+  clang::SourceManager const &sources_;
+  SourceMap const &map_;
+  Facts &facts_;
+};
+
+} // namespace symreal::rewrite

@@ -1,0 +1,182 @@
+// Uses of the bytes of a REAL: unions, casts of pointers, functions that move bytes. A node must not be taken for the
+// bytes of its value; where only the run can tell, it is asked.
+#include "rewrite/collect/collector.h"
+#include "rewrite/model/byte_functions.h"
+#include "rewrite/text/pragma_text.h"
+
+namespace symreal::rewrite {
+using namespace clang;
+
+bool moves_bytes(FunctionDecl const *function) {
+  static llvm::StringSet<> const names = {"memcpy", "memmove",         "memset", "memcmp",  "bzero",
+                                          "free",   "realloc",         "qsort",  "bsearch", "calloc",
+                                          "swab",   "operator delete", "fread",  "fwrite"};
+  llvm::StringRef name = function->getDeclName().isIdentifier() ? function->getName() : "operator delete";
+  if (name.consume_front("__builtin_")) name.consume_back("_chk");
+  return names.contains(name);
+}
+
+// The address of an object goes to a function outside the roots that takes any.
+void Collector::given_bytes(FunctionDecl const *function, unsigned index, Expr const *argument) {
+  if (index >= function->getNumParams() || !function->getParamDecl(index)->getType()->isVoidPointerType()) return;
+  QualType const pointee = Reals::pointee(argument);
+  if (!pointee.isNull() && !moves_bytes(function) && reals_.carries_real(pointee))
+    looked_into(argument->IgnoreParenImpCasts());
+}
+
+// Functions of the library that look at bytes by themselves.
+void Collector::bytes_of_arguments(CallExpr const *call, FunctionDecl const *function) {
+  auto const *method = dyn_cast<CXXMethodDecl>(function);
+  NamedDecl const *outermost = method ? static_cast<NamedDecl const *>(method->getParent()) : function;
+  if (!function->getDeclName().isIdentifier() || !outermost->isInStdNamespace()) return;
+  llvm::StringRef const name = function->getName();
+  auto const argument_of_class = [](QualType type) {
+    auto const *record = type.isNull() ? nullptr : type.getNonReferenceType()->getAsCXXRecordDecl();
+    auto const *special = dyn_cast_or_null<ClassTemplateSpecializationDecl>(record);
+    return special && special->getTemplateArgs().size() > 0 &&
+                   special->getTemplateArgs()[0].getKind() == TemplateArgument::Type
+               ? special->getTemplateArgs()[0].getAsType()
+               : QualType();
+  };
+  bool used = false;
+  if (name == "bit_cast" && call->getNumArgs() == 1 && reals_.carries_real(call->getArg(0)->getType()) &&
+      !reals_.carries_real(call->getType()))
+    note(call->getArg(0)->IgnoreParenImpCasts(), Use::bits);
+  if ((name == "as_bytes" || name == "as_writable_bytes") && call->getNumArgs() == 1)
+    used = reals_.carries_real(argument_of_class(call->getArg(0)->getType()));
+  if (used) report(DiagnosticId::reinterpretation, call->getBeginLoc(), "the bytes of a REAL are used as another type");
+  if (!name.contains("compare_exchange")) return;
+  // That of a number compares values in the symbolic program.
+  QualType object;
+  if (auto const *member = dyn_cast<CXXMemberCallExpr>(call))
+    object = argument_of_class(member->getImplicitObjectArgument()->getType());
+  else if (call->getNumArgs() > 0)
+    object = argument_of_class(Reals::pointee(call->getArg(0)));
+  if (reals_.carries_real(object) && !Reals::is_double(object))
+    report(DiagnosticId::reinterpretation, call->getBeginLoc(), "the bytes of an object that holds REALs are compared");
+}
+
+void Collector::atomic_builtin(AtomicExpr const *call) {
+  if (call->getOp() == AtomicExpr::AO__atomic_compare_exchange && reals_.carries_real(Reals::pointee(call->getPtr())))
+    report(DiagnosticId::reinterpretation, call->getBeginLoc(), "the bytes of a REAL are compared");
+}
+
+// Reading u.bits of `union { double number; uint64_t bits; }` is harmless as long as the number is an ordinary one.
+void Collector::union_member(MemberExpr const *member) {
+  auto const *field = dyn_cast<FieldDecl>(member->getMemberDecl());
+  if (!field || !field->getParent()->isUnion() || field->getType()->isDependentType() || judged_.contains(member))
+    return;
+  QualType const type = field->getType();
+  if (reals_.mentions_real(type) || type->isPointerType()) return;
+  if (!reals_.carries_real(context_.getRecordType(field->getParent()))) return;
+  Expr const *base = member->getBase()->IgnoreParenImpCasts();
+  bool const spelled = !member->isImplicitAccess() && base->getEndLoc() != member->getEndLoc();
+  auto const *within = dyn_cast<MemberExpr>(base);
+  if (spelled && !(within && !within->getMemberDecl()->getDeclName()))
+    note(base, Use::bits);
+  else if (!field->isBitField())
+    note(member, Use::bits);
+  else
+    report(DiagnosticId::reinterpretation, member->getMemberLoc(),
+           "'" + field->getNameAsString() + "' shares its bytes with a REAL");
+}
+
+// What a pointer, a reference or an array leads to at last.
+static QualType innermost_type(QualType type) {
+  while (true) {
+    if (auto const *array = type->getAsArrayTypeUnsafe())
+      type = array->getElementType();
+    else if (QualType const pointee = type->getPointeeType(); !pointee.isNull())
+      type = pointee;
+    else
+      return type;
+  }
+}
+
+// The same, as a built-in type: of an enumeration the integer, null of a class.
+static BuiltinType const *innermost(QualType type) {
+  type = innermost_type(type);
+  if (auto const *enumeration = type->getAs<EnumType>())
+    if (QualType const integer = enumeration->getDecl()->getIntegerType(); !integer.isNull()) type = integer;
+  return type->getAs<BuiltinType>();
+}
+
+// A cast between pointers says what the bytes are taken for.
+void Collector::reinterpretation(ExplicitCastExpr const *cast) {
+  Expr const *from = cast->getSubExpr();
+  if (cast->getCastKind() == CK_LValueToRValueBitCast && reals_.carries_real(from->getType()) &&
+      !reals_.carries_real(cast->getType()))
+    note(from->IgnoreParenImpCasts(), Use::bits);
+  if (cast->getCastKind() != CK_BitCast && cast->getCastKind() != CK_LValueBitCast) return;
+  QualType const source = cast->getSubExprAsWritten()->getType();
+  BuiltinType const *before = innermost(source), *after = innermost(cast->getType());
+  auto const is_bytes = [](BuiltinType const *type) {
+    return type->isVoidType() || type->getKind() == BuiltinType::Char_S || type->getKind() == BuiltinType::Char_U ||
+           type->getKind() == BuiltinType::UChar;
+  };
+  // (double *)((char *)p + n) only counts in bytes, and so does a structure behind numbers; the outer cast is visited
+  // first. Integers there are looked at in the run.
+  auto const *sum = dyn_cast<BinaryOperator>(cast->getSubExprAsWritten()->IgnoreParens());
+  if (sum && sum->isAdditiveOp() && !(after && is_bytes(after))) {
+    for (Expr const *side : {sum->getLHS(), sum->getRHS()}) counting_casts_.insert(side->IgnoreParenImpCasts());
+    if (after && after->isInteger()) note(cast->getSubExprAsWritten(), Use::bits);
+  }
+  if (RecordDecl const *record = innermost_type(cast->getType())->getAsRecordDecl();
+      record && record->getDefinition() && before && before->getKind() == BuiltinType::Double &&
+      !record->getDefinition()->field_empty() && !reals_.carries_real(innermost_type(cast->getType())))
+    view(cast, false);
+  if (!before || !after || before->getKind() == after->getKind()) return;
+  bool const was_double = before->getKind() == BuiltinType::Double, is_double = after->getKind() == BuiltinType::Double;
+  bool const only_counts = is_bytes(after) && counting_casts_.contains(cast);
+  if (was_double && !after->isVoidType() && !only_counts) view(cast, after->isInteger());
+  if (is_double && !is_bytes(before))
+    report(DiagnosticId::reinterpretation, cast->getBeginLoc(), source.getAsString() + " is looked at as a REAL");
+}
+
+// From void *, which may have been the address of a REAL, or from a structure that holds some, to a pointer to
+// integers.
+void Collector::pointer_cast(CastExpr const *cast) {
+  if (cast->getCastKind() != CK_BitCast || cast->isTypeDependent()) return;
+  Expr const *from = cast->getSubExpr()->IgnoreParenImpCasts();
+  QualType const to = cast->getType()->getPointeeType(), given = from->getType()->getPointeeType();
+  if (to.isNull() || !to->isIntegralOrEnumerationType() || isa<CallExpr>(from)) return;
+  bool const holds_numbers = !given.isNull() && given->isRecordType() && reals_.carries_real(given);
+  if (from->getType()->isVoidPointerType() || holds_numbers) note(from, Use::bits);
+}
+
+void Collector::moved_bytes(CallExpr const *call, FunctionDecl const *function) {
+  if (!function->getDeclName().isIdentifier()) return;
+  llvm::StringRef name = function->getName();
+  name.consume_front("__builtin_");
+  std::string how = name == "memset"                        ? "set"
+                    : name == "memcmp"                      ? "compare"
+                    : name == "memcpy" || name == "memmove" ? "move"
+                    : name == "fread"                       ? "read"
+                    : name == "fwrite"                      ? "write"
+                                                            : "";
+  bool const is_file = how == "read" || how == "write";
+  if (how.empty() || call->getNumArgs() != (is_file ? 4 : 3)) return;
+  bool any = false;
+  for (Expr const *argument : {call->getArg(0), call->getArg(is_file ? 0 : 1)}) {
+    QualType const pointee = Reals::pointee(argument);
+    any = any || (!pointee.isNull() && reals_.carries_real(pointee));
+  }
+  Expr const *callee = call->getCallee()->IgnoreParenImpCasts();
+  std::optional<Span> const span = map_.range(callee->getSourceRange());
+  if (!any || !span || !map_.in_roots(callee->getBeginLoc())) return;
+  // To a structure without numbers.
+  QualType const target = Reals::pointee(call->getArg(0));
+  if (how == "move" && !target.isNull() && target->isRecordType() && !reals_.carries_real(target)) how = "into";
+  auto const words = [&](unsigned index) {
+    Expr const *argument = call->getArg(index)->IgnoreParenImpCasts();
+    std::optional<Span> const written = map_.range(argument->getSourceRange());
+    return written ? normalised(map_.text(*written, argument->getBeginLoc())) : name.str();
+  };
+  std::string const what =
+      how == "compare" ? words(0) + "' or '" + words(1) : words(how == "move" || how == "into" ? 1 : 0);
+  std::string detail = how + ", " + quoted(what);
+  detail.append(", ").append(quoted(to_string(map_.place(call->getBeginLoc()))));
+  facts_.wraps.insert({*span, Use::bytes, detail});
+}
+
+} // namespace symreal::rewrite

@@ -1,0 +1,145 @@
+// What C allows and C++ does not, beyond what a cast can make good.
+#include "rewrite/collect/collector.h"
+#include "rewrite/source/keyword_names.h"
+#include "rewrite/text/pragma_text.h"
+
+namespace symreal::rewrite {
+using namespace clang;
+
+namespace {
+
+// The definition or another declaration, if it has parameters.
+FunctionDecl const *parameters_of_c(FunctionDecl const *function) {
+  FunctionDecl const *definition = function->getDefinition();
+  if (definition && definition->getNumParams() > 0) return definition;
+  for (FunctionDecl const *other : function->redecls())
+    if (other->hasWrittenPrototype() && other->getNumParams() > 0) return other;
+  return nullptr;
+}
+
+// Before it became a pointer to const; an array is a pointer to its elements, which are const in a const object.
+Expr const *as_pointer(Expr const *argument) {
+  auto const *cast = dyn_cast<ImplicitCastExpr>(argument->IgnoreParens());
+  return cast && cast->getCastKind() != CK_ArrayToPointerDecay ? as_pointer(cast->getSubExpr()) : argument;
+}
+
+// The name NULL is a null pointer of any type in C++ as well.
+bool is_null(ImplicitCastExpr const *cast, SourceMap const &map, LangOptions const &language) {
+  SourceLocation const begin = cast->getSubExpr()->getBeginLoc();
+  return cast->getCastKind() == CK_NullToPointer && begin.isMacroID() &&
+         Lexer::getImmediateMacroName(begin, map.sources(), language) == "NULL";
+}
+
+} // namespace
+
+void Collector::c_declaration(NamedDecl const *declaration) {
+  if (map_.language().CPlusPlus || !declaration->getIdentifier()) return;
+  llvm::StringRef const name = declaration->getName();
+  if (is_keyword_of_cpp(name) && (!is_renamed(name) || !map_.token(declaration->getLocation(), name)))
+    report(DiagnosticId::c_source, declaration->getLocation(), "'" + name.str() + "' is a keyword of C++");
+  if (auto const *variable = dyn_cast<VarDecl>(declaration)) tentative_definitions(variable);
+  if (auto const *function = dyn_cast<FunctionDecl>(declaration)) c_prototype(function);
+}
+
+// A function that is declared as before C89, f() or f(a, b) double a; int b; and defined with parameters: C++ must be
+// told of them. What stands there remains for numeric mode.
+void Collector::c_prototype(FunctionDecl const *function) {
+  FunctionDecl const *definition = parameters_of_c(function);
+  if (function->hasWrittenPrototype() || !definition || !map_.in_roots(function->getLocation())) return;
+  if (!map_.in_roots(definition->getLocation())) { // known from a header, which C++ has with other words
+    std::optional<Span> const name = map_.token(function->getLocation(), function->getName());
+    if (name && !map_.is_argument_of(function->getLocation(), "REAL_EITHER"))
+      facts_.wraps.insert({*name, Use::instead, "symreal_" + function->getNameAsString()});
+    return;
+  }
+  std::string parameters;
+  for (ParmVarDecl const *parameter : definition->parameters()) {
+    std::string declarator = parameter->getNameAsString();
+    PrintingPolicy policy(map_.language());
+    policy.Bool = true;
+    parameter->getOriginalType().getAsStringInternal(declarator, policy);
+    parameters.append(parameters.empty() ? "" : ", ").append(declarator);
+  }
+  FunctionTypeLoc const type = function->getFunctionTypeLoc();
+  if (type && map_.is_argument_of(type.getLParenLoc(), "REAL_PROTOTYPE")) return;
+  SourceLocation end = type ? type.getRParenLoc().getLocWithOffset(1) : SourceLocation();
+  if (function->isThisDeclarationADefinition())
+    for (ParmVarDecl const *parameter : function->parameters())
+      end = std::max(end, Lexer::findLocationAfterToken(parameter->getEndLoc(), tok::semi, map_.sources(),
+                                                        map_.language(), /*SkipTrailingWhitespaceAndNewLine=*/false));
+  std::optional<Span> const span = type ? map_.characters(type.getLParenLoc(), end) : std::nullopt;
+  if (!span || map_.text(*span, type.getLParenLoc()).find('#') != std::string::npos)
+    report(DiagnosticId::c_source, function->getLocation(),
+           "'" + function->getNameAsString() +
+               "' is declared in the style before C89, partly by macros or under conditions");
+  else
+    facts_.wraps.insert({*span, Use::prototype, with_real(parameters)});
+}
+
+void Collector::c_call(CallExpr const *call) {
+  if (map_.language().CPlusPlus || call->getNumArgs() == 0 || call->getBuiltinCallee() != 0) return;
+  for (Expr const *argument : call->arguments()) // an array of variable extents is taken by its address (c_arrays.h)
+    if (argument->getType()->isVariablyModifiedType()) compared_pointers_.insert(argument);
+  if (FunctionDecl const *callee = call->getDirectCallee(); callee && parameters_of_c(callee)) return;
+  QualType const function = call->getCallee()->getType()->getPointeeType();
+  if (!function.isNull() && function->getAs<FunctionNoProtoType>())
+    report(DiagnosticId::c_source, call->getBeginLoc(),
+           "a function that is declared without parameters is called with arguments");
+}
+
+// A mathematical function of C takes a double, and abs an int: C++ has others besides, for what stands there. A builtin
+// is of C, and becomes the function of C++.
+void Collector::c_arguments(CallExpr const *call) {
+  FunctionDecl const *function = call->getDirectCallee();
+  if (!function || !function->getIdentifier()) return;
+  bool const is_builtin = function->getName().starts_with("__builtin_"); // declared where it is used first
+  if (!is_builtin && (map_.language().CPlusPlus || reals_.in_roots(function))) return;
+  bool const is_math = is_builtin ? Reals::is_math_name(function->getName()) : reals_.is_math(function);
+  bool const is_integral = function->getName() == "abs" || function->getName() == "div";
+  // The runtime's functions take a double beside a REAL.
+  bool const takes_real = std::any_of(call->arg_begin(), call->arg_end(),
+                                      [&](Expr const *one) { return reals_.is_real(one->IgnoreParenImpCasts()); });
+  for (unsigned i = 0; i < std::min(call->getNumArgs(), function->getNumParams()); ++i) {
+    auto const *cast = dyn_cast<ImplicitCastExpr>(call->getArg(i));
+    if (!cast || reals_.is_real(cast->getSubExpr())) continue;
+    bool const to_double = Reals::is_double(cast->getType());
+    if ((is_math && to_double && cast->getCastKind() == CK_FloatingCast) ||
+        (to_double && cast->getCastKind() == CK_IntegralToFloating && !takes_real)) {
+      wrap(cast->getSubExpr(), Use::promoted);
+      promoted_.insert(cast);
+    } else if (is_integral && (cast->getCastKind() == CK_IntegralCast || cast->getCastKind() == CK_FloatingToIntegral))
+      wrap(cast->getSubExpr(), Use::cast, spelled(cast->getType()));
+  }
+}
+
+// A literal's characters are const in C++, and so are those that `x ? name : "none"` leads to.
+void Collector::c_choice(ConditionalOperator const *choice) {
+  QualType const pointee = choice->getType()->getPointeeType();
+  if (map_.language().CPlusPlus) return;
+  if (choice->getType()->isIntegerType())
+    for (Expr const *arm : {choice->getTrueExpr(), choice->getFalseExpr()}) c_operand(choice->getQuestionLoc(), arm);
+  if (pointee.isNull() || pointee.isConstQualified()) return;
+  for (Expr const *arm : {choice->getTrueExpr(), choice->getFalseExpr()})
+    if (Expr const *written = arm->IgnoreImpCasts(); isa<StringLiteral>(written->IgnoreParens()))
+      wrap(written, Use::cast, spelled(choice->getType()));
+    else if (auto const *cast = dyn_cast<ImplicitCastExpr>(arm);
+             cast && is_pointer_of_c(cast) && !is_null(cast, map_, map_.language())) {
+      compared_pointers_.insert(cast); // an arm has no context to go by
+      wrap(cast->getSubExpr(), Use::cast, spelled(cast->getType()));
+    }
+}
+
+// What takes a pointer to const in C++ gives one.
+void Collector::c_search(CallExpr const *call) {
+  static llvm::StringSet<> const searches = {"memchr", "strchr",  "strrchr", "strstr",  "strpbrk",
+                                             "wcschr", "wcsrchr", "wcsstr",  "wcspbrk", "wmemchr"};
+  FunctionDecl const *function = call->getDirectCallee();
+  if (map_.language().CPlusPlus || !function || reals_.in_roots(function) || !function->getIdentifier()) return;
+  if (!searches.contains(function->getName())) return;
+  Expr const *searched = call->getArg(0);
+  QualType const pointee = as_pointer(searched)->getType()->getPointeeType();
+  bool const is_literal = isa<StringLiteral>(searched->IgnoreParenImpCasts()); // whose characters are const in C++ only
+  if (is_literal || (!pointee.isNull() && pointee.isConstQualified())) wrap(call, Use::cast, spelled(call->getType()));
+}
+
+} // namespace symreal::rewrite

@@ -1,0 +1,201 @@
+// What C means by an expression that C++ gives another type: enumerations are integers there, a truth value and a
+// character are ints. The differences are those of the C++ standard's annex on C ([diff.iso]) as far as they are
+// silent.
+#include "rewrite/collect/collector.h"
+
+namespace symreal::rewrite {
+using namespace clang;
+
+namespace {
+
+// Through what C writes nothing for and C++ does not convert.
+Expr const *operand_of(Expr const *expression) {
+  while (true) {
+    expression = expression->IgnoreParens();
+    auto const *cast = dyn_cast<ImplicitCastExpr>(expression);
+    bool const is_through = cast && (cast->getCastKind() == CK_IntegralCast || cast->getCastKind() == CK_NoOp ||
+                                     cast->getCastKind() == CK_LValueToRValue);
+    if (!is_through) return expression;
+    expression = cast->getSubExpr();
+  }
+}
+
+// The enumeration that an expression is of in C++; null if it is of none.
+EnumDecl const *enumeration_in_cpp(Expr const *expression) {
+  expression = operand_of(expression);
+  if (auto const *binary = dyn_cast<BinaryOperator>(expression); binary && binary->isCommaOp())
+    return enumeration_in_cpp(binary->getRHS());
+  if (auto const *choice = dyn_cast<ConditionalOperator>(expression)) {
+    EnumDecl const *yes = enumeration_in_cpp(choice->getTrueExpr()), *no = enumeration_in_cpp(choice->getFalseExpr());
+    // An object among its arms is counted, and so is the whole (c_choice).
+    return yes == no && choice->getType()->isSignedIntegerType() ? yes : nullptr;
+  }
+  if (auto const *name = dyn_cast<DeclRefExpr>(expression))
+    if (auto const *enumerator = dyn_cast<EnumConstantDecl>(name->getDecl()))
+      return cast<EnumDecl>(enumerator->getDeclContext())->getCanonicalDecl();
+  auto const *type = expression->getType()->getAs<EnumType>();
+  return type ? type->getDecl()->getCanonicalDecl() : nullptr;
+}
+
+// What its values are promoted to there ([conv.prom]): the first type that holds all those it could have.
+QualType promoted_in_cpp(EnumDecl const *enumeration, ASTContext const &context) {
+  EnumDecl const *definition = enumeration->getDefinition();
+  if (!definition) return context.IntTy;
+  unsigned const positive = definition->getNumPositiveBits(), negative = definition->getNumNegativeBits();
+  for (QualType type : {context.IntTy, context.UnsignedIntTy, context.LongTy, context.UnsignedLongTy}) {
+    bool const is_signed = type->isSignedIntegerType();
+    unsigned const needed = is_signed ? std::max(negative, positive + 1) : positive;
+    if (needed <= context.getIntWidth(type) && (is_signed || negative == 0)) return type;
+  }
+  return context.UnsignedLongLongTy;
+}
+
+// What C++ has another type for, of another size, or none that has one: in C `?:` and `,` give values.
+enum class Other { none, truth, character, enumeration, array, bit_field };
+
+bool is_classification(Expr const *expression) { // isnan and its like, which give a bool there
+  auto const *call = dyn_cast<CallExpr>(expression);
+  FunctionDecl const *function = call ? call->getDirectCallee() : nullptr;
+  if (!function || !function->getIdentifier() || !call->getType()->isIntegerType()) return false;
+  llvm::StringRef name = function->getName();
+  name.consume_front("__builtin_");
+  return name.starts_with("is") && Reals::is_math_name(name);
+}
+
+// Where both arms are of one of these types `?:` is of that in C++, and an int in C.
+bool is_narrow(Expr const *expression) {
+  expression = operand_of(expression);
+  if (isa<CharacterLiteral>(expression)) return true;
+  if (auto const *binary = dyn_cast<BinaryOperator>(expression); binary && !binary->isAssignmentOp())
+    return binary->isComparisonOp() || binary->isLogicalOp();
+  if (auto const *unary = dyn_cast<UnaryOperator>(expression); unary && unary->getOpcode() == UO_LNot) return true;
+  auto const *type = expression->getType()->getAs<BuiltinType>();
+  if (!type) return false;
+  switch (type->getKind()) {
+  case BuiltinType::Bool:
+  case BuiltinType::Char_S:
+  case BuiltinType::Char_U:
+  case BuiltinType::SChar:
+  case BuiltinType::UChar:
+  case BuiltinType::Short:
+  case BuiltinType::UShort: return true;
+  default: return false;
+  }
+}
+
+Other other_type(Expr const *expression, SourceMap const &map) {
+  expression = expression->IgnoreParens();
+  if (auto const *cast = dyn_cast<ImplicitCastExpr>(expression))
+    return cast->getCastKind() == CK_ArrayToPointerDecay ? Other::array : other_type(cast->getSubExpr(), map);
+  if (isa<CharacterLiteral>(expression)) return Other::character;
+  if (auto const *unary = dyn_cast<UnaryOperator>(expression)) {
+    if (unary->getOpcode() == UO_Extension) return other_type(unary->getSubExpr(), map);
+    return unary->getOpcode() == UO_LNot ? Other::truth : Other::none;
+  }
+  if (auto const *binary = dyn_cast<BinaryOperator>(expression)) {
+    if (binary->isCommaOp()) return other_type(binary->getRHS(), map);
+    return binary->isComparisonOp() || binary->isLogicalOp() ? Other::truth : Other::none;
+  }
+  if (auto const *choice = dyn_cast<AbstractConditionalOperator>(expression)) {
+    Other const yes = other_type(choice->getTrueExpr(), map), no = other_type(choice->getFalseExpr(), map);
+    if (yes == Other::bit_field || no == Other::bit_field) return Other::bit_field;
+    if (is_narrow(choice->getTrueExpr()) && is_narrow(choice->getFalseExpr())) return Other::truth;
+    return yes == no ? yes : Other::none;
+  }
+  if (auto const *literal = dyn_cast<IntegerLiteral>(expression); literal && literal->getLocation().isMacroID()) {
+    llvm::StringRef const macro = Lexer::getImmediateMacroName(literal->getLocation(), map.sources(), map.language());
+    return macro == "true" || macro == "false" ? Other::truth : Other::none; // words of the language there
+  }
+  if (is_classification(expression)) return Other::truth;
+  if (isa<MemberExpr>(expression) && const_cast<Expr *>(expression)->getSourceBitField()) return Other::bit_field;
+  auto const *name = dyn_cast<DeclRefExpr>(expression);
+  return name && isa<EnumConstantDecl>(name->getDecl()) ? Other::enumeration : Other::none;
+}
+
+} // namespace
+
+// The integer that an expression of an enumeration stands for.
+QualType Collector::counted_as(Expr const *enumeration) const {
+  Expr const *written = operand_of(enumeration);
+  auto const *type = written->getType()->getAs<EnumType>();
+  if (!type) return map_.language().CPlusPlus ? context_.IntTy : written->getType();
+  if (QualType const promoted = context_.isPromotableBitField(const_cast<Expr *>(written)); !promoted.isNull())
+    return promoted;
+  QualType const promoted = type->getDecl()->getPromotionType();
+  return promoted.isNull() ? context_.IntTy : promoted;
+}
+
+void Collector::c_operand(SourceLocation operation, Expr const *operand) {
+  if (map_.language().CPlusPlus || !map_.in_roots(operation)) return;
+  if (auto const *cast = dyn_cast<ImplicitCastExpr>(operand->IgnoreParens()))
+    if (cast->getCastKind() == CK_IntegralToFloating && Reals::is_double(cast->getType())) return; // implicit_cast
+  EnumDecl const *enumeration = enumeration_in_cpp(operand);
+  if (!enumeration || enumeration->isFixed()) return;
+  Expr const *written = operand_of(operand);
+  QualType const in_c = counted_as(written);
+  if (context_.hasSameUnqualifiedType(in_c, promoted_in_cpp(enumeration, context_))) return;
+  // In a macro's body it may be something else another time; an enumerator is one wherever it stands.
+  if (written->getType()->isEnumeralType())
+    wrap_for(operation, operand->IgnoreImpCasts(), Use::counted);
+  else
+    wrap(written, Use::of_c, spelled(in_c));
+}
+
+void Collector::c_operation(BinaryOperator const *operation) {
+  if (map_.language().CPlusPlus || operation->isLogicalOp() || operation->isCommaOp()) return;
+  if (operation->isAssignmentOp() && !operation->isCompoundAssignmentOp()) return;
+  QualType const left = operation->getLHS()->getType(), right = operation->getRHS()->getType();
+  if (left->isPointerType() || right->isPointerType()) return;
+  // Whether two integers of the size of an int are equal does not depend on their signs.
+  if (operation->isEqualityOp() && context_.getTypeSize(left) == context_.getTypeSize(context_.IntTy)) return;
+  if (!operation->isCompoundAssignmentOp()) c_operand(operation->getOperatorLoc(), operation->getLHS());
+  if (!operation->isShiftOp() && operation->getOpcode() != BO_ShlAssign && operation->getOpcode() != BO_ShrAssign)
+    c_operand(operation->getOperatorLoc(), operation->getRHS());
+}
+
+void Collector::c_operation(UnaryOperator const *operation) {
+  if (operation->getOpcode() == UO_Plus || operation->getOpcode() == UO_Minus || operation->getOpcode() == UO_Not)
+    c_operand(operation->getOperatorLoc(), operation->getSubExpr());
+  Expr const *counted = operation->getSubExpr();
+  if (map_.language().CPlusPlus || !operation->isIncrementDecrementOp() || !counted->getType()->isBooleanType()) return;
+  if (counted->refersToBitField())
+    report(DiagnosticId::c_source, operation->getOperatorLoc(), "a bit-field that is a truth value is counted");
+  else
+    wrap(counted, Use::enumeration);
+}
+
+void Collector::c_type_asked(Expr const *operand, bool is_size) {
+  if (map_.language().CPlusPlus || !map_.in_roots(operand->getBeginLoc())) return;
+  Other const other = other_type(operand, map_);
+  if (other == Other::none) return;
+  if (other == Other::enumeration) {
+    EnumDecl const *enumeration = enumeration_in_cpp(operand);
+    if (!enumeration || !enumeration->getDefinition()) return;
+    QualType const in_cpp = enumeration->getDefinition()->getIntegerType();
+    if (is_size && context_.getTypeSize(in_cpp) == context_.getTypeSize(operand->getType())) return;
+  }
+  if (other == Other::bit_field) { // whose size C++ refuses to tell; Clang takes no width into account
+    Width const width = width_of(operand);
+    QualType const type = width.bits <= 32  ? (width.is_signed ? context_.IntTy : context_.UnsignedIntTy)
+                          : width.is_signed ? context_.LongLongTy
+                                            : context_.UnsignedLongLongTy;
+    return wrap(operand->IgnoreParens(), Use::cast, spelled(type));
+  }
+  // A type that is asked for takes part in more, and that of a comparison of REALs must stay theirs.
+  if (auto const *comparison = dyn_cast<BinaryOperator>(operand->IgnoreParenImpCasts());
+      !is_size && comparison && (reals_.is_real(comparison->getLHS()) || reals_.is_real(comparison->getRHS())))
+    return;
+  wrap(operand->IgnoreParens(), Use::of_c, spelled(operand->getType()));
+}
+
+// Before C99 a decimal number that is too large for long is an unsigned long, later a larger type.
+void Collector::c_literal(IntegerLiteral const *literal) {
+  if (map_.language().CPlusPlus || map_.language().C99 || !literal->getType()->isUnsignedIntegerType()) return;
+  std::optional<Span> const span = map_.token(literal->getLocation());
+  if (!span) return;
+  std::string const text = map_.text(*span, literal->getLocation());
+  if (text.starts_with("0") || text.find_first_not_of("0123456789lL") != text.npos) return;
+  wrap(literal, Use::cast, spelled(literal->getType()));
+}
+
+} // namespace symreal::rewrite

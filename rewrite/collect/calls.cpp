@@ -1,0 +1,246 @@
+#include "rewrite/collect/collector.h"
+#include "rewrite/model/text_functions.h"
+#include "support/installation.h"
+
+namespace symreal::rewrite {
+using namespace clang;
+
+namespace {
+
+Expr const *written(Expr const *expression) {
+  while (true) {
+    Expr const *inner = expression->IgnoreImplicit();
+    if (auto const *bound = dyn_cast<CXXBindTemporaryExpr>(inner)) inner = bound->getSubExpr();
+    if (inner == expression) return inner;
+    expression = inner;
+  }
+}
+
+std::vector<Expr const *> written_arguments(llvm::ArrayRef<Expr const *> all) {
+  std::vector<Expr const *> result;
+  for (Expr const *argument : all)
+    if (!isa<CXXDefaultArgExpr>(argument)) result.push_back(argument);
+  return result;
+}
+
+// Is there an overload that takes something else than double in this place? Then a literal that is still a double while
+// the declarations say REAL could choose it.
+bool overload_competes(FunctionDecl const *function, unsigned index, unsigned count) {
+  DeclContext const *scope = function->getDeclContext();
+  auto const *constructor = dyn_cast<CXXConstructorDecl>(function);
+  for (NamedDecl const *found : scope->lookup(function->getDeclName())) {
+    if (isa<FunctionTemplateDecl>(found)) return true;
+    if (auto const *shadow = dyn_cast<UsingShadowDecl>(found)) found = shadow->getTargetDecl();
+    auto const *other = dyn_cast<FunctionDecl>(found);
+    if (!other || other->getCanonicalDecl() == function->getCanonicalDecl()) continue;
+    if (auto const *built = dyn_cast<CXXConstructorDecl>(other);
+        built && constructor && built->isCopyOrMoveConstructor())
+      continue;
+    if (other->getMinRequiredArguments() > count || other->getNumParams() <= index) continue;
+    if (!Reals::is_double(other->getParamDecl(index)->getType())) return true;
+  }
+  return false;
+}
+
+bool reads_numbers(FunctionDecl const *function) {
+  return function->getDeclName().isIdentifier() && function->getName().ends_with("scanf");
+}
+
+// A REAL that goes where only double does: a decision where it is symbolic. In words that a second rewriting leaves.
+constexpr char const *plain_double = "decltype(0.0)";
+
+// The stream operators and to_string have overloads for RealNumber, and the runtime's own functions take it.
+bool runtime_overloads(FunctionDecl const *function, SourceManager const &sources) {
+  if (sources.getFilename(function->getLocation()).starts_with(runtime_include())) return true;
+  if (function->isOverloadedOperator()) {
+    auto const *method = dyn_cast<CXXMethodDecl>(function);
+    return method && method->getParent()->isInStdNamespace();
+  }
+  return function->isInStdNamespace() && function->getDeclName().isIdentifier() && function->getName() == "to_string";
+}
+
+// Other than what it was given a reference to, as an operator << does. What makes text is looked at elsewhere.
+bool gives_something(FunctionDecl const *function) {
+  QualType const type = function->getReturnType();
+  return !isa<CXXConstructorDecl>(function) && !type->isVoidType() && !type->isReferenceType() &&
+         text_use(function) == TextUse::none;
+}
+
+} // namespace
+
+// The type as which an integer goes through `...`, in words of the language.
+static std::string promoted_integer(Expr const *argument) {
+  QualType const type = argument->getType().getCanonicalType();
+  return type->isBooleanType() ? "int" : type.getUnqualifiedType().getAsString();
+}
+
+bool Collector::is_plain_double(Expr const *expression) const {
+  return Reals::is_double(expression->getType()) && !expression->isTypeDependent() && reals_.stays_double(expression);
+}
+
+void Collector::call(CallExpr const *call) {
+  FunctionDecl const *function = call->getDirectCallee();
+  if (!function) return;
+  symbolic_main(call, function);
+  bytes_of_arguments(call, function);
+  Expr const *callee = call->getCallee()->IgnoreParenImpCasts();
+  callees_.insert(callee);
+  if (function->getIdentifier() && (function->getName() == "free" || function->getName() == "realloc") &&
+      call->getNumArgs() > 0)
+    counting_casts_.insert(call->getArg(0)->IgnoreParenImpCasts());
+  if (Reals::External const *external = reals_.external(function))
+    return wrap(callee, Use::external, external->arguments);
+  bool overloaded = false;
+  if (auto const *reference = dyn_cast<DeclRefExpr>(callee))
+    overloaded = reference->hadMultipleCandidates();
+  else if (auto const *member = dyn_cast<MemberExpr>(callee))
+    overloaded = member->hadMultipleCandidates();
+  std::vector<Expr const *> all(call->arg_begin(), call->arg_end());
+  if (isa<CXXOperatorCallExpr>(call) && isa<CXXMethodDecl>(function) && !all.empty()) all.erase(all.begin());
+  // stream.operator<<(x): the operator for REALs is no member.
+  if (isa<CXXMemberCallExpr>(call) && function->getOverloadedOperator() == OO_LessLess &&
+      runtime_overloads(function, map_.sources()) && all.size() == 1 && reals_.is_real(all[0]))
+    wrap_for(call->getRParenLoc(), all[0], Use::value, function->getQualifiedNameAsString());
+  arguments(call->getRParenLoc(), function, written_arguments(all), overloaded);
+  converted_by_library(call, function);
+}
+
+void Collector::construction(CXXConstructExpr const *construction) {
+  if (construction->getLocation().isInvalid()) return;
+  CXXConstructorDecl const *constructor = construction->getConstructor();
+  if (constructor->isCopyOrMoveConstructor()) return;
+  if (construction->getParenOrBraceRange().isInvalid()) converting_construction(construction);
+  kept_callable(construction);
+  std::vector<Expr const *> const all(construction->arg_begin(), construction->arg_end());
+  arguments(construction->getLocation(), constructor, written_arguments(all), construction->hadMultipleCandidates());
+}
+
+// An implicit conversion through a constructor that takes double: from a literal it would need two steps, double to
+// REAL and REAL to the class, and the language takes only one.
+void Collector::converting_construction(CXXConstructExpr const *construction) {
+  if (construction->getNumArgs() == 0 || isa<CXXDefaultArgExpr>(construction->getArg(0))) return;
+  CXXConstructorDecl const *constructor = construction->getConstructor();
+  if (constructor->getNumParams() == 0 || !Reals::is_double(constructor->getParamDecl(0)->getType())) return;
+  if (Reals::is_passive_class(construction->getType())) return;
+  Expr const *argument = construction->getArg(0)->IgnoreParenImpCasts();
+  if (argument->getType()->isArithmeticType() && reals_.stays_double(argument)) wrap(argument, Use::literal);
+}
+
+void Collector::arguments(SourceLocation call, FunctionDecl const *function, Arguments arguments, bool overloaded) {
+  auto const count = static_cast<unsigned>(arguments.size());
+  bool const math = reals_.is_math(function);
+  bool const outside = !reals_.in_roots(function) && !runtime_overloads(function, map_.sources());
+  for (unsigned i = 0; i < count; ++i) {
+    if (math || arguments[i]->isTypeDependent()) continue;
+    if (is_plain_double(arguments[i])) literal_argument(function, i, arguments[i], overloaded, count);
+    if (auto const *list = dyn_cast<CXXStdInitializerListExpr>(written(arguments[i]))) {
+      auto const *elements = dyn_cast<InitListExpr>(list->getSubExpr()->IgnoreImplicit());
+      bool const deduced = function->getPrimaryTemplate() != nullptr;
+      if (elements && (deduced || elements->getNumInits() <= 2)) deduced_elements(elements);
+    }
+    truth_argument(function, i, arguments[i], overloaded);
+    extreme_argument(function, i, arguments[i]);
+    if (outside)
+      outside_argument(call, function, i, arguments[i]);
+    else if (i < function->getNumParams() || !function->isVariadic())
+      continue;
+    else if (reals_.is_real(arguments[i]))
+      wrap_for(call, arguments[i], Use::value, function->getQualifiedNameAsString());
+    else if (may_be_truth(arguments[i])) // the program itself may compute with it
+      wrap_for(call, arguments[i], Use::conversion, promoted_integer(arguments[i]));
+  }
+}
+
+void Collector::literal_argument(FunctionDecl const *function, unsigned index, Expr const *argument, bool overloaded,
+                                 unsigned count) {
+  if (index >= function->getNumParams()) {
+    auto const *primary = function->getPrimaryTemplate();
+    if (primary && !function->isVariadic()) wrap(argument, Use::literal); // an element of a parameter pack
+    return;
+  }
+  if (auto const *method = dyn_cast<CXXMethodDecl>(function); method && Reals::is_passive_template(method->getParent()))
+    return;
+  if (FunctionTemplateDecl const *primary = function->getPrimaryTemplate()) {
+    FunctionDecl const *pattern = primary->getTemplatedDecl();
+    unsigned const at = std::min(index, pattern->getNumParams() - 1);
+    if (pattern->getParamDecl(at)->getType()->isDependentType()) wrap(argument, Use::literal);
+    return;
+  }
+  bool const rewritten = reals_.in_roots(function);
+  bool const is_double_parameter = Reals::is_double(function->getParamDecl(index)->getType());
+  if (rewritten && overloaded && is_double_parameter && overload_competes(function, index, count))
+    wrap(argument, Use::literal);
+}
+
+// A function that neither returns nor keeps doubles: what it takes leaves the program.
+bool Collector::takes_only(FunctionDecl const *function) const {
+  if (reals_.mentions_real(function->getReturnType())) return false;
+  for (ParmVarDecl const *parameter : function->parameters()) {
+    QualType const type = parameter->getType();
+    if (Reals::is_double(type) && !type->isReferenceType()) continue;
+    QualType pointee = type->getPointeeType();
+    if (pointee.isNull() || pointee.isConstQualified()) continue;
+    auto const *record = pointee->getAsRecordDecl();
+    if (!record) {
+      if (reals_.mentions_real(pointee)) return false;
+      continue;
+    }
+    if (!record->getDefinition()) return false;
+    for (FieldDecl const *field : record->getDefinition()->fields())
+      if (reals_.mentions_real(field->getType())) return false;
+  }
+  auto const *method = dyn_cast<CXXMethodDecl>(function);
+  return !method || method->isStatic() || method->getParent()->isInStdNamespace();
+}
+
+void Collector::outside_argument(SourceLocation call, FunctionDecl const *function, unsigned index,
+                                 Expr const *argument) {
+  bool const real = reals_.is_real(argument);
+  std::string const name = "'" + function->getQualifiedNameAsString() + "', which is outside the roots";
+  if (index >= function->getNumParams()) {
+    if (!function->isVariadic()) return;
+    if (real || may_be_truth(argument))
+      wrap_for(call, argument, Use::value);
+    else if (argument->getType()->isPointerType() && !reads_numbers(function) &&
+             Reals::is_double(argument->getType()->getPointeeType()))
+      report(DiagnosticId::boundary_call, argument->getBeginLoc(), "the address of a REAL goes to " + name);
+    return;
+  }
+  QualType const parameter = function->getParamDecl(index)->getType();
+  QualType const declared = [&] {
+    FunctionDecl const *pattern = Reals::pattern(function);
+    unsigned const count = pattern->getNumParams();
+    if (index < count) return pattern->getParamDecl(index)->getType();
+    bool const in_pack = count > 0 && pattern->getParamDecl(count - 1)->isParameterPack();
+    return in_pack ? pattern->getParamDecl(count - 1)->getType() : parameter;
+  }();
+  auto const *method = dyn_cast<CXXMethodDecl>(function);
+  if (method && method->isDefaulted()) return; // it copies its own class, whatever that holds
+  // complex<double>, written out by the library, is another class than complex<REAL>, and so are its members.
+  if (method && Reals::pattern(function) == function && isa<ClassTemplateSpecializationDecl>(method->getParent()) &&
+      reals_.carries_real(context_.getRecordType(method->getParent())))
+    return;
+  bool const passive_class = method && Reals::is_passive_template(method->getParent());
+  if (passive_class && real) {
+    wrap_for(call, argument, Use::conversion, plain_double);
+    return;
+  }
+  if (declared->isDependentType()) return; // a template: instantiated on REAL it is traced
+  if (Reals::is_double(parameter) &&
+      (!parameter->isReferenceType() || parameter.getNonReferenceType().isConstQualified())) {
+    if (!real) return;
+    if (takes_only(function) && gives_something(function))
+      wrap_for(call, argument, Use::conversion, plain_double); // what it gives depends on what it takes
+    else if (takes_only(function))
+      wrap_for(call, argument, Use::value);
+    else
+      report(DiagnosticId::boundary_call, argument->getBeginLoc(), "a REAL goes to " + name);
+    return;
+  }
+  if (parameter->isVoidPointerType()) return given_bytes(function, index, argument);
+  bool const by_address = parameter->isPointerType() || parameter->isReferenceType();
+  if (by_address && !declared->isDependentType() && reals_.mentions_real(parameter) && !reads_numbers(function))
+    report(DiagnosticId::boundary_call, argument->getBeginLoc(), "a REAL goes to " + name);
+}
+
+} // namespace symreal::rewrite

@@ -1,0 +1,229 @@
+// What the visitor tells about one kind of syntax each. Every member collects facts and edits nothing.
+#pragma once
+
+#include "rewrite/facts/facts.h"
+#include "rewrite/model/integer_state.h"
+#include "rewrite/model/named_variables.h"
+#include "rewrite/model/reals.h"
+#include "rewrite/model/storage.h"
+#include "rewrite/model/surroundings.h"
+#include "rewrite/source/clang.h"
+#include "rewrite/source/source_map.h"
+
+namespace symreal::rewrite {
+
+class Collector {
+public:
+  Collector(clang::ASTContext &context, SourceMap const &map, Reals const &reals, IntegerState const &integers,
+            Surroundings const &surroundings, Facts &facts)
+      : context_(context),
+        map_(map),
+        reals_(reals),
+        integers_(integers),
+        surroundings_(surroundings),
+        storage_(reals),
+        facts_(facts) {}
+
+  // Types (types.cpp).
+  void builtin_type(clang::BuiltinTypeLoc type, Passive passive);
+  void complex_type(clang::ComplexTypeLoc type);
+  // A name outside the roots for a type with double in it: Eigen's Vector3d, double_t.
+  void typedef_name(clang::TypedefNameDecl const *declaration, clang::SourceLocation name, bool qualified,
+                    bool within_type);
+
+  // Calls (calls.cpp).
+  void call(clang::CallExpr const *call);
+  void symbolic_main(clang::CallExpr const *call, clang::FunctionDecl const *function);
+  void annotated_structure(clang::Expr const *argument);
+  void construction(clang::CXXConstructExpr const *construction);
+  void builtin(clang::DeclRefExpr const *name);
+  void function_value(clang::DeclRefExpr const *name);
+  void dependent_variadic_call(clang::CallExpr const *call);
+  void variadic_definition(clang::FunctionDecl const *function);
+  void converting_construction(clang::CXXConstructExpr const *construction);
+  void converted_operand(clang::UnaryOperator const *operation);
+  void removed_member(clang::CXXMemberCallExpr const *call);
+  void converted_by_library(clang::CallExpr const *call, clang::FunctionDecl const *function);
+  void kept_callable(clang::CXXConstructExpr const *construction);
+  void complex_literal(clang::UserDefinedLiteral const *literal);
+  void converted_operands(clang::BinaryOperator const *operation, clang::DeclContext const *from);
+
+  // What an instantiation shows that its template does not (instances.cpp).
+  void set_instance(std::optional<Note> instance) { instance_ = std::move(instance); }
+  void instantiated_call(clang::CallExpr const *call);
+  void instantiated_construction(clang::CXXConstructExpr const *construction);
+  void instantiated_value(clang::Expr const *value);
+
+  // Everything else (expressions.cpp).
+  void implicit_cast(clang::ImplicitCastExpr const *cast, bool decides);
+  void explicit_cast(clang::ExplicitCastExpr const *cast);
+  void compound_assignment(clang::CompoundAssignOperator const *assignment);
+  void choice(clang::ConditionalOperator const *choice);
+  void constant_initializer(clang::Expr const *initializer);
+  void deduced_variable(clang::VarDecl const *variable);
+  void deduced_return(clang::Stmt const *body);
+  void deduced_elements(clang::Expr const *initializer);
+  // The text of its declaration is part of the program: __PRETTY_FUNCTION__, which assert prints.
+  void printed_signature(clang::FunctionDecl const *function);
+  void c_declaration(clang::NamedDecl const *declaration);
+  bool is_pointer_of_c(clang::ImplicitCastExpr const *cast) const;
+  void c_search(clang::CallExpr const *call);
+  void c_choice(clang::ConditionalOperator const *choice);
+  void c_prototype(clang::FunctionDecl const *function);
+  void c_call(clang::CallExpr const *call);
+  void c_arguments(clang::CallExpr const *call);
+
+  // What C means by an expression that C++ gives another type (c_types.cpp).
+  void c_operation(clang::BinaryOperator const *operation);
+  void c_operation(clang::UnaryOperator const *operation);
+  void c_operand(clang::SourceLocation operation, clang::Expr const *operand);
+  void c_type_asked(clang::Expr const *operand, bool is_size);
+  void c_literal(clang::IntegerLiteral const *literal);
+  clang::QualType counted_as(clang::Expr const *enumeration) const;
+  // Bit-fields that are wider than int (c_widths.cpp).
+  void c_widths(clang::BinaryOperator const *operation);
+  void c_widths(clang::UnaryOperator const *operation);
+  void c_widths(clang::ConditionalOperator const *choice);
+
+  // Variables of files in C (tentative.cpp).
+  void tentative_definitions(clang::VarDecl const *variable);
+  bool tentative_definition(clang::VarDecl const *variable, bool is_definition);
+  bool declare_external(clang::VarDecl const *variable);
+
+  // What has no counterpart (refused.cpp).
+  void assembly(clang::GCCAsmStmt const *assembly);
+  void designators(clang::InitListExpr const *list);
+
+  // errno and the floating-point environment (environment.cpp).
+  void environment_of_call(clang::CallExpr const *call);
+  void error_read(clang::Expr const *value);
+  void error_assigned(clang::BinaryOperator const *assignment);
+  // What functions of libraries give (outside.cpp).
+  void call_outside(clang::CallExpr const *call);
+
+  // Text that is made of REALs, and text that is read (text.cpp).
+  void discarded(clang::Stmt const *statement, clang::FunctionDecl const *function);
+  void text_of_call(clang::CallExpr const *call);
+  void text_comparison(clang::CXXRewrittenBinaryOperator const *comparison);
+  void characters(clang::Expr const *value);
+  void characters_of(clang::CXXForRangeStmt const *loop);
+  void keeps_text(clang::QualType type);
+
+  // What depends on values, for the report of a scan (dependence.cpp).
+  void conversion(clang::CastExpr const *cast);
+  void comparison(clang::BinaryOperator const *comparison);
+
+  // What numbers are called (names.cpp).
+  void named_variable(clang::VarDecl const *variable);
+  void named_target(clang::BinaryOperator const *assignment);
+
+  // Hidden state (state.cpp, state_calls.cpp).
+  void state(clang::VarDecl const *variable, clang::Expr const *reference, bool is_dependent);
+  void read(clang::Expr const *value);
+  void assignment(clang::BinaryOperator const *assignment);
+  void step(clang::UnaryOperator const *step);
+  void dependent_operands(clang::BinaryOperator const *operation);
+  void dependent_value(clang::Expr const *value);
+  void dependent_call(clang::CallExpr const *call);
+  void copied_elements(clang::CXXForRangeStmt const *loop);
+  void members(clang::RecordDecl const *record);
+  // Bytes of a REAL that are used as something else (bits.cpp).
+  void union_member(clang::MemberExpr const *member);
+  void pointer_cast(clang::CastExpr const *cast);
+  void read_view(clang::Expr const *value);
+  void atomic_builtin(clang::AtomicExpr const *call);
+  // The operand of sizeof or decltype, or what a concept asks of.
+  void looked_at(clang::Expr const *operand);
+  void state_of_call(clang::CallExpr const *call);
+  void state_of_construction(clang::CXXConstructExpr const *construction);
+
+private:
+  bool fill(clang::DesignatedInitExpr const &designated, std::uint64_t index, std::uint64_t &next, bool is_counted);
+  bool has_operator(clang::OverloadedOperatorKind kind, clang::DeclContext const *from) const;
+  void environment(clang::Expr const *expression, char const *what, std::string const &name);
+  void shows(clang::CallExpr const *call, clang::FunctionDecl const *function);
+  void formatting(clang::CallExpr const *call, clang::FunctionDecl const *function);
+  // `only_looks`: at the object, whose characters may be read later.
+  void reads_text(clang::SourceLocation reader, clang::Expr const *text, bool only_looks = false);
+
+  void name(llvm::StringRef name, clang::SourceLocation begin, clang::SourceLocation end);
+
+  bool compares_exactly(clang::Expr const *side, clang::Expr const *constant);
+  // The type as a cast or a macro argument spells it, wherever that stands: value_type is a name in its class only.
+  std::string spelled(clang::QualType type) const;
+
+  using Arguments = llvm::ArrayRef<clang::Expr const *>;
+  // `call`: where the call is written.
+  void arguments(clang::SourceLocation call, clang::FunctionDecl const *function, Arguments arguments, bool overloaded);
+  void literal_argument(clang::FunctionDecl const *function, unsigned index, clang::Expr const *argument,
+                        bool overloaded, unsigned count);
+  void outside_argument(clang::SourceLocation call, clang::FunctionDecl const *function, unsigned index,
+                        clang::Expr const *argument);
+  bool takes_only(clang::FunctionDecl const *function) const;
+  bool may_be_truth(clang::Expr const *argument) const;
+  void instantiated_arguments(clang::FunctionDecl const *function, Arguments arguments);
+  void extreme_argument(clang::FunctionDecl const *function, unsigned index, clang::Expr const *argument);
+  void truth_argument(clang::FunctionDecl const *function, unsigned index, clang::Expr const *argument,
+                      bool overloaded);
+  void bytes_of_arguments(clang::CallExpr const *call, clang::FunctionDecl const *function);
+
+  void reinterpretation(clang::ExplicitCastExpr const *cast);
+  void view(clang::ExplicitCastExpr const *cast, bool of_integers);
+  void looked_into(clang::Expr const *address);
+  void moved_bytes(clang::CallExpr const *call, clang::FunctionDecl const *function);
+  void given_bytes(clang::FunctionDecl const *function, unsigned index, clang::Expr const *argument);
+  // `named`: the expression that gives the name and the place, if it is another one.
+  void note(clang::Expr const *expression, Use use, clang::Expr const *named = nullptr);
+  bool may_outlive(clang::Expr const *expression) const;
+  void integer(clang::Expr const *expression, Use use);
+  // A pointer gets a new value.
+  void pointer(clang::Expr const *expression);
+  bool holds_state(clang::QualType type) const { return reals_.carries_real(type) || integers_.holds(type); }
+  void object(clang::Expr const *expression, Use use);
+  void library_arguments(clang::FunctionDecl const *function, Arguments arguments);
+  void library_object(clang::CallExpr const *call, clang::FunctionDecl const *function, clang::Expr const *object);
+  void operator_call(clang::CXXOperatorCallExpr const *call, clang::FunctionDecl const *function);
+
+  // How many bits gcc's C computes an integer in; null for what is none.
+  struct Width {
+    unsigned bits = 0;
+    bool is_signed = true;
+    bool is_narrow() const { return bits > 32 && bits != 64 && bits != 128; }
+  };
+  static Width common(Width one, Width other);
+  Width width_of(clang::Expr const *expression);
+  Width computed_width(clang::Expr const *expression);
+  void as_width(clang::SourceLocation operation, clang::Expr const *operand, Width width);
+
+  void wrap(clang::Expr const *expression, Use use, std::string detail = {});
+  // What becomes of it for `user` alone (SourceMap::range_for).
+  std::optional<Span> wrap_for(clang::SourceLocation user, clang::Expr const *expression, Use use,
+                               std::string detail = {});
+  // An implicit conversion that is written out.
+  void convert(clang::Expr const *expression, Use use, std::string type);
+  void report(DiagnosticId id, clang::SourceLocation location, std::string message,
+              Severity severity = Severity::error);
+  // The literal of an initializer or argument: double, and double in the symbolic program too.
+  bool is_plain_double(clang::Expr const *expression) const;
+
+  clang::ASTContext &context_;
+  SourceMap const &map_;
+  Reals const &reals_;
+  IntegerState const &integers_;
+  Surroundings const &surroundings_;
+  Storage const storage_;
+  NamedVariableAnalysis named_variables_;
+  Facts &facts_;
+  llvm::SmallPtrSet<clang::Expr const *, 32> judged_;           // names whose use is noted already
+  llvm::SmallPtrSet<clang::Expr const *, 4> counting_casts_;    // to bytes, which nobody looks at
+  llvm::SmallPtrSet<clang::VarDecl const *, 4> views_;          // local pointers to integers, where numbers lie
+  llvm::SmallPtrSet<clang::Expr const *, 4> compared_exactly_;  // conversions to long double that change nothing
+  llvm::SmallPtrSet<clang::Expr const *, 4> compared_pointers_; // conversions that C++ makes as well
+  llvm::SmallPtrSet<clang::Expr const *, 8> promoted_;          // conversions of arguments that are written out
+  llvm::DenseMap<clang::Expr const *, Width> widths_;
+  llvm::SmallPtrSet<clang::Expr const *, 32> callees_;   // names of functions that are called there
+  std::optional<Note> instance_;                         // what is looked at belongs to it
+  llvm::SmallPtrSet<clang::Expr const *, 32> discarded_; // calls whose value nobody uses
+};
+
+} // namespace symreal::rewrite

@@ -1,0 +1,67 @@
+// errno, and the flags and modes of floating-point arithmetic: what a kernel may ask or tell beside its numbers.
+#include "rewrite/collect/collector.h"
+#include "rewrite/text/pragma_text.h"
+
+namespace symreal::rewrite {
+using namespace clang;
+
+namespace {
+
+// What the function does with the floating-point environment; empty for any other function.
+llvm::StringRef effect(llvm::StringRef function) {
+  static llvm::StringMap<char const *> const known = {
+#define FUNCTION(name, what) {#name, what},
+#include "rewrite/collect/environment.def"
+#undef FUNCTION
+  };
+  auto const found = known.find(function);
+  return found == known.end() ? "" : found->second;
+}
+
+// `errno` is what a function of the C library points to.
+bool is_error_number(Expr const *expression) {
+  auto const *target = dyn_cast<UnaryOperator>(expression->IgnoreParens());
+  if (!target || target->getOpcode() != UO_Deref) return false;
+  auto const *call = dyn_cast<CallExpr>(target->getSubExpr()->IgnoreParenImpCasts());
+  FunctionDecl const *function = call ? call->getDirectCallee() : nullptr;
+  if (!function || !function->getDeclName().isIdentifier()) return false;
+  static llvm::StringSet<> const names = {"__errno_location", "__error", "__errno", "_errno", "___errno"};
+  return names.contains(function->getName());
+}
+
+} // namespace
+
+// The whole expression, up to the macro of a library that makes it.
+void Collector::environment(Expr const *expression, char const *what, std::string const &name) {
+  SourceManager const &sources = map_.sources();
+  SourceLocation begin = expression->getBeginLoc(), end = expression->getEndLoc();
+  if (!map_.in_roots(begin)) return;
+  while (begin.isMacroID() && !map_.token(begin)) begin = sources.getImmediateExpansionRange(begin).getBegin();
+  while (end.isMacroID() && !map_.token(end)) end = sources.getImmediateExpansionRange(end).getEnd();
+  std::optional<Span> const span = map_.range({begin, end});
+  if (!span)
+    return report(DiagnosticId::split_expression, begin,
+                  "this expression is partly made by a macro: " + name + " in it is not looked at");
+  facts_.wraps.insert(
+      {*span, Use::environment, std::string(what) + ", " + quoted(name) + ", " + quoted(to_string(map_.place(begin)))});
+}
+
+void Collector::environment_of_call(CallExpr const *call) {
+  FunctionDecl const *function = call->getDirectCallee();
+  if (!function || !function->getDeclName().isIdentifier() || reals_.in_roots(function)) return;
+  std::string const name = function->getName().str();
+  if (llvm::StringRef const what = effect(name); !what.empty())
+    environment(call, "environment", name + ", which " + what.str());
+}
+
+void Collector::error_read(Expr const *value) {
+  if (is_error_number(value)) environment(value->IgnoreParens(), "error_read", "errno");
+}
+
+void Collector::error_assigned(BinaryOperator const *assignment) {
+  Expr const *target = assignment->getLHS();
+  if (is_error_number(target))
+    environment(target->IgnoreParens(), assignment->isCompoundAssignmentOp() ? "error_read" : "error_written", "errno");
+}
+
+} // namespace symreal::rewrite

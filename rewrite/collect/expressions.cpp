@@ -1,0 +1,324 @@
+#include "rewrite/collect/collector.h"
+#include "rewrite/source/walk.h"
+#include "rewrite/text/pragma_text.h"
+
+namespace symreal::rewrite {
+using namespace clang;
+
+void Collector::wrap(Expr const *expression, Use use, std::string detail) {
+  wrap_for({}, expression, use, std::move(detail));
+}
+
+std::optional<Span> Collector::wrap_for(SourceLocation user, Expr const *expression, Use use, std::string detail) {
+  SourceLocation const begin = expression->getBeginLoc();
+  if (!map_.in_roots(begin)) return std::nullopt;
+  std::optional<Span> span = map_.range_for(user, expression->getSourceRange());
+  // The parentheses may be those of a library's macro around its argument.
+  for (Expr const *inner = expression; !span;) {
+    auto const *parens = dyn_cast<ParenExpr>(inner->IgnoreImplicit());
+    if (!parens) break;
+    inner = parens->getSubExpr();
+    span = map_.range(inner->getSourceRange());
+  }
+  if (span)
+    facts_.wraps.insert({*span, use, std::move(detail)});
+  else
+    report(DiagnosticId::split_expression, begin, "this expression is partly made by a macro and needs a conversion");
+  return span;
+}
+
+void Collector::convert(Expr const *expression, Use use, std::string type) {
+  std::optional<Span> const span = wrap_for({}, expression, use, std::move(type));
+  if (span && map_.is_shared(expression->getSourceRange())) facts_.shared.insert(*span);
+}
+
+std::string Collector::spelled(QualType type) const {
+  while (auto const *named = type->getAs<TypedefType>()) {
+    if (named->getDecl()->getDeclContext()->getRedeclContext()->isTranslationUnit()) break;
+    type = named->desugar();
+  }
+  PrintingPolicy policy(map_.language());
+  policy.Bool = true; // C's _Bool is compiled as C++ where it matters
+  return with_real(type.getUnqualifiedType().getAsString(policy));
+}
+
+namespace {
+
+// The type of an enumerator, which in C is an integer; null for other expressions.
+EnumDecl const *enumeration_of(Expr const *expression) {
+  auto const *name = dyn_cast<DeclRefExpr>(expression->IgnoreParenImpCasts());
+  auto const *enumerator = name ? dyn_cast<EnumConstantDecl>(name->getDecl()) : nullptr;
+  return enumerator ? cast<EnumDecl>(enumerator->getDeclContext())->getCanonicalDecl() : nullptr;
+}
+
+// Is its type an enumeration in C++? In C, that of ?: is an integer as well.
+bool is_enumeration(Expr const *expression) {
+  expression = expression->IgnoreParenImpCasts();
+  if (auto const *choice = dyn_cast<ConditionalOperator>(expression))
+    return is_enumeration(choice->getTrueExpr()) && is_enumeration(choice->getFalseExpr());
+  if (EnumDecl const *enumeration = enumeration_of(expression)) return !enumeration->isScoped();
+  return expression->getType()->isUnscopedEnumerationType();
+}
+
+// The conversion by a function of its class, if that comes first; or null.
+ImplicitCastExpr const *conversion_by_class(Expr const *expression) {
+  auto const *cast = dyn_cast<ImplicitCastExpr>(expression->IgnoreParens());
+  auto const is_later = [](CastKind kind) {
+    return kind == CK_LValueToRValue || kind == CK_IntegralCast || kind == CK_IntegralToFloating;
+  };
+  while (cast && is_later(cast->getCastKind())) cast = dyn_cast<ImplicitCastExpr>(cast->getSubExpr()->IgnoreParens());
+  return cast && cast->getCastKind() == CK_UserDefinedConversion ? cast : nullptr;
+}
+
+// numeric_limits<NUMBER>::epsilon() in a macro is one text for all of its uses, and gives a REAL where they do.
+bool gives_real_by_macro(Stmt const *part) {
+  auto const *call = dyn_cast_or_null<CallExpr>(part);
+  auto const *method = call ? dyn_cast_or_null<CXXMethodDecl>(call->getDirectCallee()) : nullptr;
+  auto const *type = method ? dyn_cast<ClassTemplateSpecializationDecl>(method->getParent()) : nullptr;
+  if (type && call->getBeginLoc().isMacroID() && Reals::is_double(call->getType())) {
+    TemplateArgument const &argument = type->getTemplateArgs()[0];
+    return argument.getKind() == TemplateArgument::Type && Reals::is_double(argument.getAsType());
+  }
+  return part && std::any_of(part->child_begin(), part->child_end(), gives_real_by_macro);
+}
+
+} // namespace
+
+void Collector::implicit_cast(ImplicitCastExpr const *cast, bool decides) {
+  Expr const *from = cast->getSubExpr();
+  if (cast->isTypeDependent() || from->isTypeDependent()) return;
+  QualType const to = cast->getType();
+  switch (cast->getCastKind()) {
+  case CK_FloatingToIntegral:
+  case CK_FloatingToBoolean:
+  case CK_FloatingCast:
+    if (auto const *first = conversion_by_class(from); first && reals_.is_real(from)) // two steps
+      return wrap(from, Use::conversion, spelled(decides ? first->getType() : to));
+    if (cast->isPartOfExplicitCast() || decides || !Reals::is_double(from->getType())) return;
+    if (!reals_.is_real(from) && !gives_real_by_macro(from)) return;
+    if (compared_exactly_.contains(cast)) return;
+    if (to->isSpecificBuiltinType(BuiltinType::LongDouble)) // an operand, perhaps, with no context of its own
+      return wrap(from, Use::conversion, spelled(to));
+    convert(from, Use::conversion, reals_.keeps_integer(cast) ? "SYMREAL_REAL_INT(" + spelled(to) + ")" : spelled(to));
+    return;
+  case CK_ConstructorConversion:
+    if (auto const *construction = dyn_cast<CXXConstructExpr>(from->IgnoreImplicit()))
+      converting_construction(construction);
+    return;
+  case CK_BitCast: // to another type, or to one that is less const
+  case CK_NoOp:
+    if (!cast->isPartOfExplicitCast() && !compared_pointers_.contains(cast) && is_pointer_of_c(cast))
+      convert(from, Use::cast, spelled(to));
+    return;
+  case CK_IntegralToFloating: // an enumerator among numbers: a class has no built-in promotion
+    if (auto const *first = conversion_by_class(from); first && Reals::is_double(to) && !cast->isPartOfExplicitCast())
+      return wrap(from, Use::conversion, spelled(first->getType())); // two steps, of which the language takes one
+    if (Reals::is_double(to) && !cast->isPartOfExplicitCast() && !promoted_.contains(cast) && is_enumeration(from))
+      wrap(from->IgnoreImpCasts(), Use::conversion, spelled(counted_as(from)));
+    return;
+  case CK_IntegralCast:
+    if (!map_.language().CPlusPlus && to->isEnumeralType() && !cast->isPartOfExplicitCast() &&
+        !from->IgnoreParens()->getType()->isEnumeralType() &&
+        enumeration_of(from) != to->getAsTagDecl()->getCanonicalDecl())
+      convert(from, Use::fit, {}); // a cast in numeric mode too would be folded otherwise
+    return;
+  default: return;
+  }
+}
+
+// The operator is built in for double. Those of REAL are found where an operand is one, and where others of the program
+// are found too a plain number could go either way.
+void Collector::converted_operands(BinaryOperator const *operation, DeclContext const *from) {
+  Expr const *const left = operation->getLHS(), *const right = operation->getRHS();
+  bool const is_known = !operation->isTypeDependent() && !left->isTypeDependent() && !right->isTypeDependent();
+  if (!is_known || !map_.language().CPlusPlus || !Reals::is_double(left->getType()) ||
+      !Reals::is_double(right->getType()) || operation->isAssignmentOp() || operation->isCommaOp())
+    return;
+  for (auto const &[operand, other] : {std::pair(left, right), std::pair(right, left)}) {
+    bool const by_class = conversion_by_class(operand), is_real = reals_.is_real(operand);
+    bool const is_plain = !by_class && !is_real && operand->IgnoreParenImpCasts()->getType()->isArithmeticType();
+    if (by_class && is_real && (conversion_by_class(other) || !reals_.is_real(other)))
+      wrap(operand, Use::conversion, spelled(operand->getType()));
+    else if (is_plain && reals_.is_real(other) && !reals_.is_symbolic_integer(operand) &&
+             has_operator(BinaryOperator::getOverloadedOperator(operation->getOpcode()), from))
+      wrap(operand->IgnoreImpCasts(), Use::literal);
+  }
+}
+
+void Collector::converted_operand(UnaryOperator const *operation) {
+  Expr const *const operand = operation->getSubExpr();
+  if (!operation->isTypeDependent() && Reals::is_double(operand->getType()) && reals_.is_real(operand) &&
+      conversion_by_class(operand))
+    wrap(operand, Use::conversion, spelled(operand->getType()));
+}
+
+// 2.0i is of the library's class of doubles, which does not go with that of REALs.
+void Collector::complex_literal(UserDefinedLiteral const *literal) {
+  if (literal->isTypeDependent() || reals_.in_roots(literal->getDirectCallee()) ||
+      !map_.in_roots(literal->getBeginLoc()))
+    return;
+  if (auto const *type = dyn_cast_or_null<ClassTemplateSpecializationDecl>(literal->getType()->getAsCXXRecordDecl());
+      type && type->isInStdNamespace() && type->getName() == "complex" &&
+      Reals::is_double(type->getTemplateArgs()[0].getAsType()))
+    wrap(literal, Use::conversion, "::std::complex<" + std::string(reserved_type_name) + ">");
+}
+
+// C++20, which symbolic mode is, has functions in place of std::allocator<T>::construct and destroy.
+void Collector::removed_member(CXXMemberCallExpr const *call) {
+  auto const *callee = dyn_cast<MemberExpr>(call->getCallee());
+  CXXMethodDecl const *method = call->getMethodDecl();
+  if (map_.language().CPlusPlus20 || !callee || !method || !method->getParent()->isInStdNamespace() ||
+      !method->getIdentifier() || callee->isArrow() || !map_.in_roots(callee->getMemberLoc()))
+    return;
+  bool const constructs = method->getName() == "construct", destroys = method->getName() == "destroy";
+  if ((!constructs && !destroys) || method->getParent()->getName() != "__new_allocator" ||
+      callee->getBase()->HasSideEffects(context_) || map_.is_argument_of(callee->getBeginLoc(), "REAL_EITHER"))
+    return;
+  if (std::optional<Span> const span = map_.range({callee->getBeginLoc(), callee->getMemberLoc()}))
+    facts_.wraps.insert({*span, Use::instead, constructs ? "::std::construct_at" : "::std::destroy_at"});
+}
+
+// Has the program an operator of this kind that is found by its name alone?
+bool Collector::has_operator(OverloadedOperatorKind kind, DeclContext const *from) const {
+  DeclarationName const name = context_.DeclarationNames.getCXXOperatorName(kind);
+  for (DeclContext const *at = from ? from : context_.getTranslationUnitDecl(); at; at = at->getParent()) {
+    if (!at->isFileContext()) continue;
+    for (NamedDecl const *one : at->lookup(name))
+      if (map_.in_roots(one->getLocation())) return true;
+  }
+  return false;
+}
+
+// C converts pointers that C++ does not.
+bool Collector::is_pointer_of_c(ImplicitCastExpr const *cast) const {
+  QualType const from = cast->getSubExpr()->getType()->getPointeeType(), to = cast->getType()->getPointeeType();
+  if (map_.language().CPlusPlus || from.isNull() || to.isNull() || !cast->getType()->isPointerType()) return false;
+  if (!to.isAtLeastAsQualifiedAs(from)) return true;
+  return !to->isVoidType() && !context_.hasSameUnqualifiedType(from, to);
+}
+
+void Collector::explicit_cast(ExplicitCastExpr const *cast) {
+  if (!cast->isTypeDependent() && !cast->getSubExpr()->isTypeDependent()) reinterpretation(cast);
+}
+
+// sin as a value: the overload for REAL is one that has no address.
+void Collector::function_value(DeclRefExpr const *name) {
+  auto const *function = dyn_cast<FunctionDecl>(name->getDecl());
+  if (!function || !reals_.is_math(function) || callees_.contains(name) || function->isVariadic()) return;
+  if (!Reals::is_double(function->getReturnType())) return;
+  for (ParmVarDecl const *parameter : function->parameters())
+    if (!Reals::is_double(parameter->getType()) || parameter->getType()->isReferenceType()) return;
+  wrap(name, Use::function, std::to_string(function->getNumParams()));
+}
+
+// __builtin_sqrt takes a double and nothing else.
+void Collector::builtin(DeclRefExpr const *name) {
+  auto const *function = dyn_cast<FunctionDecl>(name->getDecl());
+  if (!function || function->getBuiltinID() == 0 || !map_.in_roots(name->getBeginLoc())) return;
+  llvm::StringRef known = function->getName();
+  if (!known.consume_front("__builtin_") || !Reals::is_math_name(known) || known == "sincos") return;
+  // One that a macro of the library's spells, or pastes, does what the library wants.
+  if (std::optional<Span> const span = map_.token(name->getLocation(), function->getName()))
+    facts_.types.insert({*span, "SYMREAL_REAL_BUILTIN(" + known.str() + ")"});
+}
+
+void Collector::compound_assignment(CompoundAssignOperator const *assignment) {
+  Expr const *left = assignment->getLHS();
+  if (assignment->isTypeDependent()) return;
+  if (!map_.language().CPlusPlus && left->getType()->isEnumeralType()) wrap(left, Use::enumeration);
+  if (assignment->getComputationResultType()->isSpecificBuiltinType(BuiltinType::LongDouble) && reals_.is_real(left))
+    report(DiagnosticId::long_double, assignment->getOperatorLoc(),
+           "a REAL is changed by what is computed in long double");
+  if (Reals::is_double(left->getType())) return;
+  if (!left->getType()->isArithmeticType() || !Reals::is_double(assignment->getComputationResultType())) return;
+  if (!reals_.is_real(assignment->getRHS()) && reals_.stays_double(assignment->getRHS())) return;
+  // The runtime has an operator that does what the original did. It takes a reference.
+  if (reals_.is_symbolic_integer(left)) return; // its class has one
+  if (!IntegerState::has_address(left))
+    report(DiagnosticId::implicit_narrowing, assignment->getOperatorLoc(),
+           "the result is a REAL and is converted to " + left->getType().getAsString());
+  else if (std::optional<Span> const span = map_.token(assignment->getOperatorLoc());
+           span && left->getType()->isIntegerType())
+    facts_.conversions.insert({*span, left->getType().getUnqualifiedType().getAsString(map_.language()), true});
+}
+
+void Collector::choice(ConditionalOperator const *choice) {
+  if (choice->isTypeDependent() || !Reals::is_double(choice->getType())) return;
+  // A macro's body is one text for all of its uses, and some may be on integers.
+  if (!map_.sources().getSLocEntry(map_.frame(choice->getQuestionLoc())).isFile()) return;
+  Expr const *yes = choice->getTrueExpr(), *no = choice->getFalseExpr();
+  bool const yes_stays = reals_.stays_double(yes), no_stays = reals_.stays_double(no);
+  if (yes_stays == no_stays) return;
+  Expr const *literal = (yes_stays ? yes : no)->IgnoreImpCasts();
+  if (Reals::is_double(literal->getType())) wrap(literal, Use::literal);
+}
+
+// constexpr double k = half(2.): the variable stays double, and what the rewritten function returns does not.
+void Collector::constant_initializer(Expr const *initializer) {
+  if (!initializer || initializer->isTypeDependent()) return;
+  if (auto const *list = dyn_cast<InitListExpr>(initializer->IgnoreImplicit())) {
+    for (Expr const *element : list->inits()) constant_initializer(element);
+    return;
+  }
+  if (auto const *cast = dyn_cast<ImplicitCastExpr>(initializer); cast && cast->getCastKind() != CK_LValueToRValue)
+    return constant_initializer(cast->getSubExpr());
+  if (Reals::is_double(initializer->getType()) && (reals_.is_real(initializer) || gives_real_by_macro(initializer)))
+    wrap(initializer, Use::value);
+}
+
+// `auto s = 0.0`: the literal says what the type is.
+void Collector::deduced_variable(VarDecl const *variable) {
+  TypeSourceInfo const *written = variable->getTypeSourceInfo();
+  Expr const *initializer = variable->getInit();
+  if (!written || !initializer || variable->isConstexpr() || variable->isCXXForRangeDecl()) return;
+  if (initializer->isTypeDependent()) return;
+  TypeLoc type = written->getTypeLoc();
+  for (TypeLoc inner = type; !inner.isNull(); inner = inner.getNextTypeLoc()) type = inner;
+  if (auto const list = dyn_cast<CXXStdInitializerListExpr>(initializer->IgnoreImplicit()))
+    if (type.getAs<AutoTypeLoc>()) deduced_elements(list->getSubExpr());
+  if (type.getAs<DeducedTemplateSpecializationTypeLoc>()) deduced_elements(initializer);
+  if (!type.getAs<AutoTypeLoc>() || !Reals::is_double(variable->getType())) return;
+  Expr const *value = initializer->IgnoreImplicit();
+  if (auto const *list = dyn_cast<InitListExpr>(value); list && list->getNumInits() == 1) value = list->getInit(0);
+  if (is_plain_double(value)) wrap(value->IgnoreImpCasts(), Use::literal);
+}
+
+namespace {
+
+class Returns : public Walk {
+public:
+  bool TraverseLambdaExpr(LambdaExpr *) override { return true; }
+  bool TraverseCXXRecordDecl(CXXRecordDecl *) override { return true; }
+  bool VisitReturnStmt(ReturnStmt *statement) override {
+    if (Expr const *value = statement->getRetValue()) found.push_back(value);
+    return true;
+  }
+  std::vector<Expr const *> found;
+};
+
+} // namespace
+
+void Collector::deduced_return(Stmt const *body) {
+  Returns returns;
+  returns.TraverseStmt(const_cast<Stmt *>(body));
+  for (Expr const *value : returns.found)
+    if (is_plain_double(value)) wrap(value->IgnoreImpCasts(), Use::literal);
+}
+
+void Collector::deduced_elements(Expr const *initializer) {
+  if (!initializer) return;
+  initializer = initializer->IgnoreImplicit();
+  if (auto const *list = dyn_cast<InitListExpr>(initializer))
+    for (Expr const *element : list->inits()) deduced_elements(element);
+  else if (auto const *std_list = dyn_cast<CXXStdInitializerListExpr>(initializer))
+    deduced_elements(std_list->getSubExpr());
+  else if (auto const *construction = dyn_cast<CXXConstructExpr>(initializer)) {
+    for (Expr const *argument : construction->arguments())
+      if (!isa<CXXDefaultArgExpr>(argument)) deduced_elements(argument);
+  } else if (auto const *parens = dyn_cast<ParenListExpr>(initializer))
+    for (Stmt const *child : parens->children()) deduced_elements(cast<Expr>(child));
+  else if (is_plain_double(initializer))
+    wrap(initializer, Use::literal);
+}
+
+} // namespace symreal::rewrite

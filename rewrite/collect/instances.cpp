@@ -1,0 +1,140 @@
+#include "rewrite/collect/instances.h"
+
+#include "rewrite/collect/collector.h"
+#include "rewrite/source/walk.h"
+
+namespace symreal::rewrite {
+namespace {
+
+using namespace clang;
+
+class Instances : public Walk {
+public:
+  Instances(ASTContext &context, SourceMap const &map, Reals const &reals, IntegerState const &integers,
+            Surroundings const &surroundings, Facts &facts)
+      : map_(map),
+        collect_(context, map, reals, integers, surroundings, facts) {}
+
+  bool shouldVisitTemplateInstantiations() const override { return true; }
+
+  bool TraverseDecl(Decl *declaration) override {
+    if (!declaration) return true;
+    if (!isa<TranslationUnitDecl>(declaration) && declaration->getLexicalDeclContext()->isFileContext() &&
+        !map_.in_roots(declaration->getLocation()) && !map_.in_roots(declaration->getBeginLoc()))
+      return true;
+    auto const *context = dyn_cast<DeclContext>(declaration);
+    if (!context || (!isa<FunctionDecl>(declaration) && !isa<CXXRecordDecl>(declaration)))
+      return Walk::TraverseDecl(declaration);
+    Scope const scope(*this, instance_of(declaration, context));
+    return Walk::TraverseDecl(declaration);
+  }
+  bool TraverseLambdaExpr(LambdaExpr *lambda) override {
+    FunctionTemplateDecl *generic = lambda->getLambdaClass()->getDependentLambdaCallOperator();
+    if (generic)
+      for (FunctionDecl *one : generic->specializations())
+        if (one->hasBody()) {
+          Scope const scope(*this, instance_of(one, one));
+          if (!TraverseStmt(one->getBody())) return false;
+        }
+    return Walk::TraverseLambdaExpr(lambda);
+  }
+  // Neither what is not evaluated is looked at nor what the compiler computes.
+  bool TraverseUnaryExprOrTypeTraitExpr(UnaryExprOrTypeTraitExpr *) override { return true; }
+  bool TraverseCXXNoexceptExpr(CXXNoexceptExpr *) override { return true; }
+  bool TraverseTypeLoc(TypeLoc) override { return true; }
+
+  bool VisitCallExpr(CallExpr *call) override {
+    if (is_here(call)) collect_.instantiated_call(call);
+    return true;
+  }
+  bool VisitAtomicExpr(AtomicExpr *call) override {
+    if (is_here(call)) collect_.atomic_builtin(call);
+    return true;
+  }
+  bool VisitCXXConstructExpr(CXXConstructExpr *construction) override {
+    if (is_here(construction)) collect_.instantiated_construction(construction);
+    return true;
+  }
+  bool VisitExplicitCastExpr(ExplicitCastExpr *cast) override {
+    if (!is_here(cast)) return true;
+    collect_.explicit_cast(cast);
+    collect_.pointer_cast(cast);
+    return true;
+  }
+  bool VisitMemberExpr(MemberExpr *member) override {
+    if (is_here(member)) collect_.union_member(member);
+    return true;
+  }
+  bool VisitVarDecl(VarDecl *variable) override {
+    if (instance_ && !variable->isConstexpr() && map_.in_roots(variable->getLocation()) &&
+        !isa<ParmVarDecl>(variable) && variable->getInit())
+      collect_.instantiated_value(variable->getInit());
+    return true;
+  }
+  bool VisitReturnStmt(ReturnStmt *statement) override {
+    if (instance_ && map_.in_roots(statement->getBeginLoc())) collect_.instantiated_value(statement->getRetValue());
+    return true;
+  }
+  bool VisitBinaryOperator(BinaryOperator *binary) override {
+    if (binary->getOpcode() == BO_Assign && is_here(binary)) collect_.instantiated_value(binary->getRHS());
+    return true;
+  }
+
+private:
+  // While it lives, what is walked belongs to this instantiation, or to none.
+  class Scope {
+  public:
+    Scope(Instances &walk, std::optional<Note> instance)
+        : walk_(walk),
+          outer_(std::exchange(walk.instance_, std::move(instance))) {
+      walk_.collect_.set_instance(walk_.instance_);
+    }
+    ~Scope() {
+      walk_.instance_ = outer_;
+      walk_.collect_.set_instance(outer_);
+    }
+    Scope(Scope const &) = delete;
+    Scope &operator=(Scope const &) = delete;
+
+  private:
+    Instances &walk_;
+    std::optional<Note> const outer_;
+  };
+
+  std::optional<Note> instance_of(Decl const *declaration, DeclContext const *context) const {
+    if (context->isDependentContext()) return std::nullopt;
+    std::string name;
+    llvm::raw_string_ostream out(name);
+    SourceLocation place;
+    if (auto const *function = dyn_cast<FunctionDecl>(declaration)) {
+      if (!function->getTemplateInstantiationPattern()) return instance_;
+      place = function->getPointOfInstantiation();
+      function->getNameForDiagnostic(out, policy(), true);
+    } else if (auto const *special = dyn_cast<ClassTemplateSpecializationDecl>(declaration);
+               special && special->getSpecializationKind() != TSK_ExplicitSpecialization) {
+      place = special->getPointOfInstantiation();
+      special->getNameForDiagnostic(out, policy(), true);
+    } else
+      return instance_;
+    if (place.isInvalid() || !map_.in_roots(place)) place = declaration->getLocation();
+    return Note{map_.place(place), "in the instantiation " + name};
+  }
+  PrintingPolicy policy() const { return PrintingPolicy(map_.language()); }
+
+  bool is_here(Expr const *expression) const {
+    return instance_ && map_.in_roots(expression->getBeginLoc()) && !expression->isInstantiationDependent();
+  }
+
+  SourceMap const &map_;
+  Collector collect_;
+  std::optional<Note> instance_; // what is walked is part of it
+};
+
+} // namespace
+
+void collect_instances(ASTContext &context, SourceMap const &map, Reals const &reals, IntegerState const &integers,
+                       Surroundings const &surroundings, Facts &facts) {
+  Instances(context, map, reals, integers, surroundings, facts).TraverseDecl(context.getTranslationUnitDecl());
+}
+
+} // namespace symreal::rewrite

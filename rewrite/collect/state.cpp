@@ -1,0 +1,221 @@
+// Uses of objects that may outlive a kernel: single numbers, and the names of objects.
+#include "rewrite/collect/collector.h"
+#include "rewrite/text/pragma_text.h"
+
+namespace symreal::rewrite {
+using namespace clang;
+
+// Is the token part of the body of a macro that is defined outside the roots?
+static bool is_library_macro(SourceLocation location, SourceMap const &map) {
+  SourceManager const &sources = map.sources();
+  if (!sources.isMacroBodyExpansion(location)) return false;
+  SourceLocation const spelled = sources.getSpellingLoc(location);
+  return sources.getFileEntryRefForID(sources.getFileID(spelled)) && !map.in_roots(spelled);
+}
+
+// Wraps the expression in a macro that says what it is called and where it stands.
+void Collector::note(Expr const *expression, Use use, Expr const *named) {
+  SourceLocation const begin = expression->getBeginLoc();
+  if (!map_.in_roots(begin)) return;
+  // Whether the bytes of an integer are also those of a number is another question.
+  Expr const *base = Storage::base(expression);
+  if (base && (isa<DeclRefExpr>(base) || !IntegerState::is_integer(expression->getType()))) judged_.insert(base);
+  std::optional<Span> const span = map_.range(expression->getSourceRange());
+  if (!span && is_library_macro(begin, map_)) return; // library code, as in a template
+  if (!span) {
+    report(DiagnosticId::split_expression, begin,
+           "this expression is partly made by a macro: whether it uses hidden state is not looked at",
+           Severity::warning);
+    return;
+  }
+  constexpr std::size_t longest = 60;
+  if (!named) named = expression;
+  std::optional<Span> const words = map_.range(named->getSourceRange());
+  std::string name = normalised(map_.text(words ? *words : *span, begin));
+  if (name.size() > longest) name.replace(longest, std::string::npos, "...");
+  facts_.wraps.insert({*span, use, quoted(name) + ", " + quoted(to_string(map_.place(named->getBeginLoc())))});
+}
+
+// The value of an integer is used, or it gets a new one.
+void Collector::integer(Expr const *expression, Use use) {
+  if (expression->isTypeDependent() || !may_outlive(expression)) return;
+  auto const *reference = dyn_cast_or_null<DeclRefExpr>(Storage::base(expression));
+  auto const *variable = reference ? dyn_cast<VarDecl>(reference->getDecl()) : nullptr;
+  if (variable && integers_.is_fixed(variable)) return;
+  // A macro of a library, such as errno.
+  SourceLocation const begin = expression->getBeginLoc();
+  if (begin.isMacroID() && !map_.token(begin)) return;
+  if (IntegerState::has_address(expression)) return note(expression, use);
+  // Once for a member, however often it is used.
+  auto const *member = dyn_cast<MemberExpr>(expression->IgnoreParens());
+  bool const is_declared_here = member && map_.in_roots(member->getMemberDecl()->getLocation());
+  std::optional<Span> const span = map_.range(expression->getSourceRange());
+  std::string const name = member ? member->getMemberDecl()->getQualifiedNameAsString()
+                           : span ? normalised(map_.text(*span, begin))
+                                  : "this";
+  report(DiagnosticId::integer_not_looked_at, is_declared_here ? member->getMemberDecl()->getLocation() : begin,
+         "whether '" + name + "' is hidden state is not looked at", Severity::warning);
+}
+
+static bool is_pointer(Expr const *expression) {
+  QualType const type = expression->getType();
+  return type->isPointerType() || type->isMemberPointerType();
+}
+
+void Collector::pointer(Expr const *expression) {
+  if (may_outlive(expression) && IntegerState::has_address(expression)) note(expression, Use::written);
+}
+
+bool Collector::may_outlive(Expr const *expression) const {
+  Home const home = storage_.home(expression);
+  if (home != Home::local) return home == Home::elsewhere;
+  auto const *base = dyn_cast_or_null<DeclRefExpr>(Storage::base(expression));
+  auto const *variable = base ? dyn_cast<VarDecl>(base->getDecl()) : nullptr;
+  return variable && surroundings_.contain(variable, base->getLocation());
+}
+
+// An lvalue whose value is used.
+void Collector::read(Expr const *value) {
+  value = value->IgnoreParens();
+  if (auto const *choice = dyn_cast<ConditionalOperator>(value)) {
+    read(choice->getTrueExpr());
+    read(choice->getFalseExpr());
+  } else if (auto const *comma = dyn_cast<BinaryOperator>(value)) {
+    if (comma->isCommaOp()) read(comma->getRHS());
+  } else if (isa<UnaryOperator>(value) && cast<UnaryOperator>(value)->isIncrementDecrementOp()) {
+    // noted as a step
+  } else if (Expr const *table = reals_.table_of(value)) {
+    object(table, Use::read); // any of its elements
+  } else if (value->isGLValue() && Reals::is_double(value->getType())) {
+    if (reals_.is_real(value) && may_outlive(value)) note(value, Use::read);
+  } else if (value->isGLValue() && IntegerState::is_integer(value->getType()))
+    integer(value, Use::read);
+  else
+    object(value, Use::read);
+}
+
+void Collector::assignment(BinaryOperator const *assignment) {
+  Expr const *left = assignment->getLHS()->IgnoreParens();
+  if (assignment->isTypeDependent() || left->isTypeDependent()) return;
+  Use const use = assignment->isCompoundAssignmentOp() ? Use::read : Use::written;
+  if (use == Use::written) // what an overwritten union holds does not matter
+    for (auto const *member = dyn_cast<MemberExpr>(left); member;
+         member = dyn_cast<MemberExpr>(member->getBase()->IgnoreParenImpCasts()))
+      judged_.insert(member);
+  if (IntegerState::is_integer(left->getType()))
+    integer(left, use);
+  else if (is_pointer(left))
+    pointer(left);
+  else if (!Reals::is_double(left->getType()))
+    object(left, use);
+  else if (reals_.is_real(left) && may_outlive(left))
+    note(left, use);
+}
+
+void Collector::step(UnaryOperator const *step) {
+  Expr const *operand = step->getSubExpr()->IgnoreParens();
+  if (operand->isTypeDependent()) return;
+  if (IntegerState::is_integer(operand->getType()))
+    integer(operand, Use::read);
+  else if (is_pointer(operand))
+    pointer(operand);
+  else if (Reals::is_double(operand->getType()) && may_outlive(operand))
+    note(operand, Use::read);
+}
+
+namespace {
+
+// Could the expression name a number that is not the function's own, as far as a template tells?
+bool names_object(Expr const *expression) {
+  if (auto const *reference = dyn_cast<DeclRefExpr>(expression))
+    return isa<VarDecl>(reference->getDecl()) && reference->getDecl()->getType()->isReferenceType();
+  if (auto const *unary = dyn_cast<UnaryOperator>(expression)) return unary->getOpcode() == UO_Deref;
+  return isa<MemberExpr>(expression) || isa<CXXDependentScopeMemberExpr>(expression) ||
+         isa<ArraySubscriptExpr>(expression);
+}
+
+} // namespace
+
+// In a template the types, and with them most of the conversions that show a use, are not known yet. What stands beside
+// an arithmetic operator is used; the macro passes what is no number.
+void Collector::dependent_operands(BinaryOperator const *operation) {
+  if (!operation->isTypeDependent() ||
+      (!operation->isAdditiveOp() && !operation->isMultiplicativeOp() && !operation->isAssignmentOp()))
+    return;
+  Expr const *left = operation->getLHS()->IgnoreParens(), *right = operation->getRHS()->IgnoreParens();
+  if (names_object(right)) note(right, Use::read);
+  if (operation->getOpcode() == BO_Assign ? names_object(left) || isa<CallExpr>(left) : names_object(left))
+    note(left, operation->getOpcode() == BO_Assign ? Use::written : Use::read);
+}
+
+void Collector::dependent_value(Expr const *value) {
+  if (!value) return;
+  if (auto const *list = dyn_cast<ParenListExpr>(value); list && list->getNumExprs() == 1) value = list->getExpr(0);
+  if (names_object(value->IgnoreParens())) note(value->IgnoreParens(), Use::read);
+}
+
+void Collector::dependent_call(CallExpr const *call) {
+  // stream.operator<<(x): the operator for REALs is no member.
+  if (auto const *member = dyn_cast<UnresolvedMemberExpr>(call->getCallee()->IgnoreParenImpCasts()))
+    if (member->getMemberName().getCXXOverloadedOperator() == OO_LessLess && call->getNumArgs() == 1 &&
+        member->getNamingClass()->isInStdNamespace() && call->getArg(0)->isTypeDependent())
+      wrap_for(call->getRParenLoc(), call->getArg(0), Use::value);
+  auto const *callee = dyn_cast<UnresolvedLookupExpr>(call->getCallee()->IgnoreParenImpCasts());
+  if (!callee || !callee->getName().isIdentifier()) return;
+  if (!Reals::is_math_name(callee->getName().getAsIdentifierInfo()->getName())) return;
+  for (Expr const *argument : call->arguments())
+    if (names_object(argument->IgnoreParens())) note(argument->IgnoreParens(), Use::read);
+}
+
+// `for (double x : list)` copies elements without a word.
+void Collector::copied_elements(CXXForRangeStmt const *loop) {
+  QualType const type = loop->getLoopVariable()->getType();
+  if (type->isDependentType() || type->isReferenceType() || !holds_state(type)) return;
+  object(loop->getRangeInit(), Use::read);
+}
+
+void Collector::state(VarDecl const *variable, Expr const *reference, bool is_dependent) {
+  if (!variable->hasGlobalStorage() || reals_.is_passive(variable) || variable->getType()->isReferenceType()) return;
+  if (variable->getType()->isDependentType() || !holds_state(variable->getType())) return;
+  if (context_.getBaseElementType(variable->getType()).isConstQualified()) return;
+  bool const of_numbers = reals_.carries_real(variable->getType());
+  if (!of_numbers && integers_.is_fixed(variable)) return;
+  wrap(reference, variable->isStaticLocal() && !of_numbers ? Use::local_state : Use::state,
+       to_string(map_.place(variable->getCanonicalDecl()->getLocation())));
+  // Where types are not known yet, every mention counts as a use.
+  if (is_dependent && !judged_.contains(reference)) note(reference, Use::read);
+}
+
+// Lets a class tell its members, so that a whole object can be looked through, the private ones included.
+void Collector::members(RecordDecl const *record) {
+  if (!record->isThisDeclarationADefinition() || record->isImplicit() || record->isUnion() || record->isLambda())
+    return;
+  if (!record->getIdentifier() || record->isAnonymousStructOrUnion() || !map_.in_roots(record->getLocation())) return;
+  if (isa<ClassTemplateSpecializationDecl>(record) &&
+      !cast<ClassTemplateSpecializationDecl>(record)->isExplicitSpecialization() &&
+      !isa<ClassTemplatePartialSpecializationDecl>(record))
+    return;
+  ClassFact fact{record->isClass() ? "private" : "public"};
+  if (auto const *derived = dyn_cast<CXXRecordDecl>(record))
+    for (CXXBaseSpecifier const &base : derived->bases()) {
+      std::optional<Span> const span = map_.range(base.getTypeSourceInfo()->getTypeLoc().getSourceRange());
+      if (span) fact.bases.push_back({*span, base.getType()->isDependentType() || holds_state(base.getType())});
+    }
+  for (FieldDecl const *field : record->fields()) {
+    QualType const type = field->getType();
+    if (!field->getIdentifier()) continue;
+    if (field->isBitField()) { // which has no address
+      fact.fields.push_back({"", true});
+      continue;
+    }
+    bool const is_looked_at = !type->isIncompleteType() && !type->isReferenceType() && !type->isPointerType() &&
+                              (!IntegerState::is_integer(type) || IntegerState::has_address(field));
+    bool const holds = is_looked_at && (type->isDependentType() || holds_state(type));
+    fact.fields.push_back({field->getNameAsString(), holds});
+  }
+  std::optional<Span> const brace = map_.token(record->getBraceRange().getBegin());
+  if (!brace || record->getBraceRange().getBegin().isMacroID()) return;
+  facts_.members.try_emplace(*brace, std::move(fact));
+}
+
+} // namespace symreal::rewrite

@@ -1,0 +1,149 @@
+// Whole objects that may outlive a kernel and that are given to code that is not rewritten: what it reads and changes
+// there is noted where they are given.
+#include "rewrite/collect/collector.h"
+
+namespace symreal::rewrite {
+using namespace clang;
+
+namespace {
+
+std::string name_of(FunctionDecl const *function) {
+  return function->getDeclName().isIdentifier() ? function->getName().str() : std::string();
+}
+
+// What a library's member function does with the numbers of its object, where the name says more than the type.
+enum class Effect { reads, overwrites, changes, nothing };
+
+Effect effect(CXXMethodDecl const *method) {
+  static llvm::StringMap<Effect> const known = {
+      {"assign", Effect::overwrites},       {"fill", Effect::overwrites},       {"clear", Effect::overwrites},
+      {"setZero", Effect::overwrites},      {"setOnes", Effect::overwrites},    {"setConstant", Effect::overwrites},
+      {"setIdentity", Effect::overwrites},  {"setRandom", Effect::overwrites},  {"setUnit", Effect::overwrites},
+      {"setLinSpaced", Effect::overwrites}, {"noalias", Effect::overwrites},    {"push_back", Effect::changes},
+      {"emplace_back", Effect::changes},    {"pop_back", Effect::changes},      {"push_front", Effect::changes},
+      {"emplace_front", Effect::changes},   {"pop_front", Effect::changes},     {"resize", Effect::changes},
+      {"reserve", Effect::changes},         {"insert", Effect::changes},        {"emplace", Effect::changes},
+      {"erase", Effect::changes},           {"shrink_to_fit", Effect::changes}, {"size", Effect::nothing},
+      {"empty", Effect::nothing},           {"rows", Effect::nothing},          {"cols", Effect::nothing},
+      {"capacity", Effect::nothing},        {"max_size", Effect::nothing},      {"innerStride", Effect::nothing},
+      {"outerStride", Effect::nothing},
+  };
+  auto const found = known.find(name_of(method));
+  return found == known.end() ? Effect::reads : found->second;
+}
+
+// Functions of <algorithm> and <numeric> that only write to the range they are given.
+bool only_writes(FunctionDecl const *function) {
+  static llvm::StringSet<> const names = {"fill", "fill_n", "iota", "generate", "generate_n", "uninitialized_fill"};
+  return function->isInStdNamespace() && names.contains(name_of(function));
+}
+
+// v.begin() or a pointer's own container, as the argument of such a function.
+Expr const *iterated(Expr const *argument) {
+  auto const *call = dyn_cast<CXXMemberCallExpr>(spelled_expression(argument));
+  return call ? call->getImplicitObjectArgument() : nullptr;
+}
+
+} // namespace
+
+// An object, array or view as a whole.
+void Collector::object(Expr const *expression, Use use) {
+  expression = spelled_expression(expression);
+  QualType const type = expression->getType();
+  if (expression->isTypeDependent() || type->isPointerType() || Reals::is_double(type)) return;
+  if (!expression->isGLValue() && !Storage::is_view(type)) return;
+  if (!type->isRecordType() && !type->isArrayType()) return;
+  if (holds_state(type) && may_outlive(expression)) note(expression, use);
+}
+
+void Collector::library_arguments(FunctionDecl const *function, Arguments arguments) {
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    Expr const *argument = arguments[i];
+    if (argument->isTypeDependent()) continue;
+    if (only_writes(function))
+      if (Expr const *container = iterated(argument)) {
+        object(container, Use::written);
+        continue;
+      }
+    QualType const type = argument->getType();
+    if (type->isPointerType() && reals_.carries_real(type->getPointeeType())) {
+      // first, last; but not where the pointers themselves are taken, to swap them
+      if (argument->isGLValue() || i + 1 == arguments.size() || arguments[i + 1]->isTypeDependent()) continue;
+      if (context_.hasSameUnqualifiedType(type, arguments[i + 1]->getType()) && !only_writes(function)) {
+        note(argument->IgnoreImpCasts(), Use::range_begin);
+        note(arguments[++i]->IgnoreImpCasts(), Use::range_end, argument->IgnoreImpCasts());
+      }
+    } else if (argument->isGLValue() && Reals::is_double(type)) {
+      if (reals_.is_real(argument) && may_outlive(argument)) note(argument, Use::read);
+    } else
+      object(argument, Use::read);
+  }
+}
+
+void Collector::library_object(CallExpr const *call, FunctionDecl const *function, Expr const *object_argument) {
+  auto const *method = dyn_cast<CXXMethodDecl>(function);
+  if (!method || method->isStatic()) return;
+  Effect const what = effect(method);
+  if (what == Effect::nothing) return;
+  if (what == Effect::overwrites || what == Effect::changes) {
+    object(object_argument, what == Effect::changes ? Use::changed : Use::written);
+    return;
+  }
+  // An element, or a view: whoever uses it is looked at.
+  QualType const type = call->getType();
+  if (call->isGLValue() && reals_.carries_real(type)) return;
+  if (Storage::is_view(type)) return;
+  object(object_argument, Use::read);
+}
+
+void Collector::operator_call(CXXOperatorCallExpr const *call, FunctionDecl const *function) {
+  Expr const *left = call->getArg(0);
+  std::vector<Expr const *> const rest(call->arg_begin() + 1, call->arg_end());
+  switch (call->getOperator()) {
+  case OO_Equal: {
+    auto const *inner = dyn_cast<CXXMemberCallExpr>(spelled_expression(left));
+    bool const noalias = inner && inner->getMethodDecl() && name_of(inner->getMethodDecl()) == "noalias";
+    object(noalias ? inner->getImplicitObjectArgument() : left, Use::written);
+    break;
+  }
+  case OO_LessLess: // the comma initialiser of Eigen; a stream holds no numbers
+    object(left, Use::written);
+    break;
+  case OO_Arrow: break; // a smart pointer: whoever uses the member behind it is looked at
+  case OO_PlusEqual:
+  case OO_MinusEqual:
+  case OO_StarEqual:
+  case OO_SlashEqual: object(left, Use::read); break;
+  default:
+    if (isa<CXXMethodDecl>(function))
+      library_object(call, function, left);
+    else
+      library_arguments(function, left);
+  }
+  library_arguments(function, rest);
+}
+
+void Collector::state_of_call(CallExpr const *call) {
+  FunctionDecl const *function = call->getDirectCallee();
+  if (!function || call->isTypeDependent()) return;
+  // A rewritten function is looked at where it stands.
+  bool const rewritten = reals_.in_roots(Reals::pattern(function)) && function->getBuiltinID() == 0;
+  if (rewritten && !function->isDefaulted()) return;
+  moved_bytes(call, function);
+  if (auto const *operation = dyn_cast<CXXOperatorCallExpr>(call)) {
+    operator_call(operation, function);
+    return;
+  }
+  if (auto const *member = dyn_cast<CXXMemberCallExpr>(call))
+    library_object(call, function, member->getImplicitObjectArgument());
+  library_arguments(function, {call->getArgs(), call->getNumArgs()});
+}
+
+void Collector::state_of_construction(CXXConstructExpr const *construction) {
+  CXXConstructorDecl const *constructor = construction->getConstructor();
+  bool const rewritten = reals_.in_roots(constructor) && constructor->isUserProvided();
+  if (rewritten || construction->isTypeDependent()) return;
+  library_arguments(constructor, {construction->getArgs(), construction->getNumArgs()});
+}
+
+} // namespace symreal::rewrite

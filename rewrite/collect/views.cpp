@@ -1,0 +1,110 @@
+// Pointers to REALs that are taken for pointers to something else: who looks through them?
+#include "rewrite/collect/collector.h"
+#include "rewrite/model/byte_functions.h"
+
+#include <clang/AST/ParentMapContext.h>
+
+namespace symreal::rewrite {
+using namespace clang;
+
+// In the run: of one object its own bytes, of a pointer all that may lie behind it.
+void Collector::looked_into(Expr const *address) {
+  auto const *taken = dyn_cast<UnaryOperator>(address->IgnoreParens());
+  bool const is_one = taken && taken->getOpcode() == UO_AddrOf && !isa<ArraySubscriptExpr>(taken->getSubExpr());
+  bool const is_structure = address->getType()->isPointerType() && address->getType()->getPointeeType()->isRecordType();
+  note(address, is_one || is_structure ? Use::bits : Use::view);
+}
+
+namespace {
+
+// What becomes of a pointer: it is used at once, or a local variable takes it; whatever else keeps it may be read in
+// another kernel than the one that is looked at there.
+struct Destination {
+  bool is_kept = false;
+  VarDecl const *local = nullptr;
+};
+
+// The variable in p, p + 1, p++, (int *)p.
+DeclRefExpr const *named_pointer(Expr const *pointer) {
+  pointer = pointer->IgnoreParenCasts();
+  if (auto const *name = dyn_cast<DeclRefExpr>(pointer)) return name;
+  if (auto const *step = dyn_cast<UnaryOperator>(pointer); step && step->isIncrementDecrementOp())
+    return named_pointer(step->getSubExpr());
+  auto const *sum = dyn_cast<BinaryOperator>(pointer);
+  if (!sum || !sum->isAdditiveOp()) return nullptr;
+  return named_pointer(sum->getLHS()->getType()->isPointerType() ? sum->getLHS() : sum->getRHS());
+}
+
+// Of a function that may look at what the pointer leads to.
+bool is_argument(Expr const *pointer, ASTContext &context) {
+  for (Expr const *part = pointer;;) {
+    DynTypedNodeList const parents = context.getParents(*part);
+    auto const *outer = parents.empty() ? nullptr : parents[0].get<Expr>();
+    if (!outer) return false;
+    if (auto const *call = dyn_cast<CallExpr>(outer)) {
+      FunctionDecl const *function = call->getDirectCallee();
+      bool const looks =
+          function && function->getIdentifier() && (function->getName() == "memcmp" || function->getName() == "fwrite");
+      return looks || !function || !moves_bytes(function);
+    }
+    if (isa<CXXConstructExpr>(outer)) return true;
+    if (!outer->getType()->isPointerType()) return false;
+    part = outer;
+  }
+}
+
+Destination destination(Expr const *pointer, ASTContext &context) {
+  auto const local = [](Decl const *declaration) {
+    auto const *variable = dyn_cast<VarDecl>(declaration);
+    return Destination{!variable || !variable->hasLocalStorage(), variable};
+  };
+  for (Expr const *part = pointer;;) {
+    DynTypedNodeList const parents = context.getParents(*part);
+    if (parents.empty()) return {true};
+    if (auto const *variable = parents[0].get<VarDecl>()) return local(variable);
+    auto const *outer = parents[0].get<Expr>();
+    if (!outer) return {parents[0].get<ReturnStmt>() != nullptr || parents[0].get<CXXCtorInitializer>() != nullptr};
+    if (auto const *assignment = dyn_cast<BinaryOperator>(outer); assignment && assignment->isAssignmentOp()) {
+      auto const *name = dyn_cast<DeclRefExpr>(assignment->getLHS()->IgnoreParens());
+      return name ? local(name->getDecl()) : Destination{assignment->getRHS()->IgnoreParens() == part};
+    }
+    if (isa<InitListExpr>(outer)) return {true};
+    if (!outer->getType()->isPointerType() || isa<CallExpr>(outer)) return {};
+    part = outer;
+  }
+}
+
+} // namespace
+
+// Numbers are looked at as something else, integers as a rule. The run tells whether one of them is symbolic: as soon
+// as the pointer is made, or as soon as something is read through the variable that has it.
+void Collector::view(ExplicitCastExpr const *cast, bool of_integers) {
+  Destination const to = cast->getType()->isPointerType() ? destination(cast, context_) : Destination{};
+  if (to.is_kept)
+    report(DiagnosticId::reinterpretation, cast->getBeginLoc(),
+           "the bytes of a REAL are looked at as " + cast->getType().getAsString() + ", by a pointer that is kept");
+  else if (to.local && of_integers && !instance_)
+    views_.insert(to.local);
+  else
+    looked_into(cast->getSubExprAsWritten());
+}
+
+// What such a variable leads to is read, or it is handed on.
+void Collector::read_view(Expr const *value) {
+  if (views_.empty() || !value->isGLValue()) return;
+  value = value->IgnoreParens();
+  Expr const *pointer = value;
+  if (auto const *element = dyn_cast<ArraySubscriptExpr>(value)) pointer = element->getBase();
+  if (auto const *behind = dyn_cast<UnaryOperator>(value); behind && behind->getOpcode() == UO_Deref)
+    pointer = behind->getSubExpr();
+  bool const is_read = pointer != value;
+  auto const *name = named_pointer(pointer);
+  auto const *variable = name ? dyn_cast<VarDecl>(name->getDecl()) : nullptr;
+  if (!variable || !views_.contains(variable)) return;
+  if (is_read) return note(value, Use::bits);
+  Destination const to = destination(name, context_);
+  if (to.local && !to.is_kept) return (void)views_.insert(to.local);
+  if (is_argument(name, context_)) note(name, Use::view);
+}
+
+} // namespace symreal::rewrite

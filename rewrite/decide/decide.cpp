@@ -1,0 +1,344 @@
+#include "rewrite/decide/decide.h"
+
+#include "rewrite/decide/original_text.h"
+#include "rewrite/decide/text_calls.h"
+#include "rewrite/edit/compose.h"
+#include "rewrite/facts/own_names.h"
+#include "rewrite/text/pragma_text.h"
+#include "rewrite/text/source_text.h"
+#include "rewrite/text/type_name.h"
+#ifdef SYMREAL_MUTATION
+#include "rewrite/mutation/drop_rule.h"
+#endif
+
+#include <algorithm>
+
+namespace symreal::rewrite {
+namespace {
+
+using ByFile = std::map<std::string, std::vector<Rewording>>;
+
+// The macro of each use. In numeric mode each leaves exactly what stands between `before` and `after`; a cast to
+// another pointer type costs nothing.
+Rewording rewording(Wrap const &wrap, bool is_shared) {
+  auto const make = [&](std::string before, std::string after) {
+    return Rewording{wrap.span.begin,  wrap.span.end, std::move(before),
+                     std::move(after), false,         wrap.use >= Use::later ? -2 : static_cast<int>(wrap.use)};
+  };
+  if (is_shared && (wrap.use == Use::conversion || wrap.use == Use::cast)) return make("SYMREAL_REAL_FIT(", ")");
+  switch (wrap.use) {
+  case Use::declared: return make("SYMREAL_REAL_EITHER((), extern) ", "");
+  case Use::later: return make("SYMREAL_REAL_LATER(", ")");
+  case Use::now: return make("SYMREAL_REAL_NOW(", ")");
+  case Use::argument: return make("SYMREAL_REAL_ARGUMENT(" + wrap.detail + ", ", ")");
+  case Use::truth: return make("SYMREAL_REAL_TRUTH(", ")");
+  case Use::layout: return make("", " SYMREAL_REAL_LAYOUT(" + wrap.detail + ")");
+  case Use::padding: return make("SYMREAL_REAL_PADDING(" + wrap.detail + ") ", "");
+  case Use::literal: return make("SYMREAL_REAL_C(", ")");
+  case Use::value: return make("SYMREAL_REAL_VALUE(", ")");
+  case Use::enumeration: return make("SYMREAL_REAL_ENUM(", ")");
+  case Use::promoted: return make("SYMREAL_REAL_PROMOTED(", ")");
+  case Use::of_c: return make("SYMREAL_REAL_OF_C(" + wrap.detail + ", ", ")");
+  case Use::counted: return make("SYMREAL_REAL_COUNTED(", ")");
+  case Use::as_width:
+  case Use::width: return make("SYMREAL_REAL_WIDTH(" + wrap.detail + ", ", ")");
+  case Use::compound: return make("SYMREAL_REAL_COMPOUND(", ")");
+  case Use::compound_list: return make(", ", "");
+  case Use::fit: return make("SYMREAL_REAL_FIT(", ")");
+  case Use::before: return make("SYMREAL_REAL_ONLY(" + wrap.detail + ") ", "");
+  case Use::behind: return make("", " SYMREAL_REAL_ONLY(" + wrap.detail + ")");
+  case Use::instead: return make("SYMREAL_REAL_EITHER((", "), " + wrap.detail + ")");
+  case Use::division: return make("", " ");
+  case Use::conversion: return make("SYMREAL_REAL_TO(" + wrap.detail + ", ", ")");
+  case Use::range_begin: return make("SYMREAL_REAL_FIRST(" + wrap.detail + ", ", ")");
+  case Use::range_end: return make("SYMREAL_REAL_LAST(" + wrap.detail + ", ", ")");
+  case Use::bits: return make("SYMREAL_REAL_BITS(" + wrap.detail + ", ", ")");
+  case Use::view: return make("SYMREAL_REAL_VIEW(" + wrap.detail + ", ", ")");
+  case Use::bytes: return make("SYMREAL_REAL_BYTES(" + wrap.detail + ", ", ")");
+  case Use::environment: return make("SYMREAL_REAL_ENVIRONMENT(" + wrap.detail + ", ", ")");
+  case Use::formatting:
+    if (wrap.detail.empty()) return make("SYMREAL_REAL_SHOWS(", ")");
+    return make("SYMREAL_REAL_FORMAT(" + wrap.detail + ", ", ")");
+  case Use::text: return make("SYMREAL_REAL_TEXT(" + wrap.detail + ", ", ")");
+  case Use::read: return make("SYMREAL_REAL_READ(" + wrap.detail + ", ", ")");
+  case Use::written: return make("SYMREAL_REAL_WRITTEN(" + wrap.detail + ", ", ")");
+  case Use::changed: return make("SYMREAL_REAL_CHANGED(" + wrap.detail + ", ", ")");
+  case Use::state: return make("SYMREAL_REAL_STATE(", ", " + quoted(wrap.detail) + ")");
+  case Use::local_state: return make("SYMREAL_REAL_LOCAL_STATE(", ", " + quoted(wrap.detail) + ")");
+  case Use::linkage: return make("SYMREAL_REAL_LINKAGE(", ")");
+  case Use::integer: return make("SYMREAL_REAL_INT(", ")");
+  case Use::table: return make("SYMREAL_REAL_TABLE(" + wrap.detail + ", ", ")");
+  case Use::pasted: return make("SYMREAL_REAL_PASTED((" + wrap.detail + "), ", ")");
+  case Use::prototype: return make(" SYMREAL_REAL_PROTOTYPE((" + wrap.detail + "), ", ")");
+  case Use::of_library: return make("SYMREAL_REAL_EITHER((", "), symreal_" + wrap.detail + ")");
+  case Use::own_name:
+  case Use::name: return make("SYMREAL_REAL_NAME(", ")");
+  case Use::external: return make("SYMREAL_REAL_EXTERNAL(", ", " + wrap.detail + ")");
+  case Use::function: return make("SYMREAL_REAL_FUNCTION(" + wrap.detail + ", ", ")");
+  case Use::cast: return make("(" + wrap.detail + ")(", ")");
+  case Use::returned: return make("SYMREAL_RETURN" + wrap.detail + ", ", ")");
+  }
+  internal_failure("a use has a macro", __FILE__, __LINE__);
+}
+
+// A library's typedef keeps its name where the program prints it.
+std::string replacement_of(TypeToken const &token, Facts const &facts) {
+  if (token.replacement == reserved_type_name || !meets(facts.printed, token.span)) return token.replacement;
+  return "SYMREAL_REAL_TYPE(" + text_of(token.span, facts) + ", " + token.replacement + ")";
+}
+
+void add_types(Facts const &facts, std::set<Span> const &pragmas, Ledger const &ledger, ByFile &rewordings,
+               Result &result) {
+  for (TypeToken const &token : facts.types) {
+    if (meets(pragmas, token.span) || ledger.is_kept(token.span)) continue;
+    if (!meets(facts.quoted, token.span)) {
+      if (!token.replacement.empty())
+        rewordings[token.span.file].push_back(
+            {token.span.begin, token.span.end, replacement_of(token, facts), "", true});
+      continue;
+    }
+    FileFact const &file = facts.files.at(token.span.file);
+    std::string const text = text_of(token.span, facts);
+    result.diagnostics.push_back({DiagnosticId::quoted_double, Severity::warning, place_in(file, token.span.begin),
+                                  "'" + text + "' stays as it is: a macro turns this argument into text"});
+  }
+}
+
+// A few places have no type in the syntax tree, such as the explicit instantiation of a function or an attribute. There
+// `double` follows its neighbours; if that is wrong the symbolic program does not compile.
+void add_unaccounted(Facts const &facts, std::set<Span> const &pragmas, Ledger const &ledger, ByFile &rewordings,
+                     Result &result) {
+  for (Span const &span : facts.doubles) {
+    auto const known = facts.types.lower_bound({span, ""});
+    bool const accounted = known != facts.types.end() && known->span == span;
+    if (accounted || meets(pragmas, span) || meets(facts.quoted, span) || ledger.stays_in_text(span)) continue;
+    rewordings[span.file].push_back({span.begin, span.end, reserved_type_name, "", true});
+    result.diagnostics.push_back({DiagnosticId::unaccounted_double, Severity::warning,
+                                  place_in(facts.files.at(span.file), span.begin),
+                                  "the syntax tree does not say what this double is part of; it becomes REAL"});
+  }
+}
+
+// Is the expression one call of our macros, from the rewriting before? Then all that stands there has what it needs.
+bool is_rewritten(std::string const &text, Span const &span) {
+  if (text.compare(span.begin, 5, "REAL_") != 0 && text.compare(span.begin, 8, "SYMREAL_") != 0) return false;
+  std::size_t const at = text.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ_", span.begin);
+  return at < span.end && text[at] == '(' && closing_parenthesis(text, at) + 1 == span.end;
+}
+
+// The same for what stands behind an opening brace or before a closing one.
+bool is_laid_out(std::string const &text, Wrap const &wrap) {
+  if (wrap.use == Use::padding) {
+    std::size_t const line = text.rfind('\n', wrap.span.begin);
+    return text.substr(line + 1, wrap.span.begin - line).find("REAL_PADDING(") != text.npos;
+  }
+  std::size_t const end = text.find('\n', wrap.span.end);
+  return text.substr(wrap.span.end, end - wrap.span.end).find("REAL_LAYOUT(") != text.npos;
+}
+
+// And for words that only symbolic mode has.
+bool is_inserted(std::string const &text, Wrap const &wrap) {
+  std::string_view const whole = text;
+  std::string const words = "REAL_ONLY(" + wrap.detail + ")";
+  if (wrap.use == Use::before) return whole.substr(0, wrap.span.begin).ends_with(words + " ");
+  std::string_view const behind = whole.substr(wrap.span.end);
+  return wrap.use == Use::behind && (behind.starts_with(" " + words) || behind.starts_with(" SYMREAL_" + words));
+}
+
+void add_wraps(Facts const &facts, std::set<Span> const &pragmas, ByFile &rewordings, Result &result) {
+  Wrap const *before = nullptr;
+  for (Wrap const &wrap : facts.wraps) {
+    // The same words in a macro or header that two sources name differently.
+    bool const again = before && before->span == wrap.span && before->use == wrap.use;
+    if (again && wrap.use == Use::argument)
+      result.diagnostics.push_back({DiagnosticId::instantiations_differ, Severity::error,
+                                    place_in(facts.files.at(wrap.span.file), wrap.span.begin),
+                                    "'" + text_of(wrap.span, facts) + "' is converted to " + before->detail +
+                                        " in one instantiation and to " + wrap.detail + " in another"});
+    before = &wrap;
+    if (wrap.use >= Use::layout && is_laid_out(facts.files.at(wrap.span.file).text, wrap)) continue;
+    if (again || is_rewritten(facts.files.at(wrap.span.file).text, wrap.span)) continue;
+    if (is_inserted(facts.files.at(wrap.span.file).text, wrap)) continue;
+    // The function reads the REALs itself, as REALs.
+    if (wrap.use == Use::value && facts.number_readers.count(wrap.detail) != 0) continue;
+    bool const is_name = wrap.use == Use::name || wrap.use == Use::own_name;
+    if (wrap.use == Use::own_name && !is_defined(facts, wrap)) continue;
+    if (wrap.use == Use::of_library && is_defined(facts, wrap)) continue;
+    bool const is_text = wrap.use != Use::pasted && is_quoted(facts, wrap.span);
+    if (is_text && is_name)
+      result.diagnostics.push_back(
+          {DiagnosticId::c_source, Severity::error, place_in(facts.files.at(wrap.span.file), wrap.span.begin),
+           "'" + wrap.detail + "' has another name in symbolic mode, and a macro turns it into text"});
+    if (!meets(pragmas, wrap.span) && !is_text)
+      rewordings[wrap.span.file].push_back(rewording(wrap, facts.shared.contains(wrap.span)));
+  }
+}
+
+// A type in the words of the file, with the types in it that change.
+std::string type_text(Facts const &facts, Span const &span) {
+  std::string const &file = facts.files.at(span.file).text;
+  std::string text; // in one line: what is inserted moves no others
+  std::size_t at = span.begin;
+  for (auto token = facts.types.lower_bound({{span.file, span.begin, 0}, ""}); token != facts.types.end(); ++token) {
+    if (token->span.file != span.file || token->span.end > span.end) break;
+    if (token->replacement.empty() || token->span.begin < at) continue;
+    text += file.substr(at, token->span.begin - at) + token->replacement;
+    at = token->span.end;
+  }
+  text += file.substr(at, span.end - at);
+  std::replace_if(text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
+  return text;
+}
+
+// On a line that is kept as it is, it is the user who says that the bytes are not those of a number, or that what
+// leaves the program is a variable that is kept as well.
+bool is_answered_for(Diagnostic const &diagnostic, Facts const &facts) {
+  if (diagnostic.id != DiagnosticId::reinterpretation && diagnostic.id != DiagnosticId::boundary_call) return false;
+  for (auto const &[path, file] : facts.files)
+    if (file.display_path == diagnostic.place.file)
+      for (auto const &[begin, end] : file.kept)
+        if (place_in(file, begin).line == diagnostic.place.line) return true;
+  return false;
+}
+
+void add_members(Facts const &facts, ByFile &rewordings) {
+  for (auto const &[brace, members] : facts.members) {
+    std::string_view const behind = std::string_view(facts.files.at(brace.file).text).substr(brace.end);
+    if (behind.starts_with(" REAL_MEMBERS(") || behind.starts_with(" SYMREAL_REAL_MEMBERS(")) continue;
+    std::string list;
+    bool has_state = false;
+    for (auto const &[base, holds] : members.bases)
+      if (holds) list += ", static_cast<" + type_text(facts, base) + " const &>(*this)";
+    for (auto const &[field, holds] : members.fields) {
+      has_state = has_state || holds;
+      if (holds && !field.empty()) list += ", " + field; // bit-fields have no address, and no name here
+    }
+    if (has_state && list.empty()) list = ", ";
+    if (!list.empty())
+      rewordings[brace.file].push_back(
+          {brace.begin, brace.end, "", " SYMREAL_REAL_MEMBERS(" + members.access + list + ")"});
+  }
+}
+
+void add_pragmas(Facts const &facts, ByFile &rewordings) {
+  for (auto const &[span, pragma] : facts.pragmas) {
+    std::string const lines(pragma.continued_lines, '\n');
+    std::vector<Rewording> &here = rewordings[span.file];
+    if (!pragma.configured)
+      here.push_back({span.begin, span.end, (pragma.is_function ? "" : region_text(pragma)) + lines, "", true});
+    if (pragma.is_function && !pragma.function.empty()) {
+      Span const &brace = pragma.function[0].brace;
+      here.push_back({brace.begin, brace.end, "", " " + function_text(pragma)});
+    }
+  }
+}
+
+void add_boundaries(Facts const &facts, Result &result) {
+  for (auto const &[mangled, pragma] : facts.externals) {
+    result.externals.push_back(mangled);
+    if (facts.definitions.count(mangled) != 0)
+      result.diagnostics.push_back({DiagnosticId::external_function, Severity::error, pragma.place,
+                                    "'" + pragma.message + "' is defined in the sources, so its calls are recorded"});
+  }
+  for (auto const &[mangled, use] : facts.uses) {
+    if (facts.definitions.count(mangled) != 0) continue;
+    result.boundaries.push_back({use.name, mangled, use.parameters, use.declaration, use.place});
+    result.diagnostics.push_back({DiagnosticId::boundary_function,
+                                  Severity::error,
+                                  use.declaration,
+                                  "'" + use.name + "' carries REAL, and none of the sources defines it",
+                                  {{use.place, "it is used here"}}});
+    if (to_string(use.source) != to_string(use.place))
+      result.diagnostics.back().notes.push_back({use.source, "which is reached from here"});
+  }
+}
+
+void add_dependence(Facts const &facts, Result &result) {
+  for (auto const &[span, type, to_integer] : facts.conversions)
+    result.conversions.push_back({place_in(facts.files.at(span.file), span.begin), type, to_integer});
+  result.comparisons = facts.comparisons.size();
+}
+
+// By file, the names in it that symbolic mode has others for: what the rewriter inserts may hold them as well.
+std::map<std::string, RenamedNames> renamed_names(Facts const &facts) {
+  std::map<std::string, RenamedNames> names;
+  for (Wrap const &wrap : facts.wraps)
+    if (wrap.use == Use::name)
+      names[wrap.span.file].all.insert(wrap.detail);
+    else if (wrap.use == Use::own_name && is_defined(facts, wrap))
+      names[wrap.span.file].at_file_scope.insert(wrap.detail);
+  return names;
+}
+
+// What a pragma with an error becomes is not known. Errors elsewhere leave the others' texts as they are.
+bool has_pragma_error(Result const &result) {
+  return std::any_of(result.diagnostics.begin(), result.diagnostics.end(), [](Diagnostic const &one) {
+    bool const is_of_pragma = one.id >= DiagnosticId::pragma_syntax && one.id <= DiagnosticId::pragma_outside_roots;
+    return one.severity == Severity::error &&
+           (is_of_pragma || one.id == DiagnosticId::external_function || one.id == DiagnosticId::pragma_loop ||
+            one.id == DiagnosticId::configuration);
+  });
+}
+
+} // namespace
+
+Result annotated_original(Result const &result) {
+  Result original;
+  original.include_dirs = result.include_dirs;
+  for (File const &file : result.files) {
+    File &annotated = original.files.emplace_back(file);
+    annotated.edits = file.annotations;
+    annotated.text = apply_edits(file.original, file.annotations);
+  }
+  return original;
+}
+
+Result decide(Facts facts, Request const &request) {
+#ifdef SYMREAL_MUTATION
+  drop_rule(facts);
+#endif
+  Result result;
+  result.include_dirs = std::move(facts.include_dirs);
+  result.diagnostics = std::move(facts.diagnostics);
+  std::erase_if(result.diagnostics, [&](Diagnostic const &one) { return is_answered_for(one, facts); });
+  result.read.assign(facts.read.begin(), facts.read.end());
+  result.definitions.assign(facts.exported.begin(), facts.exported.end());
+  for (auto &[place, statement] : facts.names) result.names.push_back(std::move(statement));
+  for (auto &[key, text] : facts.deciding) result.deciding.push_back(std::move(text));
+  if (facts.broken) return result;
+  result.type_name = choose_type_name(request, facts, result.diagnostics);
+  std::set<Span> pragmas;
+  for (auto const &[span, pragma] : facts.pragmas)
+    if (!pragma.configured) pragmas.insert(span);
+  if (!facts.makes_text)
+    std::erase_if(facts.wraps, [](Wrap const &wrap) { return wrap.use == Use::formatting || wrap.use == Use::text; });
+  ByFile rewordings;
+  copy_text_calls(facts, rewordings);
+  Ledger const ledger(facts);
+  add_types(facts, pragmas, ledger, rewordings, result);
+  add_unaccounted(facts, pragmas, ledger, rewordings, result);
+  add_wraps(facts, pragmas, rewordings, result);
+  add_selects(facts, rewordings, result);
+  add_members(facts, rewordings);
+  collect_kernels(facts, result);
+  if (!has_pragma_error(result)) add_pragmas(facts, rewordings);
+  add_boundaries(facts, result);
+  add_dependence(facts, result);
+  auto renamed = renamed_names(facts);
+  for (auto const &[path, file] : facts.files) {
+    for (Rewording &one : rewordings[path])
+      for (std::string *inserted : {&one.before, &one.after}) {
+        // A rewording of the name itself holds it between the two.
+        if (renamed.contains(path)) *inserted = with_renamed(*inserted, renamed[path]);
+        *inserted = with_type_name(*inserted, result.type_name);
+      }
+    std::vector<Edit> edits = compose(file.text, std::move(rewordings[path]));
+    std::string text = apply_edits(file.text, edits);
+    std::vector<Spelling> entries = ledger.entries(path, edits);
+    result.files.push_back({path, file.display_path, file.text, std::move(text), std::move(edits), std::move(entries),
+                            file.compiled_name, original_edits(facts, path)});
+  }
+  return result;
+}
+
+} // namespace symreal::rewrite

@@ -1,0 +1,101 @@
+#include "rewrite/decide/original_text.h"
+
+#include "rewrite/edit/compose.h"
+#include "rewrite/text/pragma_text.h"
+
+#include <fmt/format.h>
+
+namespace symreal::rewrite {
+namespace {
+
+bool declares(std::string const &kind) { return kind == "constant" || kind == "scratch"; }
+
+// A loop over each dimension of its sections, outermost first.
+std::string loops(std::vector<Section> const &sections) {
+  std::string extents, text;
+  for (Section const &section : sections)
+    extents += fmt::format("{}(__SIZE_TYPE__)({})", extents.empty() ? "" : ", ", section.length);
+  if (!sections.empty())
+    text = fmt::format("__SIZE_TYPE__ const symreal_n[{0}] = {{{1}}}; __SIZE_TYPE__ symreal_i[{0}]; ", sections.size(),
+                       extents);
+  for (std::size_t k = 0; k < sections.size(); ++k)
+    text += fmt::format("for (symreal_i[{0}] = 0; symreal_i[{0}] < symreal_n[{0}]; ++symreal_i[{0}]) ", k);
+  return text;
+}
+
+std::string annotation(std::string const &kind, ItemFact const &item) {
+  bool const has_layout = !item.layout.text.empty();
+  return fmt::format("if (symreal_original_object(\"{}\", {}, SYMREAL_ORIGINAL_FRAME)) {{ {}SYMREAL_ORIGINAL_{}({}{}); "
+                     "symreal_original_object_end(); }} ",
+                     kind, place_arguments(item.label, item.place), loops(item.sections),
+                     means_file(kind, item) ? "STATICS"
+                     : has_layout           ? "LAYOUT"
+                     : declares(kind)       ? "BYTES"
+                                            : "NUMBERS",
+                     has_layout ? layout_arguments(item.layout) + ", " : "", item.expression);
+}
+
+bool annotates(ClauseFact const &clause) {
+  return clause.name == "input" || clause.name == "parameter" || clause.name == "output" || declares(clause.name);
+}
+
+std::string clause_text(ClauseFact const &clause) {
+  if (clause.name == "generate")
+    return fmt::format("symreal_original_generate({}, {}, {}, {}); ", clause.argument, quoted(clause.place.file),
+                       clause.place.line, clause.place.column);
+  std::string text;
+  if (annotates(clause)) // ranges, tables and what becomes of decisions are the recording's matter
+    for (ItemFact const &item : clause.items)
+      if (!item.is_return) text += annotation(clause.name, item);
+  return text;
+}
+
+} // namespace
+
+std::string original_region_text(PragmaFact const &pragma) {
+  std::string text;
+  for (ClauseFact const &clause : pragma.clauses) text += clause_text(clause);
+  return text;
+}
+
+std::string original_function_text(PragmaFact const &pragma) {
+  std::string entry, exit, call = "1";
+  bool is_kernel = false;
+  for (ClauseFact const &clause : pragma.clauses) {
+    is_kernel = is_kernel || clause.name != "decisions";
+    if (clause.name == "call")
+      call = clause.argument;
+    else
+      (clause.name == "output" ? exit : entry) += clause_text(clause);
+  }
+  if (!is_kernel) return "";
+  std::string own;
+  for (FunctionFact::Value const &one : pragma.function[0].parameters)
+    own += fmt::format("SYMREAL_ORIGINAL_OWN({}) ", one.name);
+  std::string const place = place_arguments(pragma.function[0].name, pragma.place);
+  return fmt::format("SYMREAL_ORIGINAL_FUNCTION({0}, {1}) {2}{3}SYMREAL_ORIGINAL_OUTPUTS({4}) "
+                     "SYMREAL_ORIGINAL_WRAPPER({0})",
+                     place, call, own, entry, exit);
+}
+
+std::vector<Edit> original_edits(Facts const &facts, std::string const &path) {
+  std::vector<Rewording> rewordings;
+  for (auto const &[span, pragma] : facts.pragmas) {
+    if (span.file != path) continue;
+    std::string const lines(pragma.continued_lines, '\n');
+    if (!pragma.configured)
+      rewordings.push_back(
+          {span.begin, span.end, (pragma.is_function ? "" : original_region_text(pragma)) + lines, "", true});
+    if (pragma.is_function && !pragma.function.empty()) {
+      Span const &brace = pragma.function[0].brace;
+      rewordings.push_back({brace.begin, brace.end, "", " " + original_function_text(pragma)});
+    }
+  }
+  if (rewordings.empty()) return {};
+  for (Wrap const &wrap : facts.wraps)
+    if (wrap.span.file == path && wrap.use == Use::returned)
+      rewordings.push_back({wrap.span.begin, wrap.span.end, "SYMREAL_RETURN" + wrap.detail + ", ", ")"});
+  return compose(facts.files.at(path).text, std::move(rewordings));
+}
+
+} // namespace symreal::rewrite

@@ -1,0 +1,28 @@
+// From rewordings to edits: replacements and nested wraps on the same file become a sorted list of edits that do not
+// overlap, each on at least one original character.
+#pragma once
+
+#include "rewrite/facts/result.h"
+
+#include <string>
+#include <vector>
+
+namespace symreal::rewrite {
+
+// Characters [begin, end) become before + (replacement, or what stands there) + after.
+struct Rewording {
+  std::size_t begin;
+  std::size_t end;
+  std::string before;
+  std::string after;
+  bool replaces = false; // `before` is all there will be
+  int depth = 0;         // of several on the same characters the one of least depth is outermost
+  auto operator<=>(Rewording const &) const = default;
+};
+
+// The rewordings may nest and touch in any way except overlap partly, and nothing may lie within a replaced part.
+std::vector<Edit> compose(std::string const &original, std::vector<Rewording> rewordings);
+
+std::string apply_edits(std::string const &original, std::vector<Edit> const &edits);
+
+} // namespace symreal::rewrite

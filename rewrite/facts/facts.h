@@ -1,0 +1,295 @@
+// What the Clang half collects about the sources, free of Clang's types: the decisions are made on these alone.
+//
+// A fact carries the real path and the byte offsets it is about, so the same header met through two sources gives the
+// same fact twice and the sets drop the second.
+#pragma once
+
+#include "rewrite/facts/result.h"
+
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace symreal::rewrite {
+
+// Bytes [begin, end) of a file within the roots.
+struct Span {
+  std::string file;
+  std::size_t begin = 0;
+  std::size_t end = 0;
+  auto operator<=>(Span const &) const = default;
+};
+
+// Why a type that is compiled stays as it is, where it does. The words for each are in ledger.cpp.
+enum Passive : unsigned char {
+  not_passive,
+  constant_variable,
+  static_member,
+  external_declaration,
+  template_value,
+  static_assertion,
+  enumerator,
+  constant_expression,
+  array_bound,
+  plain_template,
+  long_double,
+  complex_double,
+};
+
+// A token that spells a type: `double`, or the name of a library's typedef such as Vector3d.
+struct TypeToken {
+  Span span;
+  std::string replacement; // empty: it stays, and is known to
+  Passive why = not_passive;
+  auto operator<=>(TypeToken const &) const = default;
+};
+
+// Why an expression is wrapped, the outermost first where several wrap the same. The macro of each is in decide.cpp.
+enum class Use {
+  returned,
+  declared, // a variable that another line defines
+  cast,
+  fit, // to what the context expects, whose type has no name
+  conversion,
+  integer, // the type of an integer that stays symbolic
+  linkage,
+  table, // it is read at a symbolic index
+  value,
+  enumeration,   // of C, which an operator of assignment changes
+  promoted,      // to double, as a function of C takes it
+  of_c,          // it has another type in C++; the other argument: the one that it has in C
+  counted,       // of an enumeration, as the integer that C computes with
+  as_width,      // the operand of what is next
+  width,         // computed in as many bits as a wide bit-field has
+  compound,      // a compound literal of C, which is an object
+  compound_list, // its initialisers
+  literal,
+  external,
+  function,    // of <cmath>, as a value; the other arguments: how many it takes
+  range_begin, // the ends of a range that a library reads
+  range_end,
+  bits,    // its bytes are used as something else than numbers
+  view,    // a pointer to numbers, or a REAL, that is taken for one to something else
+  read,    // its value is used, and it may outlive the kernel
+  written, // it gets a new value
+  changed, // a library changes it
+  bytes,   // the name of a function that moves or sets bytes
+  state,
+  local_state, // of integers that only one function can name
+  pasted,      // a macro whose expansion pastes or quotes what a converted type is spelled as
+  prototype,   // of a function that is declared as before C89
+  name,        // a name of C that is a keyword of C++, or another's there
+  own_name,    // the same, of a function or variable: where a source defines it
+  of_library,  // a function of the C library that the program declares itself: where no source defines it
+  division,    // before C99, the first of `//`, which C++ takes for a comment
+  environment, // errno, and what reads or sets the floating-point environment
+  formatting,  // the name of a function that makes text of numbers, or moves text
+  text,        // text is read: characters, strings, files
+  before,      // in symbolic mode other words stand in front of it
+  behind,      // in symbolic mode other words stand behind it
+  instead,     // in symbolic mode other words stand there
+  // Around all of these:
+  later,    // a right operand, where the order of evaluation matters
+  now,      // an argument, where it does
+  argument, // in a template: of a call that was chosen for a double
+  truth,    // its type is looked at
+  layout,   // an opening brace: of a class whose layout needs a look
+  padding,  // a closing brace: of a class that another derives from
+};
+
+struct Wrap {
+  Span span;
+  Use use;
+  // conversion, cast, argument, of_c: the type; state: the declaration's place; returned, and the uses between literal
+  // and state: the other arguments (returned: with the rest of the macro's name before them); value: the function of
+  // the program, if it is one, whose variadic argument the expression is; as_width, width: the bits, and whether they
+  // are signed; external, table, formatting: the other arguments; pasted: the text that the macro expands to; name,
+  // own_name, of_library: it; layout, padding: sizes and offsets; prototype: the parameters; before, behind, instead:
+  // the words
+  std::string detail;
+  auto operator<=>(Wrap const &) const = default;
+};
+
+// What the base of an annotated object is, as far as the source of the annotation depends on it.
+enum class Base { object, pointer, pointer_to_const, const_pointer_to_const, const_object };
+
+struct ItemFact {
+  std::string label;
+  std::string expression;        // with symreal_i[k] where a section stood
+  std::string base;              // the item without its sections
+  std::vector<Section> sections; // none: the whole object
+  Place place;
+  bool is_return = false;
+  bool base_is_name = false; // the base is one identifier
+  bool section_on_base = false;
+  // From the syntax tree.
+  bool seen = false; // it stands where a statement can
+  bool carries_real = false;
+  bool holds_integer = false;
+  std::string type;
+  Base base_kind = Base::object;
+  ObjectLayout layout;               // of each element
+  std::vector<std::string> left_out; // its members that point to numbers
+  std::vector<std::string> kept;     // its members with numbers that are not converted
+};
+
+struct ClauseFact {
+  std::string name;
+  Place place;
+  std::string argument; // range, generate, call: the text between the parentheses
+  std::vector<ItemFact> items;
+};
+
+// The function that a function pragma stands before.
+struct FunctionFact {
+  std::string name;
+  Signature signature;
+  Span brace;
+  struct Value {
+    std::string name;
+    Place place;
+  };
+  std::vector<Value> values;     // its parameters by value that hold numbers, and the integers among them that it uses
+  std::vector<Value> parameters; // those by value that may lie on the stack of the caller
+};
+
+struct PragmaFact {
+  Span span;
+  std::size_t continued_lines = 0;
+  Place place;
+  std::string display_file;
+  bool is_function = false;
+  std::optional<std::size_t> configured; // it stands in no file: which of the request's kernels it is
+  std::vector<ClauseFact> clauses;
+  std::vector<FunctionFact> function;      // at most one
+  std::vector<FunctionFact::Value> around; // locals of the function around the block that begins here
+  // Of `loop(N)`, once its loop is known to be one that can be bounded.
+  std::optional<std::string> loop_targets; // (x)(y)
+  bool tests_late = false;                 // after the body
+
+  ClauseFact const *clause(std::string const &name) const {
+    for (ClauseFact const &one : clauses)
+      if (one.name == name) return &one;
+    return nullptr;
+  }
+};
+
+// A function that carries REAL, used from code that is compiled here, and not defined in the same source.
+struct UseFact {
+  std::string mangled;
+  std::string name;
+  std::size_t parameters = 0;
+  Place declaration;
+  Place place;
+  Place source; // on the way to it, the last place in a source rather than a header
+};
+
+// One of the changes that make a select of a decision: `before` and `after` go around the characters, or `before`
+// replaces them.
+struct Alteration {
+  Span span;
+  std::string before;
+  std::string after;
+  bool replaces = false;
+  bool inside = false; // of other macros around the same characters
+  auto operator<=>(Alteration const &) const = default;
+};
+
+// A decision on REALs, or a function whose `return`s depend on one. The same source may be met several times, through
+// several headers, instantiations and expansions; only if none of them refuses the change is made.
+struct DecisionFact {
+  std::vector<Alteration> alterations; // none: nothing to change there
+  std::vector<Refusal> refusals;
+  std::vector<Refusal> misuses; // where its macro stands in the way of a select, if one is to be made
+  std::vector<Refusal> uses;    // where nothing is in the way: a refusal elsewhere is in theirs too
+  std::optional<Span> needs;    // the decision without which this one cannot be changed
+};
+
+// A `double` or `float` that the file spells, compiled or not (spelled_types.h).
+struct SpelledType {
+  enum class Where { code, macro, directive };
+  Span span;
+  bool is_float = false;
+  bool is_long = false;
+  bool kept = false; // its line says so
+  Where where = Where::code;
+  std::string name = {};                // of the macro or directive
+  std::vector<std::size_t> within = {}; // offsets of the directives that open the parts of #if around it
+};
+
+struct FileFact {
+  std::string display_path;
+  std::string compiled_name; // as __FILE__ has it
+  std::string text;
+  std::vector<SpelledType> spelled = {};
+  std::map<std::size_t, std::string> conditions = {}; // by the offset of a directive that opens a part of an #if
+  std::vector<std::pair<std::size_t, std::size_t>> directives = {};
+  std::vector<std::pair<std::size_t, std::size_t>> kept = {}; // lines with the comment `symreal: keep`
+};
+
+// What the preprocessor does to a token so that it never reaches the parser.
+enum class Consumed { dropped_argument, macro_name };
+
+// The bases and fields of a class, and which of them hold REAL or an integer: a source that knows a class only by its
+// name does not see what a pointer to it owns.
+struct ClassFact {
+  template <class Name> struct Part {
+    Name name;
+    bool holds;
+  };
+  std::string access;                 // of the members that follow the opening brace
+  std::vector<Part<Span>> bases = {}; // as they are written
+  std::vector<Part<std::string>> fields = {};
+};
+
+// Of a REAL to an integer, to float or to long double.
+struct ConversionFact {
+  Span span;
+  std::string type;
+  bool to_integer;
+  auto operator<=>(ConversionFact const &) const = default;
+};
+
+struct Facts {
+  std::map<std::string, FileFact> files; // by real path
+  std::set<TypeToken> types;
+  std::set<Span> doubles; // every `double` that reached the parser, understood or not
+  std::set<Wrap> wraps;
+  std::set<Span> shared; // conversions whose text is compiled in several ways: each goes by what its context expects
+  std::map<Span, ClassFact> members;                // by the opening brace of a class
+  std::map<std::string, std::vector<bool>> reached; // by real path: the offsets of tokens that reached the parser
+  std::set<Span> skipped;                           // parts of an #if that are not taken
+  std::map<Span, Consumed> consumed;                // tokens that may not have reached the parser
+  std::set<ConversionFact> conversions;
+  std::set<Span> comparisons;           // of REALs, by the operator
+  std::set<Span> printed;               // declarations whose text the program prints
+  std::set<Span> quoted;                // arguments that a macro stringifies or pastes: their text is data
+  std::set<Span> pasted;                // those of them that a macro pastes
+  std::set<Span> text_calls;            // calls of macros that stringify an argument
+  std::map<Span, PragmaFact> pragmas;   // by the span of the directive, or of the function's brace
+  std::set<std::string> number_readers; // variadic functions that read doubles themselves, by qualified name
+  std::vector<Kernel> by_hand;          // generate_code("...") in a symbolic main that was written by hand
+  std::set<std::string> definitions;    // mangled names of the functions that the sources define
+  std::set<std::string> exported;       // those that carry REAL and that other sources can use
+  std::map<std::string, UseFact> uses;  // by mangled name, the first use
+  // By symbol that the source defines, with an empty one for what runs at the program's start: the symbols that it
+  // needs and that the source does not define. And for each of these a word that the text of a definition has.
+  std::map<std::string, std::set<std::string>> links;
+  std::map<std::string, std::string> linked_words;
+  std::map<std::string, NamedStatement> names;  // by the place where they begin
+  std::map<std::string, DecidingText> deciding; // by places and type
+  std::map<Span, DecisionFact> decisions;       // by the token `if`, `?`, `for`, `while`, `do`, or the function's brace
+  std::map<std::string, Note> externals;        // by mangled name: where the pragma says so, and the function's name
+  std::set<std::size_t> configured_externals;   // those of the request that a source declares
+  std::set<std::string> kernel_functions;       // qualified names of what a configured kernel may name
+  std::map<std::string, Place> taken_names;     // that the rewriter might write, by first use in the sources
+  std::vector<std::string> include_dirs;
+  std::set<std::string> read; // real paths, those of the system's headers left out
+  std::vector<Diagnostic> diagnostics;
+  bool broken = false;     // a source does not compile
+  bool makes_text = false; // of REALs, where it could be read back
+};
+
+} // namespace symreal::rewrite

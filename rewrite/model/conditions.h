@@ -1,0 +1,51 @@
+// Conditions made of REALs: which can stay symbolic as a whole, so that a select can take them.
+#pragma once
+
+#include "rewrite/facts/facts.h"
+#include "rewrite/model/reals.h"
+#include "rewrite/source/clang.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace symreal::rewrite {
+
+// What is in the way of a select, at its token.
+struct Blocker {
+  clang::SourceLocation location;
+  std::string reason;
+};
+
+// Comparisons of REALs, joined by &&, || and !, possibly with plain truth values.
+struct Condition {
+  bool is_real = false;           // it depends on a comparison of REALs, or on a REAL's truth value
+  std::optional<Blocker> blocker; // it is decided before the statement sees it
+  std::vector<Alteration> joints; // && and || become REAL_AND and REAL_OR, beside which plain ones need REAL_PLAIN
+};
+
+// A function of namespace std with one of these names.
+bool is_std_function(clang::FunctionDecl const *function, std::initializer_list<llvm::StringRef> names);
+
+class Conditions {
+public:
+  Conditions(SourceMap const &map, Reals const &reals) : map_(map), reals_(reals) {}
+
+  Condition classify(clang::Expr const *condition) const;
+
+  // Does a comparison of REALs stand anywhere in the expression, lambdas aside?
+  bool mentions_comparison(clang::Expr const *expression) const;
+
+  // Does any part of it become a REAL?
+  bool mentions_real(clang::Expr const *expression) const;
+
+private:
+  enum class Kind { plain, mixed, real, truth_of_real };
+  Kind visit(clang::Expr const *expression, Condition &result) const;
+  Kind visit_joint(clang::BinaryOperator const *joint, Condition &result) const;
+
+  SourceMap const &map_;
+  Reals const &reals_;
+};
+
+} // namespace symreal::rewrite

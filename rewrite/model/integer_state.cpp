@@ -1,0 +1,133 @@
+#include "rewrite/model/integer_state.h"
+
+#include "rewrite/source/walk.h"
+
+namespace symreal::rewrite {
+using namespace clang;
+
+namespace {
+
+VarDecl const *visible_here_only(Decl const *declaration) {
+  auto const *variable = dyn_cast<VarDecl>(declaration);
+  if (!variable || !variable->hasGlobalStorage()) return nullptr;
+  return variable->isStaticLocal() || !variable->isExternallyVisible() ? variable->getCanonicalDecl() : nullptr;
+}
+
+// The name at the base of elements and members, if the expression is part of that object.
+DeclRefExpr const *part_of(Expr const *expression) {
+  while (true) {
+    expression = expression->IgnoreParens();
+    if (auto const *decay = dyn_cast<ImplicitCastExpr>(expression); decay && decay->getCastKind() != CK_LValueToRValue)
+      expression = decay->getSubExpr();
+    else if (auto const *index = dyn_cast<ArraySubscriptExpr>(expression))
+      expression = index->getBase();
+    else if (auto const *member = dyn_cast<MemberExpr>(expression); member && !member->isArrow())
+      expression = member->getBase();
+    else
+      return dyn_cast<DeclRefExpr>(expression);
+  }
+}
+
+// Every mention of a variable, but for those that only look at its value.
+class Touched : public Walk {
+public:
+  explicit Touched(llvm::DenseSet<VarDecl const *> &touched) : touched_(touched) {}
+
+  bool TraverseUnaryExprOrTypeTraitExpr(UnaryExprOrTypeTraitExpr *) override { return true; }
+  bool VisitImplicitCastExpr(ImplicitCastExpr *cast) override {
+    QualType const object = cast->isGLValue() ? cast->getType() : cast->getType()->getPointeeType();
+    bool const adds_const = cast->getCastKind() == CK_NoOp && !object.isNull() && object.isConstQualified();
+    if (adds_const || cast->getCastKind() == CK_LValueToRValue) looked_at_.insert(part_of(cast->getSubExpr()));
+    return true;
+  }
+  bool VisitCXXForRangeStmt(CXXForRangeStmt *loop) override {
+    QualType const type = loop->getLoopVariable()->getType();
+    if (!type->isReferenceType() || type.getNonReferenceType().isConstQualified())
+      looked_at_.insert(part_of(loop->getRangeInit()));
+    return true;
+  }
+  bool VisitDeclRefExpr(DeclRefExpr *reference) override {
+    if (VarDecl const *variable = visible_here_only(reference->getDecl()); variable && !looked_at_.contains(reference))
+      touched_.insert(variable);
+    return true;
+  }
+  bool VisitMemberExpr(MemberExpr *member) override {
+    if (VarDecl const *variable = visible_here_only(member->getMemberDecl())) touched_.insert(variable);
+    return true;
+  }
+
+private:
+  llvm::DenseSet<VarDecl const *> &touched_;
+  llvm::SmallPtrSet<DeclRefExpr const *, 32> looked_at_;
+};
+
+bool is_container(ClassTemplateSpecializationDecl const *record) {
+  static llvm::StringSet<> const names = {"vector", "array", "valarray", "deque",    "list",
+                                          "map",    "pair",  "tuple",    "optional", "unordered_map"};
+  return record->isInStdNamespace() && record->getIdentifier() && names.contains(record->getName());
+}
+
+bool is_text(QualType type) {
+  return type->isAnyCharacterType() && !type->isSpecificBuiltinType(BuiltinType::SChar) &&
+         !type->isSpecificBuiltinType(BuiltinType::UChar);
+}
+
+} // namespace
+
+IntegerState::IntegerState(ASTContext &context, SourceMap const &map) : map_(map) {
+  Touched(touched_).TraverseDecl(context.getTranslationUnitDecl());
+}
+
+bool IntegerState::is_integer(QualType type) {
+  return !type.isNull() && !type->isDependentType() && type.getNonReferenceType()->isIntegralOrEnumerationType() &&
+         !type->isBitIntType();
+}
+
+bool IntegerState::holds(QualType type, llvm::SmallPtrSetImpl<Type const *> &seen) const {
+  if (type.isNull() || type->isDependentType() || type->isReferenceType()) return false;
+  type = type.getCanonicalType().getUnqualifiedType();
+  if (is_integer(type)) return true;
+  if (!seen.insert(type.getTypePtr()).second) return false;
+  if (auto const *array = type->getAsArrayTypeUnsafe())
+    return !is_text(array->getElementType()) && holds(array->getElementType(), seen);
+  auto const *record = type->getAsRecordDecl();
+  if (!record) return false;
+  if (auto const *special = dyn_cast<ClassTemplateSpecializationDecl>(record); special && is_container(special)) {
+    for (TemplateArgument const &argument : special->getTemplateArgs().asArray())
+      if (argument.getKind() == TemplateArgument::Type && !is_text(argument.getAsType()) &&
+          holds(argument.getAsType(), seen))
+        return true;
+    return false;
+  }
+  record = map_.in_roots(record->getLocation()) ? record->getDefinition() : nullptr;
+  if (!record || record->isUnion()) return false;
+  if (auto const *derived = dyn_cast<CXXRecordDecl>(record))
+    for (CXXBaseSpecifier const &base : derived->bases())
+      if (holds(base.getType(), seen)) return true;
+  for (FieldDecl const *field : record->fields())
+    if (holds(field->getType(), seen)) return true;
+  return false;
+}
+
+bool IntegerState::holds(QualType type) const {
+  llvm::SmallPtrSet<Type const *, 16> seen;
+  return holds(type, seen);
+}
+
+bool IntegerState::is_fixed(VarDecl const *variable) const {
+  VarDecl const *here = visible_here_only(variable);
+  return here && !touched_.contains(here);
+}
+
+bool IntegerState::has_address(FieldDecl const *field) {
+  return !field->isBitField() && !field->hasAttr<PackedAttr>() && !field->getParent()->hasAttr<PackedAttr>();
+}
+
+bool IntegerState::has_address(Expr const *expression) {
+  if (expression->getObjectKind() != OK_Ordinary) return false;
+  auto const *member = dyn_cast<MemberExpr>(expression->IgnoreParens());
+  auto const *field = member ? dyn_cast<FieldDecl>(member->getMemberDecl()) : nullptr;
+  return !field || has_address(field);
+}
+
+} // namespace symreal::rewrite

@@ -1,0 +1,217 @@
+#include "rewrite/model/reals.h"
+
+#include "ops/operation.h"
+#include "rewrite/source/walk.h"
+
+namespace symreal::rewrite {
+using namespace clang;
+
+bool Reals::is_double(QualType type) {
+  if (type.isNull()) return false;
+  auto const *builtin = type.getNonReferenceType().getCanonicalType()->getAs<BuiltinType>();
+  return builtin && builtin->getKind() == BuiltinType::Double;
+}
+
+bool Reals::holds(QualType type, Depth depth, llvm::SmallPtrSetImpl<Type const *> &seen) const {
+  if (type.isNull()) return false;
+  type = type.getCanonicalType().getUnqualifiedType();
+  if (is_double(type) && !type->isReferenceType()) return true;
+  if (!seen.insert(type.getTypePtr()).second) return false;
+  if (auto const *array = type->getAsArrayTypeUnsafe()) return holds(array->getElementType(), depth, seen);
+  if (depth == Depth::anything) {
+    if (QualType const pointee = type->getPointeeType(); !pointee.isNull()) return holds(pointee, depth, seen);
+    if (auto const *function = type->getAs<FunctionProtoType>()) {
+      if (holds(function->getReturnType(), depth, seen)) return true;
+      for (QualType parameter : function->getParamTypes())
+        if (holds(parameter, depth, seen)) return true;
+    }
+  }
+  auto const *record = type->getAsRecordDecl();
+  if (!record) return false;
+  if (auto const *special = dyn_cast<ClassTemplateSpecializationDecl>(record)) {
+    if (is_passive_template(special)) return false;
+    for (TemplateArgument const &argument : special->getTemplateArgs().asArray())
+      if (argument.getKind() == TemplateArgument::Type && holds(argument.getAsType(), depth, seen)) return true;
+  }
+  if (!in_roots(record)) return false;
+  record = record->getDefinition();
+  if (!record) return false;
+  if (auto const *derived = dyn_cast<CXXRecordDecl>(record))
+    for (CXXBaseSpecifier const &base : derived->bases())
+      if (holds(base.getType(), depth, seen)) return true;
+  for (FieldDecl const *field : record->fields())
+    if (holds(field->getType(), depth, seen)) return true;
+  return false;
+}
+
+bool Reals::carries_real(QualType type) const {
+  llvm::SmallPtrSet<Type const *, 16> seen;
+  return holds(type, Depth::storage, seen);
+}
+
+bool Reals::mentions_real(QualType type) const {
+  llvm::SmallPtrSet<Type const *, 16> seen;
+  return holds(type, Depth::anything, seen);
+}
+
+QualType Reals::pointee(Expr const *expression) {
+  QualType const type = expression->IgnoreParenImpCasts()->getType();
+  return type->isArrayType() ? QualType(type->getAsArrayTypeUnsafe()->getElementType()) : type->getPointeeType();
+}
+
+bool Reals::is_passive(VarDecl const *variable) const {
+  if (variable->isConstexpr() || !in_roots(variable)) return true;
+  // A class may initialise a static const double in itself only because double is no class (a GNU extension).
+  return variable->isStaticDataMember() && variable->getType().isConstQualified() &&
+         variable->getFirstDecl()->hasInit() && !variable->isInline();
+}
+
+bool Reals::is_passive_template(NamedDecl const *declaration) {
+  if (!declaration || !declaration->isInStdNamespace()) {
+    // chrono is a namespace of its own within std.
+    auto const *space = declaration ? dyn_cast<NamespaceDecl>(declaration->getDeclContext()) : nullptr;
+    return space && space->getName() == "chrono" && space->isInStdNamespace();
+  }
+  llvm::StringRef const name = declaration->getName();
+  return name.ends_with("_distribution") || name == "generate_canonical" || name == "is_floating_point" ||
+         name == "is_arithmetic";
+}
+
+bool Reals::is_passive_class(QualType type) {
+  auto const *record = type.isNull() ? nullptr : type.getNonReferenceType()->getAsCXXRecordDecl();
+  return record && is_passive_template(record);
+}
+
+bool Reals::is_math_name(llvm::StringRef name) {
+  // The calls of the operation table, under both their names, and what the runtime builds from them.
+  static llvm::StringSet<> const names = [] {
+    llvm::StringSet<> known = {"fpclassify",  "frexp",  "ilogb",       "isfinite",      "isgreater", "isgreaterequal",
+                               "isinf",       "isless", "islessequal", "islessgreater", "isnan",     "isnormal",
+                               "isunordered", "ldexp",  "llrint",      "llround",       "logb",      "lrint",
+                               "lround",      "modf",   "nearbyint",   "nextafter",     "remquo",    "scalbn",
+                               "signbit",     "sincos"};
+    for (OperationInfo const &operation : operations())
+      if (operation.form == Form::call)
+        for (std::string_view call : {operation.name, operation.c}) known.insert(llvm::StringRef(call));
+    return known;
+  }();
+  name.consume_front("__builtin_");
+  if (name.starts_with("__")) name = name.drop_front(2).take_until([](char c) { return c == '_'; }); // __isnan of glibc
+  return names.contains(name) || name == "isinf_sign";
+}
+
+bool Reals::is_declared_math(FunctionDecl const *function) {
+  return !function->getASTContext().getLangOpts().CPlusPlus && function->isExternC() && !function->isDefined() &&
+         function->getBuiltinID() != 0 && is_math_name(function->getName());
+}
+
+bool Reals::is_math(FunctionDecl const *function) const {
+  if (!function || !function->getDeclName().isIdentifier()) return false;
+  if (in_roots(function)) return is_declared_math(function);
+  DeclContext const *context = function->getDeclContext()->getRedeclContext();
+  if (!context->isTranslationUnit() && !function->isInStdNamespace()) return false;
+  if (function->getName() == "lerp") return function->isInStdNamespace();
+  return is_math_name(function->getName());
+}
+
+FunctionDecl const *Reals::pattern(FunctionDecl const *function) {
+  if (FunctionDecl const *from = function->getTemplateInstantiationPattern()) return from;
+  if (FunctionTemplateDecl const *from = function->getPrimaryTemplate()) return from->getTemplatedDecl();
+  if (FunctionDecl const *from = function->getInstantiatedFromMemberFunction()) return from;
+  return function;
+}
+
+// Is the expression a part of an object that stays double: an element of a constexpr array, a member of an object whose
+// class is not rewritten?
+bool Reals::object_is_passive(Expr const *expression) const {
+  expression = expression->IgnoreParenImpCasts();
+  if (auto const *reference = dyn_cast<DeclRefExpr>(expression)) {
+    auto const *variable = dyn_cast<VarDecl>(reference->getDecl());
+    return variable && (variable->isConstexpr() || (!in_roots(variable) && !isa<ParmVarDecl>(variable)));
+  }
+  if (auto const *index = dyn_cast<ArraySubscriptExpr>(expression)) return object_is_passive(index->getBase());
+  if (auto const *member = dyn_cast<MemberExpr>(expression)) return object_is_passive(member->getBase());
+  if (auto const *call = dyn_cast<CXXOperatorCallExpr>(expression))
+    return call->getOperator() == OO_Subscript && object_is_passive(call->getArg(0));
+  return false;
+}
+
+bool Reals::call_stays_double(CallExpr const *call) const {
+  FunctionDecl const *function = call->getDirectCallee();
+  if (!function || in_roots(function) || external(function)) return false;
+  if (is_math(function)) {
+    for (Expr const *argument : call->arguments())
+      if (!stays_double(argument)) return false;
+    return true;
+  }
+  if (auto const *method = dyn_cast<CXXMethodDecl>(function))
+    if (is_passive_template(method->getParent())) return true;
+  if (auto const *member = dyn_cast<CXXMemberCallExpr>(call))
+    if (object_is_passive(member->getImplicitObjectArgument())) return true;
+  if (auto const *subscript = dyn_cast<CXXOperatorCallExpr>(call))
+    if (subscript->getNumArgs() > 0 && isa<CXXMethodDecl>(function) && object_is_passive(subscript->getArg(0)))
+      return true;
+  QualType const declared = pattern(function)->getReturnType();
+  return !declared->isDependentType() && is_double(declared);
+}
+
+namespace {
+
+// Looks for a number that does not stay one: what is chosen by it is a REAL, whatever the arms are.
+class Numbers : public Walk {
+public:
+  explicit Numbers(Reals const &reals) : reals_(reals) {}
+  bool are_in(Expr const *expression) { return !TraverseStmt(const_cast<Expr *>(expression)); }
+  bool VisitExpr(Expr *expression) override {
+    return !Reals::is_double(expression->getType()) || reals_.stays_double(expression);
+  }
+
+private:
+  Reals const &reals_;
+};
+
+} // namespace
+
+bool Reals::stays_double(Expr const *expression) const {
+  while (true) { // through what has no spelling of its own
+    Expr const *inner = expression->IgnoreParenImpCasts();
+    if (auto const *full = dyn_cast<FullExpr>(inner))
+      inner = full->getSubExpr();
+    else if (auto const *temporary = dyn_cast<MaterializeTemporaryExpr>(inner))
+      inner = temporary->getSubExpr();
+    else if (auto const *defaulted = dyn_cast<CXXDefaultArgExpr>(inner))
+      inner = defaulted->getExpr();
+    if (inner == expression) break;
+    expression = inner;
+  }
+  if (!is_double(expression->getType())) return true;
+  if (table_of(expression)) return false;
+  if (isa<FloatingLiteral>(expression)) return true;
+  if (auto const *unary = dyn_cast<UnaryOperator>(expression)) {
+    if (unary->getOpcode() == UO_Plus || unary->getOpcode() == UO_Minus) return stays_double(unary->getSubExpr());
+    return unary->getOpcode() == UO_Extension && stays_double(unary->getSubExpr());
+  }
+  if (auto const *binary = dyn_cast<BinaryOperator>(expression)) {
+    if (binary->isAssignmentOp()) return false;
+    return (binary->isCommaOp() || stays_double(binary->getLHS())) && stays_double(binary->getRHS());
+  }
+  if (auto const *choice = dyn_cast<ConditionalOperator>(expression))
+    return stays_double(choice->getTrueExpr()) && stays_double(choice->getFalseExpr()) &&
+           !Numbers(*this).are_in(choice->getCond());
+  if (auto const *reference = dyn_cast<DeclRefExpr>(expression)) {
+    if (isa<NonTypeTemplateParmDecl>(reference->getDecl())) return true;
+    auto const *variable = dyn_cast<VarDecl>(reference->getDecl());
+    return variable && !isa<ParmVarDecl>(variable) && is_passive(variable);
+  }
+  if (auto const *member = dyn_cast<MemberExpr>(expression)) {
+    if (auto const *variable = dyn_cast<VarDecl>(member->getMemberDecl())) return is_passive(variable);
+    if (object_is_passive(member)) return true;
+    auto const *record = dyn_cast<RecordDecl>(member->getMemberDecl()->getDeclContext());
+    return record && !in_roots(record) && !isa<ClassTemplateSpecializationDecl>(record);
+  }
+  if (isa<ArraySubscriptExpr>(expression)) return object_is_passive(expression);
+  if (auto const *call = dyn_cast<CallExpr>(expression)) return call_stays_double(call);
+  return isa<SubstNonTypeTemplateParmExpr>(expression) || isa<UserDefinedLiteral>(expression);
+}
+
+} // namespace symreal::rewrite

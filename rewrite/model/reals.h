@@ -1,0 +1,99 @@
+// Which types and expressions become REAL in the symbolic program, and which stay double.
+#pragma once
+
+#include "rewrite/source/clang.h"
+#include "rewrite/source/source_map.h"
+
+#include <map>
+#include <string>
+
+namespace symreal::rewrite {
+
+class Reals {
+public:
+  explicit Reals(SourceMap const &map) : map_(map) {}
+
+  static bool is_double(clang::QualType type);
+
+  // Would an object of this type hold a REAL in itself or in the storage that it owns (a container's elements)?
+  bool carries_real(clang::QualType type) const;
+
+  // The same, looking through pointers, references and function types.
+  bool mentions_real(clang::QualType type) const;
+
+  // Does an expression of arithmetic type keep its type in the symbolic program: a literal, arithmetic on literals, the
+  // result of a function outside the roots, a constexpr variable?
+  bool stays_double(clang::Expr const *expression) const;
+
+  // A double now, a REAL in the symbolic program.
+  bool is_real(clang::Expr const *expression) const {
+    return is_double(expression->getType()) && !expression->isTypeDependent() && !stays_double(expression);
+  }
+
+  // constexpr, a static const member with its value in the class, or declared outside the roots.
+  bool is_passive(clang::VarDecl const *variable) const;
+
+  // A function that stays as it is and whose calls are recorded.
+  struct External {
+    std::string arguments; // of the macro around it, behind its name
+    bool pure;
+  };
+  void add_external(clang::FunctionDecl const *function, External external) {
+    externals_[function->getCanonicalDecl()] = std::move(external);
+  }
+  External const *external(clang::FunctionDecl const *function) const {
+    auto const found = externals_.find(function->getCanonicalDecl());
+    return found == externals_.end() ? nullptr : &found->second;
+  }
+
+  // What a pointer, or an array on its way to become one, points to as it is written; null for anything else.
+  static clang::QualType pointee(clang::Expr const *expression);
+
+  // Integers that keep their dependency, as the class SymbolicInt (symbolic_ints.h).
+  static bool is_integer(clang::QualType type);
+  // Through what has no spelling of its own and through conversions between integers.
+  static clang::Expr const *spelled_integer(clang::Expr const *expression);
+  void add_symbolic_integer(clang::VarDecl const *variable) { symbolic_integers_.insert(variable); }
+  bool is_symbolic_integer(clang::VarDecl const *variable) const { return symbolic_integers_.contains(variable); }
+  bool is_symbolic_integer(clang::Expr const *expression) const;
+  // Does it depend on a REAL, if of the conversions these do?
+  bool integer_depends(clang::Expr const *expression,
+                       llvm::function_ref<bool(clang::CastExpr const *)> cast_does) const;
+  // lround and its like, whose result is symbolic.
+  bool rounds_to_integer(clang::FunctionDecl const *function) const;
+  // A conversion that is spelled so that its result stays symbolic.
+  void keep_integer(clang::CastExpr const *cast) { kept_casts_.insert(cast); }
+  bool keeps_integer(clang::CastExpr const *cast) const { return kept_casts_.contains(cast); }
+  // An element that is read at a symbolic index, and the array that it is of; null for any other expression.
+  void add_table_load(clang::Expr const *element, clang::Expr const *table) { table_loads_[element] = table; }
+  clang::Expr const *table_of(clang::Expr const *element) const { return table_loads_.lookup(element->IgnoreParens()); }
+
+  bool in_roots(clang::Decl const *declaration) const { return map_.in_roots(declaration->getLocation()); }
+
+  // A function of <math.h> or <cmath>, for which the runtime has an overload.
+  bool is_math(clang::FunctionDecl const *function) const;
+  static bool is_math_name(llvm::StringRef name);
+  // In C: one that the program declares itself, and does not define.
+  static bool is_declared_math(clang::FunctionDecl const *function);
+
+  // What the function was before its template parameters were replaced.
+  static clang::FunctionDecl const *pattern(clang::FunctionDecl const *function);
+
+  // Templates of the standard library that count in plain numbers: random distributions, chrono.
+  static bool is_passive_template(clang::NamedDecl const *declaration);
+  static bool is_passive_class(clang::QualType type);
+
+private:
+  enum class Depth { storage, anything };
+  bool holds(clang::QualType type, Depth depth, llvm::SmallPtrSetImpl<clang::Type const *> &seen) const;
+  bool call_stays_double(clang::CallExpr const *call) const;
+  bool object_is_passive(clang::Expr const *expression) const;
+
+  SourceMap const &map_;
+  std::map<clang::FunctionDecl const *, External> externals_;
+  llvm::SmallPtrSet<clang::VarDecl const *, 8> symbolic_integers_;
+  llvm::SmallPtrSet<clang::CastExpr const *, 8> kept_casts_;
+  llvm::DenseMap<clang::Expr const *, clang::Expr const *> table_loads_;
+};
+
+} // namespace symreal::rewrite

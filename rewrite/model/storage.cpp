@@ -1,0 +1,125 @@
+#include "rewrite/model/storage.h"
+
+namespace symreal::rewrite {
+using namespace clang;
+
+namespace {
+
+llvm::StringRef name_in(QualType type, llvm::StringRef space) {
+  auto const *record = type.isNull() ? nullptr : type.getNonReferenceType()->getAsCXXRecordDecl();
+  if (!record || !record->getIdentifier()) return {};
+  auto const *scope = dyn_cast<NamespaceDecl>(record->getDeclContext()->getEnclosingNamespaceContext());
+  while (scope && scope->isInlineNamespace()) scope = dyn_cast<NamespaceDecl>(scope->getDeclContext());
+  return scope && scope->getName() == space ? record->getName() : llvm::StringRef();
+}
+
+// The object that a call is made on, if it is a member's.
+Expr const *object_of(CallExpr const *call) {
+  if (auto const *member = dyn_cast<CXXMemberCallExpr>(call)) return member->getImplicitObjectArgument();
+  if (isa<CXXOperatorCallExpr>(call) && isa_and_nonnull<CXXMethodDecl>(call->getDirectCallee())) return call->getArg(0);
+  return nullptr;
+}
+
+// Does the function return one of its arguments?
+bool selects_argument(FunctionDecl const *function) {
+  static llvm::StringSet<> const names = {"max", "min", "clamp", "move", "forward", "as_const"};
+  return function->isInStdNamespace() && function->getDeclName().isIdentifier() && names.contains(function->getName());
+}
+
+} // namespace
+
+Expr const *spelled_expression(Expr const *expression) {
+  while (true) {
+    Expr const *inner = expression->IgnoreParenImpCasts();
+    if (auto const *full = dyn_cast<FullExpr>(inner))
+      inner = full->getSubExpr();
+    else if (auto const *temporary = dyn_cast<MaterializeTemporaryExpr>(inner))
+      inner = temporary->getSubExpr();
+    else if (auto const *bound = dyn_cast<CXXBindTemporaryExpr>(inner))
+      inner = bound->getSubExpr();
+    if (inner == expression) return inner;
+    expression = inner;
+  }
+}
+
+bool Storage::is_view(QualType type) {
+  static llvm::StringSet<> const eigen = {"Map",       "Ref",          "Block",        "VectorBlock",
+                                          "Transpose", "Diagonal",     "Reshaped",     "IndexedView",
+                                          "Reverse",   "ArrayWrapper", "MatrixWrapper"};
+  return eigen.contains(name_in(type, "Eigen")) || name_in(type, "std") == "span";
+}
+
+// A container of a library that holds its elements itself.
+bool Storage::owns_elements(QualType type) const {
+  static llvm::StringSet<> const eigen = {"Matrix",      "Array",     "Quaternion",     "Transform",
+                                          "Translation", "AngleAxis", "DiagonalMatrix", "Rotation2D"};
+  static llvm::StringSet<> const standard = {"vector", "array", "valarray", "deque",         "list",
+                                             "map",    "pair",  "tuple",    "unordered_map", "complex"};
+  return eigen.contains(name_in(type, "Eigen")) || standard.contains(name_in(type, "std"));
+}
+
+Expr const *Storage::base(Expr const *expression) {
+  while (true) {
+    expression = spelled_expression(expression);
+    if (auto const *member = dyn_cast<MemberExpr>(expression)) {
+      if (isa<VarDecl>(member->getMemberDecl()) || member->isArrow()) return member;
+      expression = member->getBase();
+    } else if (auto const *index = dyn_cast<ArraySubscriptExpr>(expression))
+      expression = index->getBase();
+    else if (auto const *call = dyn_cast<CallExpr>(expression); call && object_of(call))
+      expression = object_of(call);
+    else
+      return isa<DeclRefExpr>(expression) ? expression : nullptr;
+  }
+}
+
+Home Storage::home_of(ValueDecl const *declaration, bool is_captured) const {
+  if (auto const *binding = dyn_cast<BindingDecl>(declaration)) {
+    auto const *whole = dyn_cast_or_null<VarDecl>(binding->getDecomposedDecl());
+    return whole && whole->getType()->isReferenceType() ? Home::elsewhere : Home::local;
+  }
+  auto const *variable = dyn_cast<VarDecl>(declaration);
+  if (!variable) return Home::local;
+  if (variable->isConstexpr()) return Home::constant;
+  if (variable->hasGlobalStorage()) {
+    if (reals_.is_passive(variable)) return Home::constant;
+    if (variable->getType()->isReferenceType()) return Home::elsewhere;
+    bool const is_const = variable->getASTContext().getBaseElementType(variable->getType()).isConstQualified();
+    return is_const ? Home::constant : Home::elsewhere;
+  }
+  return variable->getType()->isReferenceType() || is_captured ? Home::elsewhere : Home::local;
+}
+
+Home Storage::home_of_call(CallExpr const *call) const {
+  Expr const *object = object_of(call);
+  FunctionDecl const *function = call->getDirectCallee();
+  if (function && selects_argument(function)) return Home::local; // the arguments are looked at themselves
+  if (!object || !function) return call->isGLValue() ? Home::elsewhere : Home::local;
+  if (!call->isGLValue() && !is_view(call->getType())) return Home::local;
+  bool const known = owns_elements(object->getType()) || is_view(object->getType());
+  Home const at = home(object);
+  return at == Home::local && !known ? Home::elsewhere : at;
+}
+
+Home Storage::home(Expr const *expression) const {
+  expression = spelled_expression(expression);
+  if (auto const *reference = dyn_cast<DeclRefExpr>(expression)) {
+    Home const at = home_of(reference->getDecl(), reference->refersToEnclosingVariableOrCapture());
+    return at == Home::local && is_view(reference->getType()) ? Home::elsewhere : at;
+  }
+  if (auto const *member = dyn_cast<MemberExpr>(expression)) {
+    if (auto const *variable = dyn_cast<VarDecl>(member->getMemberDecl())) return home_of(variable, false);
+    if (member->isArrow() || member->getMemberDecl()->getType()->isReferenceType()) return Home::elsewhere;
+    return is_view(member->getType()) ? Home::elsewhere : home(member->getBase());
+  }
+  if (auto const *index = dyn_cast<ArraySubscriptExpr>(expression)) {
+    Expr const *array = index->getBase()->IgnoreParenImpCasts();
+    return array->getType()->isArrayType() ? home(array) : Home::elsewhere;
+  }
+  if (auto const *call = dyn_cast<CallExpr>(expression)) return home_of_call(call);
+  if (auto const *cast = dyn_cast<ExplicitCastExpr>(expression); cast && cast->isGLValue())
+    return home(cast->getSubExpr());
+  return expression->isGLValue() ? Home::elsewhere : Home::local;
+}
+
+} // namespace symreal::rewrite

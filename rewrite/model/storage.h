@@ -1,0 +1,39 @@
+// Where an expression's object lives, as far as the source tells: in the function itself, or somewhere that may outlive
+// the kernel. The recording judges by addresses; what is certainly local need not be looked at.
+#pragma once
+
+#include "rewrite/model/reals.h"
+#include "rewrite/source/clang.h"
+
+namespace symreal::rewrite {
+
+enum class Home {
+  local,     // a variable of the function, or what such a container owns
+  elsewhere, // behind a pointer or reference, in *this, of static storage duration
+  constant,  // a const object of static storage duration
+};
+
+class Storage {
+public:
+  explicit Storage(Reals const &reals) : reals_(reals) {}
+
+  Home home(clang::Expr const *expression) const;
+
+  // The reference at the base of a name's members and elements, or null.
+  static clang::Expr const *base(clang::Expr const *expression);
+
+  // An object of the class lets others' numbers be seen, such as Eigen's Map and Block.
+  static bool is_view(clang::QualType type);
+
+private:
+  Home home_of(clang::ValueDecl const *declaration, bool is_captured) const;
+  Home home_of_call(clang::CallExpr const *call) const;
+  bool owns_elements(clang::QualType type) const;
+
+  Reals const &reals_;
+};
+
+// Without what has no spelling of its own, and without parentheses.
+clang::Expr const *spelled_expression(clang::Expr const *expression);
+
+} // namespace symreal::rewrite

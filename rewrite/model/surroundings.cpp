@@ -1,0 +1,191 @@
+#include "rewrite/model/surroundings.h"
+
+#include "rewrite/source/walk.h"
+#include "rewrite/text/pragma_text.h"
+
+#include <algorithm>
+
+namespace symreal::rewrite {
+using namespace clang;
+
+namespace {
+
+// Where a variable is mentioned, and whether it is given a value there.
+struct Mention {
+  std::size_t offset;
+  Expr const *name;
+};
+
+class Mentions : public Walk {
+public:
+  explicit Mentions(SourceManager const &sources) : sources_(sources) {}
+
+  bool VisitDeclRefExpr(DeclRefExpr *name) override {
+    if (auto const *variable = dyn_cast<VarDecl>(name->getDecl()))
+      found[variable].push_back({sources_.getFileOffset(sources_.getExpansionLoc(name->getLocation())), name});
+    return true;
+  }
+  std::map<VarDecl const *, std::vector<Mention>> found;
+
+private:
+  SourceManager const &sources_;
+};
+
+// The names that the statement gives values in any case.
+void collect_assigned(Stmt const *statement, llvm::SmallPtrSetImpl<Expr const *> &names) {
+  if (auto const *loop = dyn_cast_or_null<ForStmt>(statement)) return collect_assigned(loop->getInit(), names);
+  auto const *binary = dyn_cast_or_null<BinaryOperator>(statement);
+  if (!binary) return;
+  if (binary->getOpcode() == BO_Assign) names.insert(binary->getLHS()->IgnoreParens());
+  if (binary->getOpcode() == BO_Assign || binary->isCommaOp()) collect_assigned(binary->getRHS(), names);
+  if (binary->isCommaOp()) collect_assigned(binary->getLHS(), names);
+}
+
+// From the pragma that begins a kernel to the one that ends it.
+struct Block {
+  PragmaFact *pragma;
+  std::size_t begin, end;
+  std::set<std::string> annotated; // whole variables, which need not be listed
+};
+
+bool annotates(PragmaFact const &pragma) {
+  return std::any_of(pragma.clauses.begin(), pragma.clauses.end(), [](ClauseFact const &clause) {
+    return clause.name == "input" || clause.name == "parameter" || clause.name == "constant" ||
+           clause.name == "scratch";
+  });
+}
+
+std::map<std::string, std::vector<Block>> find_blocks(Facts &facts) {
+  std::map<std::string, std::vector<Block>> blocks;
+  std::map<std::string, Block> open;
+  for (auto &[span, pragma] : facts.pragmas) { // by file and place
+    if (pragma.is_function || pragma.configured) continue;
+    if (!open.contains(span.file) && annotates(pragma)) open[span.file] = {&pragma, span.begin, span.end, {}};
+    auto const found = open.find(span.file);
+    if (found == open.end()) continue;
+    for (ClauseFact const &clause : pragma.clauses)
+      for (ItemFact const &item : clause.items)
+        if (clause.name != "output" && item.base_is_name && item.sections.empty())
+          found->second.annotated.insert(item.label);
+    if (!pragma.clause("generate")) continue;
+    found->second.end = span.begin;
+    blocks[span.file].push_back(found->second);
+    open.erase(found);
+  }
+  return blocks;
+}
+
+} // namespace
+
+class BlockFunctions : public Walk {
+public:
+  BlockFunctions(SourceMap const &map, Reals const &reals, IntegerState const &integers, Surroundings &found,
+                 std::map<std::string, std::vector<Block>> blocks)
+      : map_(map),
+        reals_(reals),
+        integers_(integers),
+        found_(found),
+        blocks_(std::move(blocks)) {}
+
+  bool shouldVisitTemplateInstantiations() const override { return false; }
+
+  bool VisitFunctionDecl(FunctionDecl *function) override {
+    if (!function->doesThisDeclarationHaveABody() || !map_.in_roots(function->getLocation())) return true;
+    std::optional<Span> const body = map_.range(function->getBody()->getSourceRange());
+    auto const blocks = body ? blocks_.find(body->file) : blocks_.end();
+    if (blocks == blocks_.end()) return true;
+    Mentions mentions(map_.sources());
+    mentions.TraverseStmt(function->getBody());
+    mentions_ = std::move(mentions.found);
+    for (Block const &block : blocks->second) {
+      if (block.begin < body->begin || body->end < block.end) continue;
+      assigned_.clear();
+      look_down(block, function->getBody());
+      for (ParmVarDecl const *parameter : function->parameters()) add(block, parameter);
+    }
+    return true;
+  }
+
+private:
+  std::size_t begin_of(Stmt const *statement) const { return offset(statement->getBeginLoc()); }
+  std::size_t offset(SourceLocation location) const {
+    return map_.sources().getFileOffset(map_.sources().getExpansionLoc(location));
+  }
+  bool holds(Stmt const *statement, Block const &block) const {
+    return begin_of(statement) < block.begin && block.begin < offset(statement->getEndLoc());
+  }
+
+  // Down to where the block begins.
+  void look_down(Block const &block, Stmt const *statement) {
+    Stmt const *inner = nullptr;
+    for (Stmt const *part : statement->children())
+      if (part && holds(part, block) && !isa<DeclStmt>(part)) inner = part;
+    if (inner)
+      look_down(block, inner);
+    else
+      for (Stmt const *part : statement->children())
+        if (part && begin_of(part) > block.begin) collect_assigned(part, assigned_);
+    for (Stmt const *part : statement->children())
+      if (auto const *declarations = dyn_cast_or_null<DeclStmt>(part); declarations && begin_of(part) < block.begin)
+        for (Decl const *one : declarations->decls())
+          if (auto const *variable = dyn_cast<VarDecl>(one)) add(block, variable);
+  }
+
+  void add(Block const &block, VarDecl const *variable) {
+    QualType const type = variable->getType();
+    ASTContext const &context = variable->getASTContext();
+    if (!variable->getIdentifier() || !variable->hasLocalStorage() || type->isReferenceType()) return;
+    if (context.getBaseElementType(type).isConstQualified() || type->isVariablyModifiedType()) return;
+    if (variable->isConstexpr() || reals_.is_passive(variable)) return;
+    if (block.annotated.contains(variable->getName().str())) return;
+    bool const is_integer = !type->isDependentType() && IntegerState::is_integer(type);
+    bool const holds = type->isDependentType() || reals_.carries_real(type) || integers_.holds(type);
+    if (!is_integer && !holds) return;
+    std::vector<Mention> const &mentions = mentions_of(variable);
+    bool const has_value =
+        variable->hasInit() || isa<ParmVarDecl>(variable) || (!mentions.empty() && mentions[0].offset < block.begin);
+    if (!has_value || (is_integer && !is_read_first(block, mentions))) return;
+    block.pragma->around.push_back({variable->getName().str(), map_.place(variable->getLocation())});
+    if (!is_integer) found_.blocks_[variable].emplace_back(block.begin, block.end);
+  }
+
+  // In the order of the text.
+  std::vector<Mention> const &mentions_of(VarDecl const *variable) {
+    std::vector<Mention> &mentions = mentions_[variable];
+    std::sort(mentions.begin(), mentions.end(), [](Mention const &a, Mention const &b) { return a.offset < b.offset; });
+    return mentions;
+  }
+
+  // An integer is not followed; what counts is whether the block begins with a use of it.
+  bool is_read_first(Block const &block, std::vector<Mention> const &mentions) const {
+    auto const first = std::find_if(mentions.begin(), mentions.end(),
+                                    [&block](Mention const &one) { return one.offset > block.begin; });
+    return first != mentions.end() && first->offset < block.end && !assigned_.contains(first->name);
+  }
+
+  SourceMap const &map_;
+  Reals const &reals_;
+  IntegerState const &integers_;
+  Surroundings &found_;
+  std::map<std::string, std::vector<Block>> blocks_;
+  std::map<VarDecl const *, std::vector<Mention>> mentions_; // in the function
+  llvm::SmallPtrSet<Expr const *, 8> assigned_;              // where the block begins
+};
+
+Surroundings::Surroundings(ASTContext &context, SourceMap const &map, Reals const &reals, IntegerState const &integers,
+                           Facts &facts)
+    : map_(map) {
+  auto blocks = find_blocks(facts);
+  if (!blocks.empty())
+    BlockFunctions(map, reals, integers, *this, std::move(blocks)).TraverseDecl(context.getTranslationUnitDecl());
+}
+
+bool Surroundings::contain(VarDecl const *variable, SourceLocation mention) const {
+  auto const found = blocks_.find(variable);
+  if (found == blocks_.end()) return false;
+  SourceManager const &sources = map_.sources();
+  std::size_t const at = sources.getFileOffset(sources.getExpansionLoc(mention));
+  return llvm::any_of(found->second, [at](auto const &block) { return block.first < at && at < block.second; });
+}
+
+} // namespace symreal::rewrite

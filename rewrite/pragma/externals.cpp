@@ -1,0 +1,265 @@
+#include "rewrite/pragma/externals.h"
+
+#include "rewrite/facts/merge.h"
+#include "rewrite/text/pragma_text.h"
+
+#include <algorithm>
+
+namespace symreal::rewrite {
+namespace {
+
+using namespace clang;
+
+// Of a parameter or a result: how the graph's text spells it, or why it cannot.
+struct Value {
+  std::string text;
+  std::string size = "0"; // where only a call knows it
+  std::string error = {};
+};
+
+Value wrong(std::string error) { return {"", "0", std::move(error)}; }
+
+// How many doubles an object of the type consists of; 0 if of anything else.
+std::uint64_t doubles_in(QualType type, ASTContext const &context) {
+  if (Reals::is_double(type) && !type->isReferenceType()) return 1;
+  if (auto const *array = context.getAsConstantArrayType(type))
+    return array->getSize().getZExtValue() * doubles_in(array->getElementType(), context);
+  auto const *record = type->getAsRecordDecl();
+  record = record ? record->getDefinition() : nullptr;
+  if (!record || record->isUnion()) return 0;
+  if (auto const *derived = dyn_cast<CXXRecordDecl>(record);
+      derived && (!derived->isStandardLayout() || !derived->isTriviallyCopyable()))
+    return 0;
+  std::uint64_t sum = 0;
+  for (FieldDecl const *field : record->fields()) {
+    std::uint64_t const count = doubles_in(field->getType(), context);
+    if (count == 0) return 0;
+    sum += count;
+  }
+  return sum;
+}
+
+std::string integer_name(QualType type) {
+  if (type->isEnumeralType()) return "int";
+  PrintingPolicy policy{LangOptions()};
+  policy.Bool = false;
+  return type.getCanonicalType().getUnqualifiedType().getAsString(policy);
+}
+
+Value scalar_or_object(QualType type, ASTContext const &context) {
+  if (Reals::is_double(type) && !type->isReferenceType()) return {"number"};
+  if (type->isIntegralOrEnumerationType()) return {"integer \"" + integer_name(type) + "\""};
+  if (type->isRecordType())
+    if (std::uint64_t const count = doubles_in(type, context)) return {"object " + std::to_string(count)};
+  return wrong("is " + type.getAsString() + ", and neither a number, an integer nor made of doubles");
+}
+
+class Resolver {
+public:
+  Resolver(ASTContext &context, SourceMap const &map, Facts &facts, Reals &reals)
+      : context_(context),
+        map_(map),
+        facts_(facts),
+        reals_(reals) {}
+
+  void resolve(ExternalPragma const &pragma) {
+    FunctionDecl const *function = look_up(pragma);
+    if (function && pragma.configured) facts_.configured_externals.insert(*pragma.configured);
+    if (!function || !is_callable(pragma, function)) return;
+    std::string text, sizes;
+    if (!function->getReturnType()->isVoidType()) {
+      Value const returned = scalar_or_object(function->getReturnType(), context_);
+      if (!returned.error.empty())
+        return refuse(pragma.name_place, "what '" + pragma.function + "' returns " + returned.error);
+      text = "returns " + returned.text;
+    }
+    bool any_size = false, good = check_names(pragma, function);
+    for (unsigned i = 0; i < function->getNumParams(); ++i) {
+      Value const value = parameter(pragma, function, i);
+      if (!value.error.empty()) {
+        refuse(pragma.name_place, "parameter " + name_of(function, i) + " of '" + pragma.function + "' " + value.error);
+        good = false;
+      }
+      text += (i != 0 ? " " : text.empty() ? "takes " : " takes ") + value.text;
+      sizes += (i == 0 ? "" : " ") + value.size;
+      any_size |= value.size != "0";
+    }
+    if (!good) return;
+    Place const place = map_.place(function->getLocation());
+    std::string const arguments = quoted(function->getNameAsString()) + (pragma.pure ? ", true, " : ", false, ") +
+                                  quoted(text) + ", " + quoted(any_size ? sizes : "") + ", " + quoted(place.file) +
+                                  ", " + std::to_string(place.line) + ", " + std::to_string(place.column);
+    reals_.add_external(function, {arguments, pragma.pure});
+    facts_.externals.emplace(ASTNameGenerator(context_).getName(function),
+                             Note{pragma.name_place, function->getNameAsString()});
+    keep_linkage(function);
+  }
+
+private:
+  void refuse(Place const &place, std::string message, DiagnosticId id = DiagnosticId::external_function) {
+    add_diagnostic(facts_, {id, Severity::error, place, std::move(message)});
+  }
+
+  FunctionDecl const *look_up(ExternalPragma const &pragma) {
+    DeclContext const *scope = context_.getTranslationUnitDecl();
+    llvm::StringRef rest = pragma.function;
+    rest.consume_front("::");
+    while (true) {
+      auto const [name, inner] = rest.split("::");
+      DeclContext const *next = nullptr;
+      for (NamedDecl const *found : scope->lookup(&context_.Idents.get(name))) {
+        if (auto const *shadow = dyn_cast<UsingShadowDecl>(found)) found = shadow->getTargetDecl();
+        if (auto const *function = dyn_cast<FunctionDecl>(found); function && inner.empty()) return function;
+        if (isa<NamespaceDecl>(found)) next = cast<NamespaceDecl>(found);
+      }
+      if (!next || inner.empty()) break;
+      scope = next;
+      rest = inner;
+    }
+    if (!pragma.configured) // another source may declare it
+      refuse(pragma.name_place, "no function '" + pragma.function + "' is declared in this file",
+             DiagnosticId::pragma_undeclared_name);
+    return nullptr;
+  }
+
+  bool is_callable(ExternalPragma const &pragma, FunctionDecl const *function) {
+    std::string const name = "'" + pragma.function + "' ";
+    std::string why;
+    if (isa<CXXMethodDecl>(function) || !function->isExternC())
+      why = "has C++ linkage: the generated C cannot name it";
+    else if (!function->isExternallyVisible())
+      why = "is static";
+    else if (function->isDefined())
+      why = "is defined in the sources, so its calls are recorded as they are";
+    else if (function->isVariadic() || !function->getType()->getAs<FunctionProtoType>())
+      why = "has no prototype that tells its parameters";
+    if (!why.empty()) refuse(pragma.name_place, name + why);
+    return why.empty();
+  }
+
+  // The parameter's name may stand in another declaration than the first.
+  static std::string name_of(FunctionDecl const *function, unsigned index) {
+    for (FunctionDecl const *declaration : function->redecls())
+      if (std::string const name = declaration->getParamDecl(index)->getNameAsString(); !name.empty())
+        return "'" + name + "'";
+    return std::to_string(index + 1);
+  }
+  static std::optional<unsigned> index_of(FunctionDecl const *function, std::string const &name) {
+    for (unsigned i = 0; i < function->getNumParams(); ++i)
+      for (FunctionDecl const *declaration : function->redecls())
+        if (declaration->getParamDecl(i)->getName() == name) return i;
+    return std::nullopt;
+  }
+
+  bool check_names(ExternalPragma const &pragma, FunctionDecl const *function) {
+    bool good = true;
+    for (auto const *items : {&pragma.inputs, &pragma.outputs})
+      for (ExternalPragma::Item const &item : *items)
+        if (std::optional<unsigned> const index = index_of(function, item.name); !index) {
+          refuse(item.place, "'" + item.name + "' is no parameter of '" + pragma.function + "'",
+                 DiagnosticId::pragma_undeclared_name);
+          good = false;
+        } else if (!function->getParamDecl(*index)->getType()->isPointerType()) {
+          refuse(item.place, "'" + item.name + "' is no array: only what a pointer points to needs a size");
+          good = false;
+        } else if (items == &pragma.outputs && points_to_const(function->getParamDecl(*index)->getType())) {
+          refuse(item.place, "'" + item.name + "' points to const and is no output");
+          good = false;
+        }
+    return good;
+  }
+
+  bool points_to_const(QualType pointer) const {
+    return context_.getBaseElementType(pointer->getPointeeType()).isConstQualified();
+  }
+
+  static ExternalPragma::Item const *find(std::vector<ExternalPragma::Item> const &items, FunctionDecl const *function,
+                                          unsigned index) {
+    for (ExternalPragma::Item const &item : items)
+      if (index_of(function, item.name) == index) return &item;
+    return nullptr;
+  }
+
+  Value parameter(ExternalPragma const &pragma, FunctionDecl const *function, unsigned index) {
+    QualType const type = function->getParamDecl(index)->getType();
+    if (!type->isPointerType()) return scalar_or_object(type, context_);
+    QualType const pointee = type->getPointeeType();
+    std::uint64_t const unit = doubles_in(pointee, context_);
+    if (unit == 0) return wrong("is " + type.getAsString() + ", which does not point to doubles");
+    ExternalPragma::Item const *input = find(pragma.inputs, function, index);
+    ExternalPragma::Item const *output = find(pragma.outputs, function, index);
+    std::string const kind = points_to_const(type) ? "input " : input ? "updated " : "output ";
+    for (ExternalPragma::Item const *item : {input, output})
+      if (item && !item->lengths.empty()) return sized(kind, unit, *item, function);
+    if (auto const *decayed = type->getAs<DecayedType>())
+      if (auto const *array = context_.getAsConstantArrayType(decayed->getOriginalType()))
+        return {kind + std::to_string(array->getSize().getZExtValue() * unit)};
+    if (Reals::is_double(pointee)) return wrong("does not say how many doubles it points to");
+    return {kind + std::to_string(unit)};
+  }
+
+  Value sized(std::string const &kind, std::uint64_t unit, ExternalPragma::Item const &item,
+              FunctionDecl const *function) {
+    // Each section is one dimension; those of the declared type are known already.
+    QualType rest = function->getParamDecl(*index_of(function, item.name))->getType()->getPointeeType();
+    for (std::size_t k = 1; k < item.lengths.size(); ++k) {
+      auto const *array = context_.getAsConstantArrayType(rest);
+      if (!array) return wrong("has fewer dimensions than its sections");
+      rest = array->getElementType();
+      if (item.lengths[k] != std::to_string(array->getSize().getZExtValue()))
+        return wrong("is declared with another size than '" + item.lengths[k] + "'");
+    }
+    std::string const &length = item.lengths[0];
+    if (std::optional<std::uint64_t> const number = constant(length)) {
+      if (*number == 0) return wrong("has no elements");
+      return {kind + std::to_string(*number * unit)};
+    }
+    std::optional<unsigned> const index = index_of(function, length);
+    if (!index || !function->getParamDecl(*index)->getType()->isIntegralOrEnumerationType())
+      return wrong("has the size '" + length + "', which is neither a number nor an integer parameter");
+    return {kind + "1", std::to_string(unit) + "*$" + std::to_string(*index)};
+  }
+
+  // A number, an enumerator, or a constant.
+  std::optional<std::uint64_t> constant(std::string const &text) {
+    if (std::uint64_t value = 0; !llvm::StringRef(text).getAsInteger(0, value)) return value;
+    for (NamedDecl const *found : context_.getTranslationUnitDecl()->lookup(&context_.Idents.get(text))) {
+      if (auto const *enumerator = dyn_cast<EnumConstantDecl>(found))
+        return static_cast<std::uint64_t>(enumerator->getInitVal().getExtValue());
+      auto const *variable = dyn_cast<VarDecl>(found);
+      Expr::EvalResult value;
+      if (variable && variable->getType().isConstQualified() && variable->hasInit() &&
+          variable->getInit()->EvaluateAsInt(value, context_))
+        return static_cast<std::uint64_t>(value.Val.getInt().getExtValue());
+    }
+    return std::nullopt;
+  }
+
+  // A C source is compiled as C++, where a declaration must say that the name is a C one.
+  void keep_linkage(FunctionDecl const *function) {
+    if (map_.language().CPlusPlus) return;
+    for (FunctionDecl const *declaration : function->redecls()) {
+      if (!map_.in_roots(declaration->getLocation())) continue;
+      if (std::optional<Span> const span = map_.range(declaration->getSourceRange()))
+        facts_.wraps.insert({*span, Use::linkage, ""});
+      else
+        refuse(map_.place(declaration->getLocation()), "this declaration is partly made by a macro");
+    }
+  }
+
+  ASTContext &context_;
+  SourceMap const &map_;
+  Facts &facts_;
+  Reals &reals_;
+};
+
+} // namespace
+
+void collect_externals(ASTContext &context, SourceMap const &map, PragmaIndex const &index, Facts &facts,
+                       Reals &reals) {
+  Resolver resolver(context, map, facts, reals);
+  for (ExternalPragma const &pragma : index.externals) resolver.resolve(pragma);
+  refuse_unordered_effects(context, map, index, facts, reals);
+}
+
+} // namespace symreal::rewrite

@@ -1,0 +1,32 @@
+// `#pragma symreal external(f)`: functions of libraries that stay as they are, and whose calls are recorded.
+//
+//   #pragma symreal external(contact_force) pure input(q[0:3], v[0:3]) output(force[0:3])
+//
+// The items are parameters of the function. Their sizes are needed where the declaration does not tell them: a number,
+// or an integer parameter of the function.
+#pragma once
+
+#include "rewrite/facts/facts.h"
+#include "rewrite/model/reals.h"
+#include "rewrite/pragma/pragma_handler.h"
+#include "rewrite/pragma/pragma_parser.h"
+#include "rewrite/source/clang.h"
+#include "rewrite/source/source_map.h"
+
+#include <variant>
+
+namespace symreal::rewrite {
+
+// Reads the tokens of such a directive, of which the first is `external`.
+std::variant<ExternalPragma, PragmaError> parse_external(std::vector<PragmaToken> const &tokens,
+                                                         std::vector<Place> const &places);
+
+// Looks the functions up, after all of the source has been read, and tells `reals` how calls of each are recorded.
+void collect_externals(clang::ASTContext &context, SourceMap const &map, PragmaIndex const &index, Facts &facts,
+                       Reals &reals);
+
+// Two calls with effects in one expression that the language may order either way.
+void refuse_unordered_effects(clang::ASTContext &context, SourceMap const &map, PragmaIndex const &index, Facts &facts,
+                              Reals const &reals);
+
+} // namespace symreal::rewrite

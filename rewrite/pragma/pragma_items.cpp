@@ -1,0 +1,360 @@
+#include "rewrite/pragma/pragma_items.h"
+
+#include "rewrite/facts/merge.h"
+#include "rewrite/model/item_type.h"
+#include "rewrite/model/object_layout.h"
+#include "rewrite/model/plain_declaration.h"
+#include "rewrite/model/redefinition.h"
+#include "rewrite/source/walk.h"
+#include "rewrite/text/pragma_text.h"
+
+#include <algorithm>
+
+namespace symreal::rewrite {
+namespace {
+
+using namespace clang;
+
+// The variable that the item's first name refers to, looking down the left edge of the expression.
+ValueDecl const *base_of(Expr const *expression) {
+  while (true) {
+    expression = expression->IgnoreParenImpCasts();
+    if (auto const *index = dyn_cast<ArraySubscriptExpr>(expression))
+      expression = index->getBase();
+    else if (auto const *member = dyn_cast<MemberExpr>(expression); member && !member->isImplicitAccess())
+      expression = member->getBase();
+    else if (auto const *call = dyn_cast<CXXOperatorCallExpr>(expression); call && call->getNumArgs() > 0)
+      expression = call->getArg(0);
+    else
+      break;
+  }
+  if (auto const *reference = dyn_cast<DeclRefExpr>(expression)) return reference->getDecl();
+  if (auto const *member = dyn_cast<MemberExpr>(expression)) return member->getMemberDecl();
+  return nullptr;
+}
+
+Base kind_of(ValueDecl const *declaration, ASTContext const &context) {
+  QualType const type = declaration->getType();
+  if (type->isReferenceType()) return Base::object; // the object behind it need not be const
+  if (auto const *pointer = type->getAs<PointerType>()) {
+    if (!context.getBaseElementType(pointer->getPointeeType()).isConstQualified()) return Base::pointer;
+    return type.isConstQualified() ? Base::const_pointer_to_const : Base::pointer_to_const;
+  }
+  bool const is_const = context.getBaseElementType(type).isConstQualified();
+  // The caller gives a parameter its value, so the compiler does not know it.
+  bool const may_be_known = isa<VarDecl>(declaration) && !isa<ParmVarDecl>(declaration);
+  return is_const && may_be_known ? Base::const_object : Base::object;
+}
+
+// A parameter `double a[3][3]` is a pointer, but its declaration says how much it points to.
+void take_declared_extents(ItemFact &item, ValueDecl const *declaration) {
+  auto const *parameter = dyn_cast<ParmVarDecl>(declaration);
+  if (!parameter || !item.base_is_name || !item.sections.empty()) return;
+  auto const *decayed = parameter->getType()->getAs<DecayedType>();
+  auto const *array = decayed ? dyn_cast<ConstantArrayType>(decayed->getOriginalType()) : nullptr;
+  for (; array; array = dyn_cast<ConstantArrayType>(array->getElementType())) {
+    item.expression += "[(0)+symreal_i[" + std::to_string(item.sections.size()) + "]]";
+    item.sections.push_back({"0", std::to_string(array->getSize().getZExtValue())});
+    item.section_on_base = true;
+  }
+}
+
+void note_declaration(ItemFact &item, ValueDecl const *declaration) {
+  if (!item.base_is_name) return;
+  item.base_kind = kind_of(declaration, declaration->getASTContext());
+  take_declared_extents(item, declaration);
+}
+
+// What is annotated as a whole: its numbers are inputs, parameters or outputs.
+bool takes_numbers(ClauseFact const &clause) {
+  return clause.name == "input" || clause.name == "parameter" || clause.name == "output";
+}
+
+void note_layout(ClauseFact const &clause, ItemFact &item, ItemType const &type, ASTContext const &context,
+                 Reals const &reals, Facts &facts) {
+  if (!takes_numbers(clause)) return;
+  DescribedObject const object = describe_object(type.type, type.is_packed, context, reals);
+  item.layout = object.layout;
+  if (!object.refusal.empty())
+    add_diagnostic(facts, {DiagnosticId::pragma_item, Severity::error, item.place,
+                           "'" + item.label + "' " + object.refusal + ": name the numbers that are meant"});
+  item.left_out = object.pointers;
+  item.kept = object.others;
+}
+
+// The definition's own names, innermost scope first: parameters, members, namespaces.
+ValueDecl const *look_up(std::string const &name, FunctionDecl const *function) {
+  for (ParmVarDecl const *parameter : function->parameters())
+    if (parameter->getName() == name) return parameter;
+  DeclarationName const wanted = &function->getASTContext().Idents.get(name);
+  for (DeclContext const *scope = function->getDeclContext(); scope; scope = scope->getLookupParent()) {
+    for (NamedDecl const *found : scope->lookup(wanted))
+      if (auto const *value = dyn_cast<ValueDecl>(found)) return value;
+    for (UsingDirectiveDecl const *used : scope->using_directives()) // namespaces without a name are among them
+      for (NamedDecl const *found : used->getNominatedNamespace()->lookup(wanted))
+        if (auto const *value = dyn_cast<ValueDecl>(found)) return value;
+    auto const *record = dyn_cast<CXXRecordDecl>(scope);
+    if (!record || !record->hasDefinition()) continue;
+    ValueDecl const *inherited = nullptr;
+    record->forallBases([&](CXXRecordDecl const *base) {
+      for (NamedDecl const *found : base->lookup(wanted))
+        if (auto const *value = dyn_cast<ValueDecl>(found)) inherited = value;
+      return true;
+    });
+    if (inherited) return inherited;
+  }
+  return nullptr;
+}
+
+class Returns : public Walk {
+public:
+  bool TraverseLambdaExpr(LambdaExpr *) override { return true; }
+  bool TraverseCXXRecordDecl(CXXRecordDecl *) override { return true; }
+  bool VisitReturnStmt(ReturnStmt *statement) override {
+    if (statement->getRetValue()) found.push_back(statement);
+    return true;
+  }
+  std::vector<ReturnStmt *> found;
+};
+
+// Does the function change the variable itself, as in `n--` or `*out++ = x`?
+class Changes : public Walk {
+public:
+  explicit Changes(ValueDecl const *variable) : variable_(variable) {}
+  bool VisitUnaryOperator(UnaryOperator *unary) override {
+    return !(unary->isIncrementDecrementOp() && is_it(unary->getSubExpr())) || note(unary->getOperatorLoc());
+  }
+  bool VisitBinaryOperator(BinaryOperator *binary) override {
+    return !(binary->isAssignmentOp() && is_it(binary->getLHS())) || note(binary->getOperatorLoc());
+  }
+  SourceLocation place;
+
+private:
+  bool is_it(Expr const *expression) const {
+    auto const *reference = dyn_cast<DeclRefExpr>(expression->IgnoreParenImpCasts());
+    return reference && reference->getDecl() == variable_;
+  }
+  bool note(SourceLocation location) {
+    place = location;
+    return false; // one is enough
+  }
+  ValueDecl const *variable_;
+};
+
+class Attacher {
+public:
+  Attacher(SourceMap const &map, Reals const &reals, IntegerState const &integers,
+           std::vector<PragmaIndex::Name> const &names, Facts &facts)
+      : map_(map),
+        reals_(reals),
+        integers_(integers),
+        names_(names),
+        facts_(facts) {}
+
+  void attach(Span const &span, SourceLocation start, std::vector<FunctionDecl const *> const &definitions) {
+    FileID const file = map_.sources().getFileID(start);
+    FunctionDecl const *next = nullptr;
+    unsigned next_offset = 0;
+    for (FunctionDecl const *function : definitions) {
+      auto const [at, offset] = map_.sources().getDecomposedExpansionLoc(function->getBeginLoc());
+      if (at == file && offset >= span.end && (!next || offset < next_offset)) next = function, next_offset = offset;
+    }
+    std::string const text = map_.sources().getBufferData(file).str();
+    if (!next || !only_declaration_start(text.substr(span.end, next_offset - span.end))) {
+      report(DiagnosticId::pragma_unattached, start, "no function definition follows this pragma");
+      return;
+    }
+    attach_to(span, next);
+  }
+
+  void attach_to(Span const &span, FunctionDecl const *function) {
+    PragmaFact &pragma = facts_.pragmas[span];
+    note_function(pragma, function);
+    if (pragma.function.empty()) return;
+    pragma.function[0].signature.redefinition = redefinition(function, look_up_names(span, function));
+    if (function->getReturnType()->isVoidType())
+      refuse_returned(pragma);
+    else
+      wrap_returns(pragma, function);
+  }
+
+private:
+  void report(DiagnosticId id, SourceLocation location, std::string message) {
+    facts_.diagnostics.push_back({id, Severity::error, map_.place(location), std::move(message)});
+  }
+
+  void note_function(PragmaFact &pragma, FunctionDecl const *function) {
+    auto const [file, begin] = map_.sources().getDecomposedExpansionLoc(function->getBeginLoc());
+    llvm::StringRef const text = map_.sources().getBufferData(file);
+    Stmt const *body = block_of(function);
+    std::optional<Span> const brace = map_.token(body->getBeginLoc());
+    if (!brace) {
+      report(DiagnosticId::pragma_unattached, function->getLocation(), "the function's body is made by a macro");
+      return;
+    }
+    FunctionFact fact{
+        .name = function->getNameAsString(), .signature = {}, .brace = *brace, .values = {}, .parameters = {}};
+    unsigned end = map_.sources().getFileOffset(map_.sources().getExpansionLoc(function->getBody()->getBeginLoc()));
+    if (auto const *constructor = dyn_cast<CXXConstructorDecl>(function))
+      for (CXXCtorInitializer const *initializer : constructor->inits())
+        if (initializer->isWritten())
+          end = std::min(
+              end, map_.sources().getFileOffset(map_.sources().getExpansionLoc(initializer->getSourceLocation())));
+    fact.signature = {normalised(text.substr(begin, end - begin).str()), {}, !function->getReturnType()->isVoidType()};
+    if (std::optional<Signature> const plain = plain_declaration(function, map_.language())) fact.signature = *plain;
+    for (ParmVarDecl const *parameter : function->parameters())
+      if (parameter->getIdentifier() && (reals_.carries_real(parameter->getType()) ||
+                                         (parameter->isReferenced() && integers_.holds(parameter->getType()))))
+        fact.values.push_back({parameter->getName().str(), map_.place(parameter->getLocation())});
+    constexpr unsigned in_registers = 6; // at least, of the calling conventions in use
+    for (ParmVarDecl const *parameter : function->parameters())
+      if (parameter->getIdentifier() && !parameter->getType()->isReferenceType() &&
+          (function->getNumParams() > in_registers || parameter->getType()->isRecordType()))
+        fact.parameters.push_back({parameter->getName().str(), map_.place(parameter->getLocation())});
+    pragma.function = {fact};
+  }
+
+  std::vector<NamedItem> look_up_names(Span const &span, FunctionDecl const *function) {
+    PragmaFact &pragma = facts_.pragmas[span];
+    std::vector<NamedItem> named;
+    for (PragmaIndex::Name const &name : names_) {
+      if (name.item.pragma != span) continue;
+      ItemFact &item = pragma.clauses[name.item.clause].items[name.item.item];
+      ValueDecl const *declaration = look_up(name.text, function);
+      if (!declaration) {
+        std::string const where = "'" + name.text + "' is neither a parameter of '" + function->getNameAsString() +
+                                  "' nor declared before it";
+        facts_.diagnostics.push_back({DiagnosticId::pragma_undeclared_name, Severity::error, name.place, where});
+        item.seen = item.carries_real = true; // one error is enough
+        continue;
+      }
+      std::string const &clause = pragma.clauses[name.item.clause].name;
+      if (clause == "input" || clause == "parameter" || clause == "output") named.push_back({name.text, declaration});
+      // Outputs are read when the function returns, so what says where they are must still say so then.
+      bool const locates = !name.is_base || item.section_on_base;
+      if (pragma.clauses[name.item.clause].name == "output" && locates && isa<ParmVarDecl>(declaration))
+        refuse_changes(item, name.text, declaration, function);
+      if (!name.is_base) continue;
+      item.seen = true;
+      item.type = declaration->getType().getAsString();
+      item.carries_real = declaration->getType()->isDependentType() || reals_.mentions_real(declaration->getType());
+      item.holds_integer = holds_integer(declaration->getType());
+      note_declaration(item, declaration);
+    }
+    for (ClauseFact &clause : pragma.clauses)
+      for (ItemFact &item : clause.items) {
+        if (!item.seen) item.seen = item.carries_real = true; // it begins with no plain name: nothing is known
+        auto const find = [function](std::string const &name) { return look_up(name, function); };
+        if (item.is_return || !takes_numbers(clause)) continue;
+        if (is_pointee(item))
+          if (ValueDecl const *pointer = find(item.label.substr(1)))
+            item.base_kind = kind_of(pointer, function->getASTContext());
+        note_layout(clause, item, type_of_item(item.expression, function, find), function->getASTContext(), reals_,
+                    facts_);
+      }
+    return named;
+  }
+
+  // The object itself, or what it points or refers to.
+  bool holds_integer(QualType type) const {
+    while (type->isPointerType() || type->isReferenceType() || type->isArrayType())
+      type = type->isArrayType() ? type->getAsArrayTypeUnsafe()->getElementType() : type->getPointeeType();
+    return integers_.holds(type);
+  }
+
+  void refuse_changes(ItemFact const &item, std::string const &name, ValueDecl const *declaration,
+                      FunctionDecl const *function) {
+    Changes changes(declaration);
+    changes.TraverseStmt(function->getBody());
+    if (changes.place.isInvalid()) return;
+    std::string const message = "'" + item.label + "' is read when the function returns, but '" + name + "' changes";
+    facts_.diagnostics.push_back({DiagnosticId::pragma_item,
+                                  Severity::error,
+                                  item.place,
+                                  message,
+                                  {{map_.place(changes.place), "it is changed here"}}});
+  }
+
+  void refuse_returned(PragmaFact const &pragma) {
+    for (ClauseFact const &clause : pragma.clauses)
+      for (ItemFact const &item : clause.items)
+        if (item.is_return)
+          facts_.diagnostics.push_back({DiagnosticId::pragma_item, Severity::error, item.place,
+                                        "'" + pragma.function[0].name + "' returns nothing"});
+  }
+
+  void wrap_returns(PragmaFact &pragma, FunctionDecl const *function) {
+    ItemFact *returned = nullptr;
+    for (ClauseFact &clause : pragma.clauses)
+      for (ItemFact &item : clause.items)
+        if (clause.name == "output" && item.is_return) {
+          returned = &item;
+          note_layout(clause, item, {function->getReturnType(), false}, function->getASTContext(), reals_, facts_);
+        }
+    if (!returned) return;
+    std::string const place = place_arguments("return", returned->place);
+    std::string const macro =
+        returned->layout.text.empty() ? "(" + place : "_LAYOUT(" + place + ", " + layout_arguments(returned->layout);
+    Returns returns;
+    returns.TraverseStmt(function->getBody());
+    for (ReturnStmt const *statement : returns.found) {
+      std::optional<Span> const span = map_.range(statement->getRetValue()->getSourceRange());
+      if (!span || isa<InitListExpr>(statement->getRetValue()->IgnoreImplicit()))
+        report(DiagnosticId::pragma_item, statement->getReturnLoc(),
+               "output(return) needs `return` with an expression");
+      else
+        facts_.wraps.insert({*span, Use::returned, macro});
+    }
+  }
+
+  SourceMap const &map_;
+  Reals const &reals_;
+  IntegerState const &integers_;
+  std::vector<PragmaIndex::Name> const &names_;
+  Facts &facts_;
+};
+
+} // namespace
+
+void note_item(Stmt const *statement, ASTContext const &context, Reals const &reals, IntegerState const &integers,
+               PragmaIndex const &index, Facts &facts) {
+  auto const *expression = dyn_cast<Expr>(statement);
+  auto const *cast = expression ? dyn_cast<CStyleCastExpr>(expression->IgnoreImplicit()) : nullptr;
+  if (!cast) return;
+  auto const at = index.statements.find(cast->getLParenLoc().getRawEncoding());
+  if (at == index.statements.end()) return;
+  ClauseFact &clause = facts.pragmas[at->second.pragma].clauses[at->second.clause];
+  ItemFact &item = clause.items[at->second.item];
+  if (item.seen) return;
+  Expr const *what = cast->getSubExpr()->IgnoreParenImpCasts();
+  item.seen = true;
+  item.type = what->getType().getAsString();
+  if (ValueDecl const *base = base_of(what)) note_declaration(item, base);
+  bool const has_extents = !item.sections.empty() && what->getType()->isPointerType();
+  CXXRecordDecl const *record = what->isTypeDependent() ? nullptr : what->getType()->getAsCXXRecordDecl();
+  bool const is_sequence = record && record->hasDefinition() && !element_of(record).isNull();
+  item.carries_real = what->isTypeDependent() || (has_extents || is_sequence ? reals.mentions_real(what->getType())
+                                                                             : reals.carries_real(what->getType()));
+  item.holds_integer = integers.holds(has_extents ? what->getType()->getPointeeType() : what->getType());
+  note_layout(clause, item, type_of_item(what), context, reals, facts);
+}
+
+void attach_function_pragmas(std::vector<FunctionDecl const *> const &definitions, SourceMap const &map,
+                             Reals const &reals, IntegerState const &integers, PragmaIndex const &index, Facts &facts) {
+  Attacher attacher(map, reals, integers, index.function_names, facts);
+  for (auto const &[span, start] : index.function_pragmas)
+    if (facts.pragmas[span].function.empty()) attacher.attach(span, start, definitions);
+}
+
+void attach_pragma(Span const &span, FunctionDecl const *definition, std::vector<PragmaIndex::Name> const &names,
+                   SourceMap const &map, Reals const &reals, IntegerState const &integers, Facts &facts) {
+  Attacher(map, reals, integers, names, facts).attach_to(span, definition);
+}
+
+Stmt const *block_of(FunctionDecl const *function) {
+  Stmt const *body = function->getBody();
+  auto const *attempt = dyn_cast_or_null<CXXTryStmt>(body);
+  return attempt ? attempt->getTryBlock() : body;
+}
+
+} // namespace symreal::rewrite

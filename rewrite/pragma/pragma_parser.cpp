@@ -1,0 +1,164 @@
+#include "rewrite/pragma/pragma_parser.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+namespace symreal::rewrite {
+namespace {
+
+bool opens(std::string const &text) { return text == "(" || text == "[" || text == "{"; }
+bool closes(std::string const &text) { return text == ")" || text == "]" || text == "}"; }
+
+class Parser {
+public:
+  explicit Parser(std::vector<PragmaToken> const &tokens) : tokens_(tokens) {}
+
+  std::variant<Pragma, PragmaError> run() {
+    try {
+      Pragma pragma;
+      if (at_ < tokens_.size() && tokens_[at_].text == "function") pragma.is_function = true, ++at_;
+      if (at_ == tokens_.size()) fail(at_, "a clause is missing, such as input(q)");
+      while (at_ < tokens_.size()) pragma.clauses.push_back(clause(pragma.is_function));
+      return pragma;
+    } catch (PragmaError const &error) {
+      return error;
+    }
+  }
+
+private:
+  [[noreturn]] static void fail(std::size_t token, std::string message, DiagnosticId id = DiagnosticId::pragma_syntax) {
+    throw PragmaError{token, id, std::move(message)};
+  }
+
+  PragmaClause clause(bool is_function) {
+    PragmaClause clause{.name = at_, .arguments = {}, .items = {}};
+    std::string const &name = tokens_[at_].text;
+    if (!tokens_[at_].is_name) fail(at_, "expected the name of a clause, found '" + name + "'");
+    check_name(name, is_function);
+    if (++at_ == tokens_.size() || tokens_[at_].text != "(") fail(at_, "expected '(' after '" + name + "'");
+    std::size_t const open = at_;
+    std::size_t const close = matching(open);
+    clause.arguments = {open + 1, close};
+    for (std::size_t begin = open + 1; begin <= close;) {
+      std::size_t const end = end_of_item(begin, close);
+      if (begin == end) fail(end, "expected an expression in '" + name + "'");
+      clause.items.push_back(item({begin, end}));
+      begin = end + 1;
+    }
+    at_ = close + 1;
+    return clause;
+  }
+
+  void check_name(std::string const &name, bool is_function) const {
+    static constexpr std::array<std::string_view, 8> anywhere = {"input",  "parameter", "constant", "scratch",
+                                                                 "output", "range",     "table",    "decisions"};
+    if (std::find(anywhere.begin(), anywhere.end(), name) != anywhere.end()) return;
+    if (name == "external") fail(at_, "external(...) begins a pragma of its own");
+    if (name == (is_function ? "call" : "generate") || (!is_function && name == "loop")) return;
+    std::string const kind = is_function ? "a function pragma" : "a pragma in a block";
+    if (name == "call" || name == "generate" || name == "loop") fail(at_, "'" + name + "' does not belong in " + kind);
+    fail(at_, "unknown clause '" + name + "'", DiagnosticId::pragma_unknown_clause);
+  }
+
+  std::size_t matching(std::size_t open) const {
+    std::vector<std::size_t> pending;
+    for (std::size_t i = open; i < tokens_.size(); ++i) {
+      std::string const &text = tokens_[i].text;
+      if (opens(text)) pending.push_back(i);
+      if (!closes(text)) continue;
+      char const expected = tokens_[pending.back()].text == "(" ? ')' : tokens_[pending.back()].text == "[" ? ']' : '}';
+      if (text[0] != expected) fail(i, std::string("expected '") + expected + "', found '" + text + "'");
+      pending.pop_back();
+      if (pending.empty()) return i;
+    }
+    char const missing = tokens_[pending.back()].text == "(" ? ')' : tokens_[pending.back()].text == "[" ? ']' : '}';
+    fail(tokens_.size(), std::string("expected '") + missing + "' before the end of the line");
+  }
+
+  std::size_t end_of_item(std::size_t begin, std::size_t close) const {
+    for (std::size_t i = begin; i < close; ++i) {
+      if (opens(tokens_[i].text))
+        i = matching(i);
+      else if (tokens_[i].text == ",")
+        return i;
+    }
+    return close;
+  }
+
+  PragmaItem item(TokenRange range) const {
+    PragmaItem item{.tokens = range, .sections = {}};
+    for (std::size_t i = range.begin; i < range.end; ++i) {
+      if (!opens(tokens_[i].text)) continue;
+      std::size_t const close = matching(i);
+      if (tokens_[i].text == "[")
+        if (std::size_t const colon = colon_of_section(i + 1, close); colon != close) {
+          if (i == range.begin) fail(i, "expected an array before the section");
+          if (colon + 1 == close) fail(close, "expected the length of the section after ':'");
+          item.sections.push_back({{i, close + 1}, {i + 1, colon}, {colon + 1, close}});
+        }
+      i = close;
+    }
+    return item;
+  }
+
+  // The colon between low and length, or `close`. A colon that answers a `?` is none.
+  std::size_t colon_of_section(std::size_t begin, std::size_t close) const {
+    std::size_t found = close;
+    int questions = 0;
+    for (std::size_t i = begin; i < close; ++i) {
+      std::string const &text = tokens_[i].text;
+      if (opens(text))
+        i = matching(i);
+      else if (text == "?")
+        ++questions;
+      else if (text == ":" && questions > 0)
+        --questions;
+      else if (text == ":" && found != close)
+        fail(i, "a section has a low index and a length, and no stride");
+      else if (text == ":")
+        found = i;
+    }
+    return found;
+  }
+
+  std::vector<PragmaToken> const &tokens_;
+  std::size_t at_ = 0;
+};
+
+} // namespace
+
+std::variant<Pragma, PragmaError> parse_pragma(std::vector<PragmaToken> const &tokens) { return Parser(tokens).run(); }
+
+std::string text_of(std::vector<PragmaToken> const &tokens, TokenRange range) {
+  std::string text;
+  for (std::size_t i = range.begin; i < range.end; ++i) {
+    if (i > range.begin && tokens[i].space_before) text += ' ';
+    text += tokens[i].text;
+  }
+  return text;
+}
+
+std::string element_text(std::vector<PragmaToken> const &tokens, PragmaItem const &item) {
+  std::string text;
+  std::size_t at = item.tokens.begin;
+  for (std::size_t k = 0; k < item.sections.size(); ++k) {
+    PragmaSection const &section = item.sections[k];
+    std::string const low = section.low.empty() ? "0" : text_of(tokens, section.low);
+    text += text_of(tokens, {at, section.brackets.begin}) + "[(" + low + ")+symreal_i[" + std::to_string(k) + "]]";
+    at = section.brackets.end;
+  }
+  return text + text_of(tokens, {at, item.tokens.end});
+}
+
+std::string base_text(std::vector<PragmaToken> const &tokens, PragmaItem const &item) {
+  std::string text;
+  std::size_t at = item.tokens.begin;
+  for (PragmaSection const &section : item.sections) {
+    text += text_of(tokens, {at, section.brackets.begin});
+    at = section.brackets.end;
+  }
+  return text + text_of(tokens, {at, item.tokens.end});
+}
+
+} // namespace symreal::rewrite

@@ -1,0 +1,96 @@
+#include "rewrite/source/token_watch.h"
+
+#include "rewrite/source/keyword_names.h"
+#include "support/files.h"
+#include "support/installation.h"
+
+#include <sstream>
+
+namespace symreal::rewrite {
+namespace {
+
+using namespace clang;
+
+// The short names of the macros in a rewritten source, which are those that the header defines.
+llvm::StringSet<> const &short_names() {
+  static llvm::StringSet<> const names = [] {
+    llvm::StringSet<> found;
+    std::istringstream header(read_file(runtime_include() + "/symreal/real.h"));
+    for (std::string line; std::getline(header, line);)
+      if (llvm::StringRef rest = line; rest.consume_front("#define ")) found.insert(rest.split(' ').first);
+    internal_check(found.contains(usual_type_name));
+    return found;
+  }();
+  return names;
+}
+
+class Names {
+public:
+  Names(SourceMap const &map, std::string const &type_name, Facts &facts)
+      : map_(map),
+        type_name_(type_name),
+        facts_(facts) {}
+
+  // Short names count wherever they are used, since the macros would be there too.
+  void note(llvm::StringRef name, SourceLocation location) const {
+    bool const reserved = name.starts_with("SYMREAL_");
+    if (!reserved && name != type_name_ && !short_names_.contains(name)) return;
+    if (reserved && !map_.in_roots(location)) return;
+    symreal::Place place = map_.place(location);
+    if (!is_own_header(place.file)) facts_.taken_names.try_emplace(name.str(), std::move(place));
+  }
+
+private:
+  SourceMap const &map_;
+  std::string const &type_name_;
+  llvm::StringSet<> const &short_names_ = short_names();
+  Facts &facts_;
+};
+
+// Where a macro is defined, and where it matters that none is.
+class MacroNames : public PPCallbacks {
+public:
+  explicit MacroNames(Names const &names) : names_(names) {}
+  void MacroDefined(Token const &name, MacroDirective const *) override { note(name); }
+  void Ifdef(SourceLocation, Token const &name, MacroDefinition const &) override { note(name); }
+  void Ifndef(SourceLocation, Token const &name, MacroDefinition const &) override { note(name); }
+  void Defined(Token const &name, MacroDefinition const &, SourceRange) override { note(name); }
+
+private:
+  void note(Token const &name) const { names_.note(name.getIdentifierInfo()->getName(), name.getLocation()); }
+  Names const names_;
+};
+
+// Before C99 `x //* half */ 2` is a division and a comment; later it is a comment alone.
+void note_division(Token const &token, SourceMap const &map, Facts &facts) {
+  char const *const text = map.sources().getCharacterData(map.sources().getSpellingLoc(token.getLocation()));
+  if (text[0] != '/' || text[1] != '/') return;
+  if (std::optional<Span> const first = map.first_character(token.getLocation()))
+    facts.wraps.insert({*first, Use::division, ""});
+}
+
+} // namespace
+
+void watch_tokens(Preprocessor &preprocessor, SourceMap const &map, std::string const &type_name, Facts &facts,
+                  ExpansionText &expansions) {
+  Names const names(map, type_name, facts);
+  preprocessor.addPPCallbacks(std::make_unique<MacroNames>(names));
+  preprocessor.setTokenWatcher([&map, &facts, &expansions, names](Token const &token) {
+    expansions.token(token);
+    if (std::optional<Span> const first = map.first_character(token.getLocation())) {
+      std::vector<bool> &reached = facts.reached[first->file];
+      if (reached.size() < first->end) reached.resize(first->end);
+      reached[first->begin] = true;
+    }
+    if (token.is(tok::kw_double)) {
+      if (std::optional<Span> const span = map.token(token.getLocation())) facts.doubles.insert(*span);
+    } else if (token.is(tok::identifier)) {
+      names.note(token.getIdentifierInfo()->getName(), token.getLocation());
+      if (!map.language().CPlusPlus20) note_keyword_name(token, map, facts);
+    } else if (token.is(tok::slash) && !map.language().LineComment) {
+      note_division(token, map, facts);
+    }
+  });
+}
+
+} // namespace symreal::rewrite

@@ -1,0 +1,122 @@
+#include "rewrite/text/pragma_text.h"
+
+#include "rewrite/text/source_text.h"
+
+#include <algorithm>
+#include <cctype>
+#include <utility>
+
+namespace symreal::rewrite {
+namespace {
+
+std::string annotation(std::string const &kind, ItemFact const &item) {
+  if (means_file(kind, item)) return "SYMREAL_FILE(" + place_arguments(item.label, item.place) + ")";
+  bool const is_object = item.sections.empty();
+  std::string macro = kind == "constant" || kind == "scratch" ? "SYMREAL_DECLARE" : "SYMREAL_OBJECT";
+  std::string layout;
+  if (!item.layout.text.empty()) {
+    macro = "SYMREAL_LAYOUT";
+    layout = layout_arguments(item.layout) + ", ";
+  }
+  if (!is_object) macro = macro == "SYMREAL_OBJECT" ? "SYMREAL_SECTION" : macro + "_SECTION";
+  std::string extents;
+  for (Section const &section : item.sections) extents += (extents.empty() ? "" : ", ") + section.length;
+  return macro + "(" + kind + ", " + place_arguments(item.label, item.place) + ", " +
+         (is_object ? "" : "::symreal::symreal_extents(" + with_real(extents) + "), ") + layout +
+         with_real(item.expression) + ")";
+}
+
+// The program's own copy of what a pointer to const points to takes its place before the kernel writes nodes there.
+std::string rebinding(ClauseFact const &clause, ItemFact const &item) {
+  bool const writes = clause.name == "input" || clause.name == "parameter";
+  if (!writes || item.base_kind != Base::pointer_to_const) return "";
+  if (is_pointee(item)) return "SYMREAL_REBIND(" + item.label.substr(1) + ", 0, 1) ";
+  if (!item.section_on_base) return "";
+  return "SYMREAL_REBIND(" + item.expression.substr(0, item.expression.find('[')) + ", " +
+         with_real(item.sections[0].low) + ", " + with_real(item.sections[0].length) + ") ";
+}
+
+std::string clause_text(PragmaFact const &pragma, ClauseFact const &clause) {
+  if (clause.name == "generate")
+    return "SYMREAL_GENERATE(" + clause.argument + ", " + quoted(clause.place.file) + ", " +
+           std::to_string(clause.place.line) + ", " + std::to_string(clause.place.column) + ") ";
+  if (clause.name == "decisions")
+    return (pragma.is_function ? "SYMREAL_DECISIONS(" : "SYMREAL_REAL_DECISIONS(") + clause.argument + ") ";
+  if (clause.name == "loop") // the loop it names has its own text; a refused one is an error
+    return (pragma.tests_late ? "SYMREAL_REAL_LATE_LOOP(" : "SYMREAL_REAL_LOOP(") + clause.argument + ", " +
+           pragma.loop_targets.value_or("") + ") ";
+  if (clause.name == "range") return "SYMREAL_RANGE(" + with_real(clause.argument) + ") ";
+  std::string text;
+  if (clause.name == "table") {
+    for (ItemFact const &item : clause.items)
+      text += "SYMREAL_TABLE(" + with_real(item.base) + ", " + with_real(item.sections[0].length) + ") ";
+    return text;
+  }
+  for (ItemFact const &item : clause.items)
+    if (!item.is_return) text += rebinding(clause, item) + annotation(clause.name, item) + " ";
+  return text;
+}
+
+bool is_annotated(PragmaFact const &pragma, std::string const &name) {
+  for (ClauseFact const &clause : pragma.clauses)
+    for (ItemFact const &item : clause.items)
+      if (clause.name != "output" && item.label == name) return true;
+  return false;
+}
+
+} // namespace
+
+std::string place_arguments(std::string const &label, Place const &place) {
+  return quoted(label) + ", " + quoted(place.file) + ", " + std::to_string(place.line) + ", " +
+         std::to_string(place.column);
+}
+
+bool is_pointee(ItemFact const &item) {
+  return item.label.size() > 1 && item.label[0] == '*' && !std::isdigit(static_cast<unsigned char>(item.label[1])) &&
+         std::all_of(item.label.begin() + 1, item.label.end(), is_word);
+}
+
+bool means_file(std::string const &clause, ItemFact const &item) { return clause == "scratch" && item.label == "file"; }
+
+std::string layout_arguments(ObjectLayout const &layout) {
+  std::string types;
+  for (std::string const &type : layout.containers) types += (types.empty() ? "" : ", ") + with_real(type);
+  return quoted(layout.text) + ", (" + types + ")";
+}
+
+std::string region_text(PragmaFact const &pragma) {
+  std::string text, around;
+  for (FunctionFact::Value const &value : pragma.around)
+    around.append("SYMREAL_AROUND(" + quoted(value.name) + ", " + quoted(to_string(value.place)) + ", " + value.name)
+        .append(") ");
+  for (ClauseFact const &clause : pragma.clauses) {
+    text += clause_text(pragma, clause);
+    if (!clause.items.empty()) text += std::exchange(around, ""); // the kernel has begun
+  }
+  return trimmed(text);
+}
+
+std::string function_text(PragmaFact const &pragma) {
+  std::string entry, exit, call;
+  bool is_kernel = false;
+  for (ClauseFact const &clause : pragma.clauses) {
+    is_kernel = is_kernel || clause.name != "decisions";
+    if (clause.name == "call")
+      call = ", " + clause.argument;
+    else
+      (clause.name == "output" ? exit : entry) += clause_text(pragma, clause);
+  }
+  if (!is_kernel) return trimmed(entry);
+  std::string text = "SYMREAL_FUNCTION(" + place_arguments(pragma.function[0].name, pragma.place) + call + ") " + entry;
+  for (FunctionFact::Value const &value : pragma.function[0].parameters)
+    text.append("SYMREAL_PARAMETER(" + quoted(value.name) + ", " + quoted(to_string(value.place)) + ", " + value.name)
+        .append(") ");
+  for (FunctionFact::Value const &value : pragma.function[0].values)
+    if (!is_annotated(pragma, value.name))
+      text.append("SYMREAL_ARGUMENT(" + quoted(value.name) + ", " + quoted(to_string(value.place)) + ", " + value.name)
+          .append(") ");
+  // Also where `return` is the only output: it ends the annotations of the function's entry.
+  return text + "SYMREAL_OUTPUTS_BEGIN " + exit + "SYMREAL_OUTPUTS_END";
+}
+
+} // namespace symreal::rewrite

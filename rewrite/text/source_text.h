@@ -1,0 +1,34 @@
+// C and C++ as text, where there is no parser: its words, literals, comments and parentheses.
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+namespace symreal::rewrite {
+
+// May it stand in an identifier?
+bool is_word(char c);
+
+// One past the string or character literal that begins there, or the end of the text.
+std::size_t end_of_literal(std::string const &text, std::size_t begin);
+
+// The parenthesis that closes the one at `open`, literals aside; npos if none does.
+std::size_t closing_parenthesis(std::string const &text, std::size_t open);
+
+// A C string literal of the text.
+std::string quoted(std::string const &text);
+
+// Comments away, each run of white space one blank.
+std::string normalised(std::string const &source);
+
+// Does the text hold nothing but what can stand between a function pragma and the first token of its function:
+// comments, other directives, template and linkage headers?
+bool only_declaration_start(std::string const &source);
+
+// `double` as a whole word becomes REAL (in its long form, see type_name.h), unless it is a long double.
+std::string with_real(std::string const &source);
+
+// The text without white space at its end.
+std::string trimmed(std::string text);
+
+} // namespace symreal::rewrite

@@ -1,0 +1,313 @@
+#include "rewrite/unit/collect_source.h"
+
+#include "rewrite/facts/merge.h"
+#include "rewrite/pragma/configured.h"
+#include "rewrite/pragma/pragma_handler.h"
+#include "rewrite/pragma/rounding_pragma.h"
+#include "rewrite/source/quoted_arguments.h"
+#include "rewrite/source/source_map.h"
+#include "rewrite/source/spelled_types.h"
+#include "rewrite/source/token_watch.h"
+#include "rewrite/unit/visitor.h"
+#include "support/installation.h"
+
+#include <algorithm>
+
+namespace symreal::rewrite {
+namespace {
+
+using namespace clang;
+
+// An error of the compiler, which becomes a diagnostic of ours when the whole source has been read.
+struct CompilerError {
+  std::string message;
+  Place place;
+  std::optional<Span> token;
+  std::vector<Note> notes; // macros and instantiations that led there, what else the compiler says to it
+};
+
+class ErrorCollector : public DiagnosticConsumer {
+public:
+  ErrorCollector(Scope const &scope, std::vector<CompilerError> &errors) : scope_(scope), errors_(errors) {}
+
+  void BeginSourceFile(LangOptions const &language, Preprocessor const *) override { language_ = language; }
+  void HandleDiagnostic(DiagnosticsEngine::Level level, clang::Diagnostic const &info) override {
+    DiagnosticConsumer::HandleDiagnostic(level, info);
+    if (level == DiagnosticsEngine::Note && follows_error_) return note(info);
+    follows_error_ = level >= DiagnosticsEngine::Error;
+    if (!follows_error_) return;
+    CompilerError error{text(info), {}, {}, {}};
+    if (info.hasSourceManager() && info.getLocation().isValid()) {
+      SourceMap const map(info.getSourceManager(), language_, scope_);
+      error.place = map.place(info.getLocation());
+      error.token = map.token(info.getLocation());
+      error.notes = map.expansions(info.getLocation());
+    }
+    errors_.push_back(std::move(error));
+  }
+
+private:
+  static std::string text(clang::Diagnostic const &info) {
+    llvm::SmallString<256> message;
+    info.FormatDiagnostic(message);
+    return message.str().str();
+  }
+
+  void note(clang::Diagnostic const &info) {
+    constexpr std::size_t most = 5;
+    std::vector<Note> &notes = errors_.back().notes;
+    if (notes.size() >= most || !info.hasSourceManager() || info.getLocation().isInvalid()) return;
+    notes.push_back({SourceMap(info.getSourceManager(), language_, scope_).place(info.getLocation()), text(info)});
+  }
+
+  bool follows_error_ = false;
+  Scope const &scope_;
+  std::vector<CompilerError> &errors_;
+  LangOptions language_;
+};
+
+// What the readings of one source have in common.
+struct Settings {
+  Scope const &scope;
+  Request const &request;
+  bool ask_compiler;     // about the items of pragmas
+  std::string type_name; // that must be free, if any
+};
+
+class Consumer : public ASTConsumer {
+public:
+  Consumer(CompilerInstance &compiler, Settings const &settings, Facts &facts)
+      : compiler_(compiler),
+        map_(compiler.getSourceManager(), compiler.getLangOpts(), settings.scope),
+        settings_(settings),
+        facts_(facts) {
+    index_.ask_compiler = settings.ask_compiler;
+    Preprocessor &preprocessor = compiler.getPreprocessor();
+    preprocessor.AddPragmaHandler(make_pragma_handler(map_, facts_, index_).release()); // owned there from now on
+    preprocessor.addPPCallbacks(make_quoted_argument_collector(map_, facts_, expansions_));
+    preprocessor.addPPCallbacks(make_skipped_text_collector(map_, facts_));
+    preprocessor.addPPCallbacks(make_rounding_pragma_watch(map_, facts_));
+    watch_tokens(preprocessor, map_, settings.type_name, facts_, expansions_);
+  }
+
+  void HandleTranslationUnit(ASTContext &context) override {
+    map_.collect_files(facts_);
+    if (compiler_.getDiagnostics().hasErrorOccurred()) return;
+    index_configured_externals(settings_.request, context, index_, facts_);
+    collect_tree(context, map_, index_, settings_.request, facts_);
+    expansions_.collect(facts_);
+    collect_include_directories();
+  }
+
+private:
+  void collect_include_directories() {
+    HeaderSearch const &search = compiler_.getPreprocessor().getHeaderSearchInfo();
+    for (auto at = search.search_dir_begin(); at != search.search_dir_end(); ++at) {
+      if (!at->isNormalDir()) continue;
+      llvm::SmallString<256> absolute(at->getName());
+      compiler_.getFileManager().getVirtualFileSystem().makeAbsolute(absolute);
+      std::string const name = absolute.str().str();
+      std::vector<std::string> &known = facts_.include_dirs;
+      if (std::find(known.begin(), known.end(), name) == known.end()) known.push_back(name);
+    }
+  }
+
+  CompilerInstance &compiler_;
+  SourceMap map_;
+  ExpansionText expansions_{map_};
+  Settings const &settings_;
+  PragmaIndex index_;
+  Facts &facts_;
+};
+
+class Action : public ASTFrontendAction {
+public:
+  Action(Settings const &settings, Facts &facts) : settings_(settings), facts_(facts) {}
+  std::unique_ptr<ASTConsumer> CreateASTConsumer(CompilerInstance &compiler, llvm::StringRef) override {
+    return std::make_unique<Consumer>(compiler, settings_, facts_);
+  }
+
+private:
+  Settings const &settings_;
+  Facts &facts_;
+};
+
+// A kernel is recorded by one thread, and the symbolic program is compiled without OpenMP: so it is read without it,
+// and _OPENMP is defined in neither. <omp.h>, which a source may include all the same, lies among the compiler's own
+// headers.
+void read_serially(std::vector<std::string> &words) {
+  auto const is_openmp = [](std::string const &word) { return word.starts_with("-fopenmp"); };
+  if (std::none_of(words.begin(), words.end(), is_openmp)) return;
+  std::erase_if(words, is_openmp);
+  std::error_code error;
+  for (llvm::sys::fs::recursive_directory_iterator at("/usr/lib/gcc", error), end; at != end && !error;
+       at.increment(error)) {
+    if (at.level() > 3) at.no_push();
+    if (llvm::sys::path::filename(at->path()) != "omp.h") continue;
+    words.insert(words.end(), {"-idirafter", llvm::sys::path::parent_path(at->path()).str()});
+    words.emplace_back("-D__malloc__(...)="); // an attribute of gcc's alone
+    return;
+  }
+}
+
+} // namespace
+
+// The compiler's command line without what only concerns its outputs.
+std::vector<std::string> command_line(Compilation const &compilation) {
+  std::vector<std::string> words = {"clang",
+                                    "-fsyntax-only",
+                                    "-w",
+                                    "-Wno-error",
+                                    "-Wno-implicit-int", // an error since C99, and a warning to gcc
+                                    "-Qunused-arguments",
+                                    "-fno-caret-diagnostics",
+                                    "-resource-dir=" SYMREAL_CLANG_RESOURCES,
+                                    "-isystem",
+                                    runtime_include() + "/reading",
+                                    "-isystem",
+                                    runtime_include(),
+                                    "-ferror-limit=20"};
+  std::vector<std::string> const &flags = compilation.flags;
+  for (std::size_t i = 0; i < flags.size(); ++i) {
+    std::string const &flag = flags[i];
+    if (flag == "-o" || flag == "-MF" || flag == "-MT" || flag == "-MQ")
+      ++i;
+    else if (flag != "-c" && flag != "-S" && flag != "-E" && flag != "-Werror" && flag.rfind("-M", 0) != 0)
+      words.push_back(flag);
+  }
+  read_serially(words);
+  words.push_back("--");
+  words.push_back(compilation.source);
+  return words;
+}
+
+namespace {
+
+void add(Facts &facts, DiagnosticId id, Place const &place, std::string message, std::vector<Note> notes = {}) {
+  for (symreal::Diagnostic const &known : facts.diagnostics)
+    if (known.id == id && to_string(known.place) == to_string(place)) return;
+  facts.diagnostics.push_back({id, Severity::error, place, std::move(message), std::move(notes)});
+}
+
+// The errors that stand at a token of a pragma.
+void report_pragma_errors(std::vector<CompilerError> const &errors, Facts &facts) {
+  for (CompilerError const &error : errors) {
+    if (!error.token) continue;
+    for (auto const &[span, pragma] : facts.pragmas) {
+      if (span.file != error.token->file || error.token->begin < span.begin || span.end <= error.token->begin) continue;
+      if (error.message.find("undeclared") != std::string::npos)
+        add(facts, DiagnosticId::pragma_undeclared_name, error.place, error.message);
+      else if (error.message.rfind("expected", 0) == 0)
+        add(facts, DiagnosticId::pragma_position, pragma.place, "no statement can stand where this pragma stands");
+      else
+        add(facts, DiagnosticId::pragma_item, error.place, error.message);
+    }
+  }
+}
+
+// Options that only the user's own compiler knows, or values of them, say nothing about the source: those that Clang
+// names in its complaints about the command line are left out. Was there one?
+bool leave_out_options(std::vector<CompilerError> const &errors, std::vector<std::string> &flags) {
+  std::size_t const before = flags.size();
+  for (CompilerError const &error : errors) {
+    if (error.place.line != 0) continue;
+    llvm::StringRef rest = error.message;
+    while (!(rest = rest.split('\'').second).empty()) {
+      auto const [name, next] = rest.split('\'');
+      rest = next;
+      std::erase_if(flags, [&, quoted = name](llvm::StringRef flag) {
+        bool const is_value = flag.starts_with("-") && flag.split('=').second == quoted && !quoted.empty();
+        return is_value ||
+               (quoted.starts_with("-") && (flag == quoted || (quoted.ends_with("=") && flag.starts_with(quoted))));
+      });
+    }
+  }
+  return flags.size() != before;
+}
+
+// A variable may have the name of a function that the compiler knows without any header; Clang has it for a
+// redefinition. Was there one?
+bool forget_builtins(std::vector<CompilerError> const &errors, std::vector<std::string> &flags) {
+  std::size_t const before = flags.size();
+  for (CompilerError const &error : errors) {
+    llvm::StringRef name = error.message;
+    if (!name.consume_front("redefinition of '") || !name.consume_back("' as different kind of symbol")) continue;
+    std::string const flag = "-fno-builtin-" + name.str();
+    if (std::find(flags.begin(), flags.end(), flag) == flags.end()) flags.push_back(flag);
+  }
+  return flags.size() != before;
+}
+
+struct Parsed {
+  Facts facts;
+  std::vector<CompilerError> errors;
+};
+
+Parsed parse(Compilation compilation, FileSystem const &disk, Settings const &settings) {
+  while (true) {
+    Parsed parsed;
+    ErrorCollector collector(settings.scope, parsed.errors);
+    IntrusiveRefCntPtr<FileManager> const files(new FileManager(FileSystemOptions(), disk));
+    tooling::ToolInvocation invocation(command_line(compilation), std::make_unique<Action>(settings, parsed.facts),
+                                       files.get());
+    invocation.setDiagnosticConsumer(&collector);
+    bool const done = invocation.run();
+    if (leave_out_options(parsed.errors, compilation.flags) || forget_builtins(parsed.errors, compilation.flags))
+      continue;
+    if (!done && parsed.errors.empty())
+      parsed.errors.push_back({"the source cannot be parsed", {compilation.source}, {}, {}});
+    return parsed;
+  }
+}
+
+bool names_real(std::vector<CompilerError> const &errors, std::string const &type_name) {
+  return std::any_of(errors.begin(), errors.end(), [&](CompilerError const &error) {
+    return error.message.find("'REAL") != std::string::npos || error.message.find("'SYMREAL_") != std::string::npos ||
+           (!type_name.empty() && error.message.find("'" + type_name + "'") != std::string::npos);
+  });
+}
+
+} // namespace
+
+FileSystem file_system(Compilation const &compilation, Request const &request, FileSystem const &disk) {
+  IntrusiveRefCntPtr<llvm::vfs::OverlayFileSystem> const files(new llvm::vfs::OverlayFileSystem(disk));
+  IntrusiveRefCntPtr<llvm::vfs::InMemoryFileSystem> const texts(new llvm::vfs::InMemoryFileSystem);
+  for (TextSource const &one : request.texts)
+    texts->addFile(one.path, 0, llvm::MemoryBuffer::getMemBufferCopy(one.text));
+  if (!request.texts.empty()) files->pushOverlay(texts);
+  if (!compilation.directory.empty() && files->setCurrentWorkingDirectory(compilation.directory))
+    fail(DiagnosticId::compile_commands, {}, "the directory '" + compilation.directory + "' does not exist");
+  if (!files->exists(compilation.source))
+    fail(DiagnosticId::unreadable_file, {}, "'" + compilation.source + "' cannot be read");
+  return files;
+}
+
+FileSystem own_disk() { return llvm::vfs::createPhysicalFileSystem().release(); }
+
+Facts collect_source(Compilation const &compilation, Scope const &scope, Request const &request,
+                     FileSystem const &disk) {
+  FileSystem const files = file_system(compilation, request, disk);
+  Settings settings{scope, request, true, request.type_name};
+  auto [facts, errors] = parse(compilation, files, settings);
+  if (names_real(errors, request.type_name)) {
+    // Rewritten before: with the header that says what REAL is it compiles as it did.
+    settings.type_name.clear();
+    for (std::string const &name : {std::string(usual_type_name), request.type_name, std::string(reserved_type_name)}) {
+      if (name.empty()) continue;
+      Compilation rewritten = compilation;
+      for (std::string const &flag : type_name_flags(name)) rewritten.flags.push_back(flag);
+      if (Parsed again = parse(rewritten, files, settings); again.errors.empty()) return std::move(again.facts);
+    }
+  }
+  if (errors.empty()) return std::move(facts);
+  facts.broken = true;
+  // Are the errors the source's own, or do they come from what its pragmas put in?
+  Settings const bare{scope, request, false, request.type_name};
+  std::vector<CompilerError> const own = facts.pragmas.empty() ? errors : parse(compilation, files, bare).errors;
+  for (CompilerError const &error : own)
+    add(facts, DiagnosticId::source_error, error.place, error.message, error.notes);
+  if (own.empty()) report_pragma_errors(errors, facts);
+  return std::move(facts);
+}
+
+} // namespace symreal::rewrite
