@@ -1,6 +1,6 @@
 #include "compiler/roots.h"
 
-#include "tool/configuration.h"
+#include "tool/configuration/configuration.h"
 
 #include <algorithm>
 #include <cstdlib>

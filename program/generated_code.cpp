@@ -1,6 +1,6 @@
 #include "program/generated_code.h"
 
-#include "emit/c_externals.h"
+#include "emit/c/externals.h"
 #include "graph/complex_function.h"
 #include "program/process.h"
 #include "support/files.h"

@@ -3,7 +3,7 @@
 
 #include "diagnostics/diagnostic.h"
 #include "graph/graph.h"
-#include "passes/floating_point.h"
+#include "ops/floating_point.h"
 #include "program/workspace.h"
 
 #include <array>

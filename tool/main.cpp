@@ -1,8 +1,8 @@
 // The command line: symreal SUBCOMMAND [options] files [-- compiler flags].
 #include "diagnostics/diagnostic.h"
 #include "support/version.h"
-#include "tool/subcommands.h"
-#include "tool/unknown_words.h"
+#include "tool/commands/subcommands.h"
+#include "tool/configuration/unknown_words.h"
 
 #include <algorithm>
 #include <cstdio>

@@ -1,5 +1,5 @@
 // Calls of functions that are compiled elsewhere, or that read what a library keeps: what they give is baked in, like
-// other state. Those of the standard library are known (trace/outside.def); `external` declares others.
+// other state. Those of the standard library are known (support/outside.def); `external` declares others.
 #include "rewrite/collect/collector.h"
 
 #include <clang/Tooling/Inclusions/StandardLibrary.h>
@@ -13,7 +13,7 @@ namespace {
 bool is_watched(llvm::StringRef name) {
   static llvm::StringSet<> const names = {
 #define OUTSIDE(result, symbol, name, parameters, arguments) #symbol,
-#include "trace/outside.def"
+#include "support/outside.def"
 #undef OUTSIDE
   };
   return names.contains(name);

@@ -8,7 +8,7 @@
 #include "rewrite/text/source_text.h"
 #include "rewrite/text/type_name.h"
 #ifdef SYMREAL_MUTATION
-#include "rewrite/mutation/drop_rule.h"
+#include "rewrite/decide/mutation/drop_rule.h"
 #endif
 
 #include <algorithm>

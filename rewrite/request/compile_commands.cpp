@@ -1,7 +1,7 @@
 #include "rewrite/request/request.h"
-#include "rewrite/source/clang.h"
 
 #include <clang/Tooling/JSONCompilationDatabase.h>
+#include <llvm/Support/Path.h>
 
 #include <algorithm>
 

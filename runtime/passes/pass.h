@@ -2,7 +2,7 @@
 #pragma once
 
 #include "graph/graph.h"
-#include "passes/floating_point.h"
+#include "ops/floating_point.h"
 
 #include <span>
 #include <string>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "graph/node_table.h"
-#include "passes/floating_point.h"
+#include "ops/floating_point.h"
 #include "passes/term.h"
 
 #include <array>

@@ -5,7 +5,7 @@
 #pragma once
 
 #include "graph/graph.h"
-#include "passes/floating_point.h"
+#include "ops/floating_point.h"
 
 #include <vector>
 

@@ -13,8 +13,8 @@ constexpr std::size_t never = ~std::size_t{0};
 
 class Blocks {
 public:
-  Blocks(Program const &program, FunctionBody const &body, bool in_compute, Chunks const &chunks, std::size_t chunk)
-      : program_(program),
+  Blocks(Schedule const &plan, FunctionBody const &body, bool in_compute, Chunks const &chunks, std::size_t chunk)
+      : plan_(plan),
         body_(body),
         in_compute_(in_compute),
         chunks_(chunks),
@@ -34,7 +34,7 @@ public:
       }
       if (k == first_ + variables_.size()) break;
       move_to(body_.regions.literals(body_.region[k]));
-      for_each_operand(program_, body_, in_compute_, body_.variables[k], [&](NodeId id) { note_read(id); });
+      for_each_operand(plan_, body_, in_compute_, body_.variables[k], [&](NodeId id) { note_read(id); });
       variables_[k - first_].block = open_.empty() ? never : open_.back().id;
       steps_.push_back({Step::Kind::set, k});
     }
@@ -90,8 +90,8 @@ private:
 
   void note_read(NodeId use) {
     for_each_read(
-        *program_.graph, use, [&](NodeId id) { return is_variable(id); },
-        [&](NodeId id) { return is_read(program_, in_compute_, id); },
+        *plan_.graph, use, [&](NodeId id) { return is_variable(id); },
+        [&](NodeId id) { return is_read(plan_, in_compute_, id); },
         [&](NodeId id) {
           auto found = number_.find(id);
           if (found == number_.end()) return; // an earlier chunk's
@@ -143,7 +143,7 @@ private:
     return at;
   }
 
-  Program const &program_;
+  Schedule const &plan_;
   FunctionBody const &body_;
   bool in_compute_;
   Chunks const &chunks_;
@@ -157,9 +157,9 @@ private:
 
 } // namespace
 
-std::vector<Step> blocks(Program const &program, FunctionBody const &body, bool in_compute, Chunks const &chunks,
+std::vector<Step> blocks(Schedule const &plan, FunctionBody const &body, bool in_compute, Chunks const &chunks,
                          std::size_t chunk) {
-  return Blocks(program, body, in_compute, chunks, chunk).run();
+  return Blocks(plan, body, in_compute, chunks, chunk).run();
 }
 
 } // namespace symreal

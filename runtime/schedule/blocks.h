@@ -23,7 +23,7 @@ struct Step {
   Literal literal = {};
 };
 
-std::vector<Step> blocks(Program const &program, FunctionBody const &body, bool in_compute, Chunks const &chunks,
+std::vector<Step> blocks(Schedule const &plan, FunctionBody const &body, bool in_compute, Chunks const &chunks,
                          std::size_t chunk);
 
 } // namespace symreal

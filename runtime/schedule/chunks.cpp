@@ -13,8 +13,8 @@ namespace {
 
 class Cutter {
 public:
-  Cutter(Program const &program, FunctionBody const &body, bool in_compute)
-      : program_(program),
+  Cutter(Schedule const &plan, FunctionBody const &body, bool in_compute)
+      : plan_(plan),
         body_(body),
         in_compute_(in_compute),
         chunk_(body.regions.value_count(), no_slot),
@@ -43,14 +43,14 @@ private:
   // The variables that a statement and the blocks around it read.
   void note_reads(std::size_t statement, std::size_t chunk) {
     for (Literal const &literal : body_.regions.literals(body_.region[statement])) note_read(literal.condition, chunk);
-    for_each_operand(program_, body_, in_compute_, body_.variables[statement],
+    for_each_operand(plan_, body_, in_compute_, body_.variables[statement],
                      [&](NodeId operand) { note_read(operand, chunk); });
   }
 
   void note_read(NodeId use, std::size_t chunk) {
     for_each_read(
-        *program_.graph, use, [&](NodeId id) { return chunk_[id] != no_slot; },
-        [&](NodeId id) { return is_read(program_, in_compute_, id); },
+        *plan_.graph, use, [&](NodeId id) { return chunk_[id] != no_slot; },
+        [&](NodeId id) { return is_read(plan_, in_compute_, id); },
         [&](NodeId id) { last_reader_[id] = std::max(last_reader_[id], static_cast<std::uint32_t>(chunk)); });
   }
 
@@ -61,8 +61,8 @@ private:
       for (std::size_t statement = chunks.begin[chunk]; statement < chunks.begin[chunk + 1]; ++statement) {
         NodeId id = body_.variables[statement];
         if (last_reader_[id] <= chunk) continue;
-        if (is_call_node(program_, body_, id)) { // its results stand side by side
-          Graph const &graph = *program_.graph;
+        if (is_call_node(plan_, body_, id)) { // its results stand side by side
+          Graph const &graph = *plan_.graph;
           chunks.spill_slot[id] = static_cast<std::uint32_t>(chunks.spill_count);
           chunks.spill_count += graph.externals[function_of(graph, graph.nodes[id])].result_count();
           continue;
@@ -76,7 +76,7 @@ private:
     }
   }
 
-  Program const &program_;
+  Schedule const &plan_;
   FunctionBody const &body_;
   bool in_compute_;
   std::vector<std::uint32_t> chunk_;       // per node that is a variable, and gate: where it is set
@@ -90,8 +90,8 @@ std::size_t Chunks::of_check(Check const &check) const {
   return static_cast<std::size_t>(after - begin.begin()) - 1;
 }
 
-Chunks cut(Program const &program, FunctionBody const &body, bool in_compute) {
-  return Cutter(program, body, in_compute).cut();
+Chunks cut(Schedule const &plan, FunctionBody const &body, bool in_compute) {
+  return Cutter(plan, body, in_compute).cut();
 }
 
 } // namespace symreal

@@ -4,7 +4,7 @@
 // what pieces of 300 did. Values that live inside one piece stay local; those that cross go through an array.
 #pragma once
 
-#include "schedule/program.h"
+#include "schedule/schedule.h"
 
 namespace symreal {
 
@@ -19,6 +19,6 @@ struct Chunks {
 };
 
 // The results are read after the last chunk.
-Chunks cut(Program const &program, FunctionBody const &body, bool in_compute);
+Chunks cut(Schedule const &plan, FunctionBody const &body, bool in_compute);
 
 } // namespace symreal

@@ -1,7 +1,7 @@
 // The order of a function's statements.
 #pragma once
 
-#include "schedule/program.h"
+#include "schedule/schedule.h"
 
 namespace symreal {
 
@@ -29,28 +29,28 @@ template <class IsVariable, class IsRead, class Visit> void for_each_read(Graph 
 }
 
 // Whether the function finds the node in an array.
-inline bool is_read(Program const &program, bool in_compute, NodeId id) {
-  return is_leaf(program.graph->nodes[id].op) || (in_compute && program.constant_slot[id] != no_slot);
+inline bool is_read(Schedule const &plan, bool in_compute, NodeId id) {
+  return is_leaf(plan.graph->nodes[id].op) || (in_compute && plan.constant_slot[id] != no_slot);
 }
 
 // Calls `visit` with the operands of the operation that sets a variable.
-template <class Visit> void for_each_operand(Program const &program, FunctionBody const &body, bool in_compute,
+template <class Visit> void for_each_operand(Schedule const &plan, FunctionBody const &body, bool in_compute,
                                              NodeId variable, Visit const &visit) {
   if (body.regions.is_gate(variable)) {
     for (RegionId alternative : body.regions.alternatives(variable))
       for (Literal const &literal : body.regions.literals(alternative)) visit(literal.condition);
     return;
   }
-  if (is_read(program, in_compute, variable)) return;
-  Node const &node = program.graph->nodes[variable];
+  if (is_read(plan, in_compute, variable)) return;
+  Node const &node = plan.graph->nodes[variable];
   // Which call comes before is a matter of order alone.
   for (std::size_t i = 0; i < (node.op == Op::call_in_order ? 2 : node.operand.size()); ++i)
     if (node.operand[i] != no_node) visit(node.operand[i]);
 }
 
 // Whether a statement calls an external function: it sets an array.
-inline bool is_call_node(Program const &program, FunctionBody const &body, NodeId variable) {
-  return !body.regions.is_gate(variable) && is_call(program.graph->nodes[variable].op);
+inline bool is_call_node(Schedule const &plan, FunctionBody const &body, NodeId variable) {
+  return !body.regions.is_gate(variable) && is_call(plan.graph->nodes[variable].op);
 }
 
 } // namespace symreal

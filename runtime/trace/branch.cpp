@@ -1,8 +1,8 @@
 // The parts of decisions that record nothing in the user's name.
-#include "trace/events.h"
-#include "trace/own_memory.h"
-#include "trace/pool.h"
-#include "trace/state.h"
+#include "memory/own_memory.h"
+#include "trace/nodes/pool.h"
+#include "trace/report/events.h"
+#include "trace/state/state.h"
 
 #include <symreal/branch.h>
 #include <symreal/extremes.h>

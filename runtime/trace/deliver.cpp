@@ -1,12 +1,13 @@
 #include "trace/deliver.h"
 
+#include "emit/c/banner.h"
 #include "emit/emit.h"
 #include "graph/frozen.h"
 #include "graph/graph_text.h"
 #include "passes/pass.h"
 #include "support/files.h"
 #include "support/number.h"
-#include "trace/events.h"
+#include "trace/report/events.h"
 
 #include <atomic>
 #include <cstdio>

@@ -1,10 +1,10 @@
 // The original: its own text, annotated by <symreal/original.h>. It is fed and read like the replay, and what a kernel
 // leaves in the memory that outlives it is told as well.
+#include "memory/own_memory.h"
 #include "memory/static_objects.h"
-#include "trace/again.h"
-#include "trace/kernel.h"
-#include "trace/object_layout.h"
-#include "trace/own_memory.h"
+#include "trace/kernel/again.h"
+#include "trace/kernel/object_layout.h"
+#include "trace/sinks.h"
 #include "verify/replay_server.h"
 
 #include <symreal/original.h>
@@ -165,7 +165,6 @@ using symreal::Kind;
 using symreal::SourcePlace;
 using symreal::memory::OwnWork;
 using symreal::trace::Kernel;
-constexpr auto original = symreal::detail::Program::original;
 
 int symreal_original_object(char const *kind, char const *label, char const *file, unsigned line, unsigned column,
                             void const *frame) {
@@ -176,7 +175,7 @@ int symreal_original_object(char const *kind, char const *label, char const *fil
     return 1;
   }
   symreal::trace::kind_now = symreal::trace::kind_named(kind);
-  return Kernel::current().begin_object(original, symreal::trace::kind_now, label, place);
+  return Kernel::current().begin_object(symreal::trace::make_original, symreal::trace::kind_now, label, place);
 }
 
 void symreal_original_bytes(void const volatile *begin, std::size_t size, int is_temporary) {
@@ -228,7 +227,7 @@ void symreal_original_object_end() {
 int symreal_original_function(char const *name, char const *file, unsigned line, unsigned column, unsigned call,
                               void const *frame) {
   OwnWork const own;
-  return Kernel::current().begin_function(original, name, {file, line, column, frame}, call);
+  return Kernel::current().begin_function(symreal::trace::make_original, name, {file, line, column, frame}, call);
 }
 
 int symreal_original_entered(int active) {
@@ -266,7 +265,7 @@ int symreal_original_compute(double const *input, double const *parameters, doub
 
 void symreal_original_generate(char const *name, char const *file, unsigned line, unsigned column) {
   OwnWork const own;
-  Kernel::current().end_region(original, name, {file, line, column});
+  Kernel::current().end_region(name, {file, line, column});
 }
 
 void symreal_original_later(int active) {

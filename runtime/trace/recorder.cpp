@@ -1,17 +1,17 @@
 // Recording: annotated numbers become nodes, and at the kernel's end the graph is checked, handed over, and every
 // annotated number becomes an ordinary one again.
-#include "emit/names.h"
+#include "graph/names.h"
 #include "support/number.h"
+#include "trace/decisions/guards.h"
 #include "trace/deliver.h"
-#include "trace/environment.h"
-#include "trace/events.h"
-#include "trace/externals.h"
-#include "trace/guards.h"
-#include "trace/kernel.h"
-#include "trace/pool.h"
-#include "trace/state.h"
-#include "trace/text_marks.h"
-#include "trace/trap.h"
+#include "trace/leaks/trap.h"
+#include "trace/nodes/externals.h"
+#include "trace/nodes/pool.h"
+#include "trace/report/events.h"
+#include "trace/sinks.h"
+#include "trace/state/state.h"
+#include "trace/text/environment.h"
+#include "trace/text/text_marks.h"
 
 #include <algorithm>
 #include <set>
@@ -282,13 +282,5 @@ private:
 std::unique_ptr<Sink> make_recorder() { return std::make_unique<Recorder>(); }
 
 } // namespace trace
-
-void FunctionKernel::make_plain(void *object, std::size_t size) noexcept {
-  trace::Pool &pool = trace::Pool::current();
-  if (!pool.is_recording()) return;
-  auto *numbers = static_cast<RealNumber *>(object);
-  for (std::size_t k = 0; k < size / sizeof(RealNumber); ++k)
-    if (pool.owns(numbers[k])) numbers[k] = pool.final_value(numbers[k]);
-}
 
 } // namespace symreal

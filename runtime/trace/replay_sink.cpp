@@ -1,6 +1,6 @@
 // Replay: the same annotations on ordinary doubles, fed and read by the client of verify/replay_server.h.
-#include "trace/kernel.h"
-#include "trace/own_memory.h"
+#include "memory/own_memory.h"
+#include "trace/sinks.h"
 #include "verify/replay_server.h"
 
 namespace symreal::trace {

@@ -1,7 +1,7 @@
 // When an output of the generated code is the same as the original's, by mode, and how far apart two doubles are.
 #pragma once
 
-#include "passes/floating_point.h"
+#include "ops/floating_point.h"
 
 #include <cstdint>
 #include <vector>

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 @dataclass
 class Rule:
-    name: str            # as SYMREAL_DROP_RULE has it (rewrite/mutation/drop_rule.cpp)
+    name: str            # as SYMREAL_DROP_RULE has it (rewrite/decide/mutation/drop_rule.cpp)
     what: str            # what the rewriter does
     program: str         # in Inputs
     tests: str           # a regular expression for lit

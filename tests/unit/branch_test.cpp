@@ -5,8 +5,8 @@
 #include <symreal/real.h>
 
 #include "graph/evaluate.h"
-#include "trace/guards.h"
-#include "trace/pool.h"
+#include "trace/decisions/guards.h"
+#include "trace/nodes/pool.h"
 
 #include <array>
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 #include "emit/emit.h"
 
 #include "compiled_graph.h"
-#include "emit/expression.h"
+#include "emit/print/expression.h"
 #include "graph/evaluate.h"
 #include "graph/graph_text.h"
 #include "operation_samples.h"

@@ -1,5 +1,5 @@
-#include "trace/externals.h"
-#include "trace/pool.h"
+#include "trace/nodes/externals.h"
+#include "trace/nodes/pool.h"
 
 #include <symreal/decisions.h>
 #include <symreal/external.h>

@@ -1,4 +1,4 @@
-#include "trace/state.h"
+#include "trace/state/state.h"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include "graph/evaluate.h"
 #include "graph/validate.h"
 #include "passes/pass.h"
-#include "trace/pool.h"
+#include "trace/nodes/pool.h"
 
 #include <bit>
 #include <cmath>
@@ -67,9 +67,9 @@ std::vector<Bits> const constants = {0, 1, 5, 0xFFFF, 0x80000000, (1ull << 53) +
 template <class T> std::string name() { return (std::is_signed_v<T> ? "int" : "uint") + std::to_string(8 * sizeof(T)); }
 
 // Records computations on integers, each made of two inputs, its halves.
-class Program {
+class Schedule {
 public:
-  explicit Program(unsigned operands) {
+  explicit Schedule(unsigned operands) {
     Pool::current().begin();
     for (unsigned k = 0; k < 2 * operands; ++k) inputs_.push_back(Pool::current().leaf(Node::input(k), 1.0));
   }
@@ -176,7 +176,7 @@ template <class T, class U> bool shifts(U n) { return n >= 0 && static_cast<Bits
 #define ASSIGNED(op, defined) COMPARE(#op, SymbolicInt<T>(SymbolicInt<T>(x) op y), (a op b), defined)
 
 template <class T, class U, class Y>
-void record_pair(Program &program, SymbolicInt<T> x, Y y, std::vector<Bits> const &seconds, U b = U(1)) {
+void record_pair(Schedule &program, SymbolicInt<T> x, Y y, std::vector<Bits> const &seconds, U b = U(1)) {
   using C = detail::Common<T, U>;
   std::string const pair = name<T>() + " " + name<U>() + " ";
   BINARY(+, WITHOUT_OVERFLOW(add))
@@ -205,7 +205,7 @@ TEST(SymbolicInts, ComputeAsEveryPairOfTypes) {
   for (Bits a : corners)
     for (Bits b : corners) samples.push_back({a, b});
   Widths::each([&]<class T>(T) {
-    Program program(2);
+    Schedule program(2);
     Widths::each(
         [&]<class U>(U) { record_pair<T, U>(program, program.operand<T>(0), program.operand<U>(1), corners); });
     program.check(samples);
@@ -216,7 +216,7 @@ TEST(SymbolicInts, ComputeWithConstants) {
   std::vector<std::vector<Bits>> samples;
   for (Bits a : corners) samples.push_back({a});
   List<short, int, unsigned, long, unsigned long>::each([&]<class T>(T) {
-    Program program(1);
+    Schedule program(1);
     List<int, unsigned, long, unsigned long>::each([&]<class U>(U) {
       for (Bits constant : constants)
         record_pair<T, U>(program, program.operand<T>(0), static_cast<U>(constant), {constant});
@@ -251,7 +251,7 @@ TEST(SymbolicInts, HaveTheLanguagesTypes) {
 #define UNARY(expression, defined) ALONE(#expression, expression, expression, defined)
 
 // Conversions to every type and to double, signs, counting.
-template <class T> void record_alone(Program &program, SymbolicInt<T> x) {
+template <class T> void record_alone(Schedule &program, SymbolicInt<T> x) {
   All::each([&]<class R>(R) { ALONE("converted", SymbolicInt<R>(a), R(a), true) });
   constexpr bool wraps = std::is_unsigned_v<T> || sizeof(T) < sizeof(int);
   [[maybe_unused]] constexpr T least = std::numeric_limits<T>::min(), most = std::numeric_limits<T>::max();
@@ -269,7 +269,7 @@ TEST(SymbolicInts, ConvertAndCount) {
   std::vector<std::vector<Bits>> samples;
   for (Bits a : corners) samples.push_back({a});
   All::each([&]<class T>(T) {
-    Program program(1);
+    Schedule program(1);
     record_alone<T>(program, program.operand<T>(0));
     program.check(samples);
   });

@@ -24,10 +24,10 @@ namespace detail {
 
 // Which numbers a program is made of: RealNumber and double have the same size, so one interface serves all. The
 // original has its annotations from <symreal/original.h>.
-enum class Program { symbolic, replay, original };
+enum class CompiledAs { symbolic, replay, original };
 
 // Whether an annotation that is met now counts: a kernel is open or may begin.
-bool begin_object(Program, Kind, char const *label, SourcePlace) noexcept;
+bool begin_object(CompiledAs, Kind, char const *label, SourcePlace) noexcept;
 // Row by row. A temporary has no place to write back to.
 void element(void *number, bool is_temporary) noexcept;
 void end_object(std::size_t const *extents, std::size_t rank) noexcept;
@@ -43,19 +43,19 @@ void scratch(void const *object, std::size_t size, Visit visit) noexcept;
 // The same of the objects of static storage duration that a file defines.
 void scratch_file(char const *file) noexcept;
 
-bool begin_function(Program, char const *name, SourcePlace, unsigned call) noexcept;
+bool begin_function(CompiledAs, char const *name, SourcePlace, unsigned call) noexcept;
 void end_function() noexcept;
-void end_region(Program, char const *file_name, SourcePlace) noexcept;
+void end_region(CompiledAs, char const *file_name, SourcePlace) noexcept;
 void *private_copy(void const *original, std::size_t low, std::size_t count) noexcept;
 
 template <class> inline constexpr bool always_false = false;
 
 #ifdef MBD_REPLAY
-inline constexpr Program program = Program::replay;
+inline constexpr CompiledAs compiled_as = CompiledAs::replay;
 template <class T> inline constexpr bool is_number = std::is_same_v<T, double>;
 using ProgramNumber = double;
 #else
-inline constexpr Program program = Program::symbolic;
+inline constexpr CompiledAs compiled_as = CompiledAs::symbolic;
 template <class T> inline constexpr bool is_number = std::is_same_v<T, RealNumber>;
 using ProgramNumber = RealNumber;
 #endif
@@ -132,7 +132,7 @@ template <class... Count> Extents symreal_extents(Count &&...count) {
 }
 
 template <class T> void symreal_annotate(Kind kind, char const *label, SourcePlace place, T &&object) {
-  if (!detail::begin_object(detail::program, kind, label, place)) return;
+  if (!detail::begin_object(detail::compiled_as, kind, label, place)) return;
   Extents shape;
   detail::walk(object, !std::is_lvalue_reference_v<T &&>, &shape);
   detail::end_object(shape.data(), shape.size());
@@ -141,8 +141,8 @@ template <class T> void symreal_annotate(Kind kind, char const *label, SourcePla
 // `element` takes the indices of a section and yields one element, which may again be an object.
 template <class Element>
 void symreal_annotate_section(Kind kind, char const *label, SourcePlace place, Extents shape, Element element) {
-  if (!detail::begin_object(detail::program, kind, label, place)) return;
-  if constexpr (detail::program == detail::Program::symbolic) shape.declare();
+  if (!detail::begin_object(detail::compiled_as, kind, label, place)) return;
+  if constexpr (detail::compiled_as == detail::CompiledAs::symbolic) shape.declare();
   Extents inner, *wanted = &inner;
   detail::each_index(shape, [&](std::size_t const *index) {
     decltype(auto) part = element(index);
@@ -169,21 +169,21 @@ template <Kind kind, class T> void declare_object(T const &object) {
 }
 
 template <Kind kind, class T> void symreal_declare(char const *label, SourcePlace place, T const &object) {
-  if (!detail::begin_object(detail::program, kind, label, place)) return;
-  if constexpr (detail::program == detail::Program::symbolic) declare_object<kind>(object);
+  if (!detail::begin_object(detail::compiled_as, kind, label, place)) return;
+  if constexpr (detail::compiled_as == detail::CompiledAs::symbolic) declare_object<kind>(object);
   detail::end_object(nullptr, 0);
 }
 
 inline void symreal_declare_file(char const *label, SourcePlace place) {
-  if (!detail::begin_object(detail::program, Kind::scratch, label, place)) return;
+  if (!detail::begin_object(detail::compiled_as, Kind::scratch, label, place)) return;
   detail::scratch_file(place.file);
   detail::end_object(nullptr, 0);
 }
 
 template <Kind kind, class Element>
 void symreal_declare_section(char const *label, SourcePlace place, Extents const &shape, Element element) {
-  if (!detail::begin_object(detail::program, kind, label, place)) return;
-  if constexpr (detail::program == detail::Program::symbolic) {
+  if (!detail::begin_object(detail::compiled_as, kind, label, place)) return;
+  if constexpr (detail::compiled_as == detail::CompiledAs::symbolic) {
     shape.declare();
     detail::each_index(shape, [&](std::size_t const *index) { declare_object<kind>(element(index)); });
   }
@@ -198,7 +198,7 @@ void symreal_set_range(double low, double high) noexcept;
 
 // Ends a region kernel: its outputs become ordinary numbers.
 inline void symreal_generate(char const *file_name, SourcePlace place) noexcept {
-  detail::end_region(detail::program, file_name, place);
+  detail::end_region(detail::compiled_as, file_name, place);
 }
 
 // The pointer itself; where it points to memory that cannot be written, a private copy of pointer[0 .. low+count).
@@ -213,7 +213,7 @@ template <class T> T const *symreal_rebind(T const *pointer, std::size_t low, st
 class FunctionKernel {
 public:
   FunctionKernel(char const *name, SourcePlace place, unsigned call = 1) noexcept
-      : active_(detail::begin_function(detail::program, name, place, call)) {}
+      : active_(detail::begin_function(detail::compiled_as, name, place, call)) {}
   FunctionKernel(FunctionKernel const &) = delete;
   FunctionKernel &operator=(FunctionKernel const &) = delete;
   ~FunctionKernel() {
@@ -222,7 +222,7 @@ public:
 
   // An argument that is passed by value is baked in where it is not annotated.
   template <class T> void symreal_argument(char const *name, char const *place, T const &object) const noexcept {
-    if constexpr (detail::program == detail::Program::symbolic) {
+    if constexpr (detail::compiled_as == detail::CompiledAs::symbolic) {
       if (!active_) return;
       struct {
         char const *name, *place;

@@ -48,7 +48,7 @@ void walk_layout(void const volatile *object, char const *layout, VisitElements 
 // An object of a class that overloads `&`, and a member that no reference can be bound to, have an address as well.
 template <class... Containers> void symreal_annotate_layout(Kind kind, char const *label, SourcePlace place,
                                                             char const *layout, void const volatile *object) {
-  if (!begin_object(program, kind, label, place)) return;
+  if (!begin_object(compiled_as, kind, label, place)) return;
   Extents shape;
   walk_layout(object, layout, containers<Containers...>, false, &shape);
   end_object(shape.data(), shape.size());
@@ -57,8 +57,8 @@ template <class... Containers> void symreal_annotate_layout(Kind kind, char cons
 template <class... Containers, class Address>
 void symreal_annotate_layout_section(Kind kind, char const *label, SourcePlace place, Extents shape, char const *layout,
                                      Address address) {
-  if (!begin_object(program, kind, label, place)) return;
-  if constexpr (program == Program::symbolic) shape.declare();
+  if (!begin_object(compiled_as, kind, label, place)) return;
+  if constexpr (compiled_as == CompiledAs::symbolic) shape.declare();
   Extents inner, *wanted = &inner;
   each_index(shape, [&](std::size_t const *index) {
     walk_layout(address(index), layout, containers<Containers...>, false, wanted);
@@ -79,7 +79,7 @@ struct LaidOut {
   detail::VisitElements const *containers;
 
   void annotate(Kind kind, char const *label, SourcePlace place) const {
-    if (!detail::begin_object(detail::program, kind, label, place)) return;
+    if (!detail::begin_object(detail::compiled_as, kind, label, place)) return;
     Extents shape;
     detail::walk_layout(object, layout, containers, false, &shape);
     detail::end_object(shape.data(), shape.size());
@@ -95,7 +95,7 @@ auto FunctionKernel::symreal_returned_layout(char const *label, SourcePlace plac
   std::decay_t<T> copy = std::forward<T>(result);
   if (active_) {
     begin_outputs();
-    if (detail::begin_object(detail::program, Kind::output, label, place)) {
+    if (detail::begin_object(detail::compiled_as, Kind::output, label, place)) {
       Extents shape;
       detail::walk_layout(__builtin_addressof(copy), layout, detail::containers<Containers...>, true, &shape);
       detail::end_object(shape.data(), shape.size());

@@ -1,0 +1,33 @@
+// What is asked of an emission, and the files that it gives.
+#pragma once
+
+#include "graph/graph.h"
+#include "ops/floating_point.h"
+
+#include <string>
+#include <vector>
+
+namespace symreal {
+
+struct EmitOptions {
+  std::string base_name = "kernel"; // files are base_name.c, base_name.h, base_name_main.c
+  std::string prefix = {};          // of every identifier with external linkage: "arm" gives arm_compute
+  FloatingPoint mode = FloatingPoint::finite;
+  bool mainline = false;
+  bool trace_comments = false; // every statement says which source lines it comes from
+  bool check_values = false;   // one operation a statement, and the first NaN or infinity of a call is reported
+};
+
+// Lines of a file that hold one statement, and where its operations come from.
+struct LineOrigin {
+  std::size_t first_line, last_line;
+  std::vector<LocationId> locations;
+};
+
+struct EmittedFile {
+  std::string name;
+  std::string text;
+  std::vector<LineOrigin> origins = {}; // where the graph has places
+};
+
+} // namespace symreal

@@ -1,0 +1,67 @@
+#include "memory/own_memory.h"
+
+#include "diagnostics/diagnostic.h"
+
+#include <algorithm>
+#include <link.h>
+#include <pthread.h>
+#include <sys/mman.h>
+#include <unistd.h>
+
+namespace symreal {
+
+__thread bool detail::recording = false;
+__thread std::uintptr_t detail::own_stack = 0, detail::own_stack_size = 0;
+__thread std::uintptr_t detail::around_begin = 0, detail::around_size = 0;
+
+namespace trace {
+
+void find_own_stack(void const *frame) {
+  pthread_attr_t attributes;
+  internal_check(pthread_getattr_np(pthread_self(), &attributes) == 0);
+  void *begin = nullptr;
+  std::size_t size = 0;
+  pthread_attr_getstack(&attributes, &begin, &size);
+  pthread_attr_destroy(&attributes);
+  detail::around_begin = detail::around_size = 0;
+  auto const at = reinterpret_cast<std::uintptr_t>(frame);
+  detail::own_stack = reinterpret_cast<std::uintptr_t>(begin);
+  detail::own_stack_size = at - detail::own_stack < size ? at - detail::own_stack : size;
+}
+
+void widen_around(void const *begin, std::size_t size) {
+  auto const at = reinterpret_cast<std::uintptr_t>(begin), end = at + size;
+  bool const is_first = detail::around_size == 0;
+  std::uintptr_t const last = is_first ? end : std::max(end, detail::around_begin + detail::around_size);
+  detail::around_begin = is_first ? at : std::min(at, detail::around_begin);
+  detail::around_size = last - detail::around_begin;
+}
+
+std::vector<MemoryRange> find_constant_memory() {
+  std::vector<MemoryRange> found;
+  dl_iterate_phdr(
+      [](dl_phdr_info *object, std::size_t, void *list) {
+        for (int i = 0; i < object->dlpi_phnum; ++i) {
+          auto const &part = object->dlpi_phdr[i];
+          bool const constant = (part.p_type == PT_LOAD && (part.p_flags & PF_W) == 0) || part.p_type == PT_GNU_RELRO;
+          std::uintptr_t const begin = object->dlpi_addr + part.p_vaddr;
+          if (constant) static_cast<std::vector<MemoryRange> *>(list)->push_back({begin, begin + part.p_memsz});
+        }
+        return 0;
+      },
+      &found);
+  return found;
+}
+
+void make_writable(double *number) {
+  memory::OwnWork const own;
+  static std::vector<MemoryRange> const constant = find_constant_memory();
+  if (std::none_of(constant.begin(), constant.end(), [number](MemoryRange one) { return one.contains(number); }))
+    return;
+  auto const page = static_cast<std::uintptr_t>(sysconf(_SC_PAGESIZE));
+  std::uintptr_t const at = reinterpret_cast<std::uintptr_t>(number), first = at / page * page;
+  mprotect(reinterpret_cast<void *>(first), at + sizeof *number - first, PROT_READ | PROT_WRITE);
+}
+
+} // namespace trace
+} // namespace symreal

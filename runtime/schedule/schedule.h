@@ -1,0 +1,48 @@
+// A graph laid out as two functions of statements: what an emitter prints.
+#pragma once
+
+#include "graph/graph.h"
+#include "schedule/regions.h"
+
+#include <set>
+#include <vector>
+
+namespace symreal {
+
+// Stands before statement `before`: the function returns unless `condition` holds.
+struct Check {
+  NodeId condition;
+  std::size_t before;
+};
+
+// A function body: `variables` are computed in this order, one statement each; every other operation is used once and
+// is nested in its user's expression. A variable with a region is computed only there; a gate is a variable too, which
+// is 1 in its region. `results` are stored at the end, result k to slot k. Check k is that of guard k; it stands as
+// early as its condition can be computed and not before that of an earlier guard.
+struct FunctionBody {
+  std::vector<NodeId> variables;
+  std::vector<RegionId> region; // per variable
+  Regions regions;
+  std::vector<Check> checks;
+  std::vector<NodeId> results;
+  std::set<NodeId> wanted_returns; // the calls of external functions whose returned value is read
+};
+
+inline constexpr std::uint32_t no_slot = ~std::uint32_t{0};
+
+struct Schedule {
+  Graph const *graph;
+  FunctionBody preprocess, compute;
+  std::vector<std::uint32_t> constant_slot; // per node: where preprocess stores it for compute, or no_slot
+  std::size_t constant_count = 0;
+};
+
+// Whether expressions nest, or every operation is a statement of its own.
+enum class Nesting { bounded, none };
+
+// The order of statements is the order of recording: measured against depth-first, Sethi-Ullman and kill-most orders it
+// keeps live ranges shortest. What is computed under a condition waits for the condition. `graph` must outlive the
+// program.
+Schedule schedule(Graph const &graph, Nesting nesting = Nesting::bounded);
+
+} // namespace symreal

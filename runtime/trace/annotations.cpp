@@ -1,0 +1,44 @@
+// What the annotations of a program call (<symreal/annotate.h>).
+#include "trace/sinks.h"
+
+namespace symreal {
+
+using trace::Kernel;
+
+static trace::MakeSink sink_of(detail::CompiledAs program) {
+  switch (program) {
+  case detail::CompiledAs::symbolic: return trace::make_recorder;
+  case detail::CompiledAs::replay: return trace::make_replay;
+  case detail::CompiledAs::original: return trace::make_original;
+  }
+  internal_failure("a program has a sink", __FILE__, __LINE__);
+}
+
+bool detail::begin_object(CompiledAs program, Kind kind, char const *label, SourcePlace place) noexcept {
+  return Kernel::current().begin_object(sink_of(program), kind, label, place);
+}
+
+void detail::element(void *number, bool is_temporary) noexcept {
+  Kernel::current().sink().element(number, is_temporary);
+}
+
+void detail::end_object(std::size_t const *extents, std::size_t rank) noexcept {
+  Kernel::current().sink().end_object({extents, extents + rank});
+}
+
+bool detail::begin_function(CompiledAs program, char const *name, SourcePlace place, unsigned call) noexcept {
+  return Kernel::current().begin_function(sink_of(program), name, place, call);
+}
+
+void detail::end_function() noexcept { Kernel::current().end_function(); }
+
+void detail::end_region(CompiledAs, char const *file_name, SourcePlace place) noexcept {
+  Kernel::current().end_region(file_name, place);
+}
+
+void symreal_set_range(double low, double high) noexcept { Kernel::current().set_range(low, high); }
+
+void FunctionKernel::accept_annotations() noexcept { Kernel::current().accept_annotations(); }
+void FunctionKernel::begin_outputs() noexcept { Kernel::current().begin_outputs(); }
+
+} // namespace symreal

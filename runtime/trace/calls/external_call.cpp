@@ -1,0 +1,199 @@
+// Calls of functions that are not recorded: run with the carried values, and kept as nodes.
+#include "graph/graph_line.h"
+#include "trace/decisions/policy.h"
+#include "trace/nodes/externals.h"
+#include "trace/nodes/pool.h"
+#include "trace/report/events.h"
+
+#include <symreal/external.h>
+
+#include <cmath>
+#include <map>
+#include <memory>
+
+namespace symreal::detail {
+
+using trace::Externals;
+using trace::Pool;
+using Kind = ExternalValue::Kind;
+
+void const *here() noexcept { return __builtin_return_address(0); }
+
+namespace {
+
+std::vector<std::string> words(std::string_view text) {
+  std::vector<std::string> result;
+  while (!text.empty()) {
+    std::size_t const end = std::min(text.find(' '), text.size());
+    if (end != 0) result.emplace_back(text.substr(0, end));
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return result;
+}
+
+// A description, read.
+struct Shape {
+  External external;
+  std::vector<std::string> sizes; // per parameter, or empty
+};
+
+Shape const &shape_of(ExternalDescription const &description) {
+  using Key = std::tuple<char const *, char const *, bool>; // literals of the program
+  static thread_local std::map<Key, Shape> known;
+  auto [found, is_new] = known.try_emplace(Key(description.name, description.shape, description.pure));
+  if (!is_new) return found->second;
+  std::string const head = std::string("0 \"") + description.name + "\"" + (description.pure ? " pure " : " ");
+  Line line(head + description.shape, {description.file, description.line, description.column});
+  std::vector<External> externals;
+  read_external(line, externals);
+  externals[0].place = {description.file, description.line, description.column};
+  return found->second = {std::move(externals[0]), words(description.sizes)};
+}
+
+// A product of numbers and of the values of integer parameters, $0, $1, ...
+std::uint32_t evaluate_size(std::string const &text, std::vector<double> const &integers) {
+  double product = 1;
+  for (std::size_t at = 0; at < text.size();) {
+    std::size_t const end = std::min(text.find('*', at), text.size());
+    std::string const factor = text.substr(at, end - at);
+    product *= factor[0] == '$' ? integers.at(std::stoul(factor.substr(1))) : std::stod(factor);
+    at = end + 1;
+  }
+  return product >= 1 && product < 1e9 ? static_cast<std::uint32_t>(product) : 0;
+}
+
+} // namespace
+
+struct ExternalCall::State {
+  External external;
+  std::vector<std::string> const *sizes;
+  void const *caller;
+  std::size_t parameter = 0;    // the next
+  std::vector<double> integers; // per parameter; 0 where it is none
+  std::vector<RealNumber> arguments;
+  bool is_symbolic = false;
+  struct Copy {
+    RealNumber *original;
+    std::unique_ptr<double[]> numbers;
+    std::uint32_t count;
+    bool is_written;
+  };
+  std::vector<Copy> copies;
+  std::size_t result = 0; // the next
+  RealNumber call;
+
+  [[noreturn]] void refuse(std::string const &why) {
+    trace::report_here(DiagnosticId::external_call, "in the call of '" + external.name + "' " + why);
+    trace::give_up();
+  }
+
+  double argument(RealNumber number) {
+    arguments.push_back(number);
+    is_symbolic |= number.is_node();
+    return number.is_node() ? needed_value(number) : number.plain();
+  }
+
+  // After the last argument: the node of the call, if one is needed.
+  void record() {
+    Pool &pool = Pool::current();
+    ++executed[static_cast<unsigned>(external.pure ? Op::call : Op::call_in_order)];
+    if (!pool.is_recording() || (external.pure && !is_symbolic)) return;
+    if (!external.pure && trace::current_path().is_node()) {
+      trace::report_here(DiagnosticId::external_under_condition,
+                         "'" + external.name + "' may have effects and is called in an arm of a decision");
+      trace::give_up();
+    }
+    NodeTable const &nodes = pool.nodes();
+    NodeId list = pool.node(0.0);
+    for (RealNumber number : arguments) {
+      NodeId const value = pool.node(number); // before the table is asked: a constant may be new
+      list = pool.node(pool.leaf(nodes.operation(Op::argument, list, value), 0, caller));
+    }
+    NodeId const function = pool.node(static_cast<double>(Externals::current().number(external)));
+    if (external.pure) {
+      call = pool.leaf(nodes.operation(Op::call, list, function), 0, caller);
+      return;
+    }
+    NodeId const before = pool.node(Externals::current().last_effect());
+    call = pool.leaf(nodes.operation(Op::call_in_order, list, function, before), 0, caller);
+    Externals::current().set_last_effect(call);
+  }
+
+  RealNumber next_result(double value) {
+    std::size_t const number = result++;
+    if (!call.is_node()) return value;
+    Pool &pool = Pool::current();
+    NodeId const which = pool.node(static_cast<double>(number));
+    return pool.leaf(pool.nodes().operation(Op::returned, pool.node(call), which), value, caller);
+  }
+
+  void take_written() {
+    for (Copy const &copy : copies)
+      for (std::uint32_t k = 0; copy.is_written && k < copy.count; ++k) copy.original[k] = next_result(copy.numbers[k]);
+  }
+};
+
+ExternalCall::ExternalCall(ExternalDescription const &description, void const *caller) noexcept : state_(new State) {
+  Shape const &shape = shape_of(description);
+  state_->external = shape.external;
+  state_->sizes = &shape.sizes;
+  state_->caller = caller;
+  state_->call = 0.0;
+}
+
+ExternalCall::~ExternalCall() { delete state_; }
+
+void ExternalCall::note(double integer) noexcept { state_->integers.push_back(integer); }
+
+double ExternalCall::number(RealNumber argument) noexcept {
+  ++state_->parameter;
+  return state_->argument(argument);
+}
+
+void ExternalCall::integer(double argument) noexcept {
+  ++state_->parameter;
+  state_->arguments.emplace_back(argument);
+}
+
+void *ExternalCall::pointer(void *numbers) noexcept {
+  State &state = *state_;
+  ExternalValue &parameter = state.external.parameters[state.parameter];
+  if (!state.sizes->empty() && (*state.sizes)[state.parameter] != "0")
+    parameter.count = evaluate_size((*state.sizes)[state.parameter], state.integers);
+  ++state.parameter;
+  if (!numbers) state.refuse("parameter " + std::to_string(state.parameter) + " is a null pointer");
+  if (parameter.count == 0) state.refuse("parameter " + std::to_string(state.parameter) + " has no elements");
+  auto *original = static_cast<RealNumber *>(numbers);
+  bool const is_read = parameter.kind != Kind::output;
+  State::Copy &copy = state.copies.emplace_back(State::Copy{original, std::make_unique<double[]>(parameter.count),
+                                                            parameter.count, parameter.kind != Kind::input});
+  for (std::uint32_t k = 0; is_read && k < parameter.count; ++k) copy.numbers[k] = state.argument(original[k]);
+  return copy.numbers.get();
+}
+
+void ExternalCall::object(void *numbers, std::size_t count) noexcept {
+  ++state_->parameter;
+  auto *number = static_cast<RealNumber *>(numbers);
+  for (std::size_t k = 0; k < count; ++k) number[k] = state_->argument(number[k]);
+}
+
+RealNumber ExternalCall::returned(double value) noexcept {
+  state_->record();
+  RealNumber const result = state_->next_result(value);
+  state_->take_written();
+  return result;
+}
+
+void ExternalCall::returned(void *numbers, std::size_t count) noexcept {
+  state_->record();
+  auto *number = static_cast<RealNumber *>(numbers);
+  for (std::size_t k = 0; k < count; ++k) number[k] = state_->next_result(number[k].plain());
+  state_->take_written();
+}
+
+void ExternalCall::returned() noexcept {
+  state_->record();
+  state_->take_written();
+}
+
+} // namespace symreal::detail

@@ -1,0 +1,86 @@
+// Reads of arrays at symbolic indices.
+#include "graph/opaque.h"
+#include "support/number.h"
+#include "trace/decisions/policy.h"
+#include "trace/describe/describe.h"
+#include "trace/nodes/externals.h"
+#include "trace/nodes/pool.h"
+#include "trace/report/events.h"
+
+#include <symreal/decisions.h>
+#include <symreal/external.h>
+#include <symreal/lookup.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace symreal {
+
+using trace::Externals;
+using trace::Pool;
+
+void symreal_declare_table(void const *pointer, std::size_t count) noexcept {
+  Externals::current().declare_extent(pointer, count);
+}
+
+std::size_t detail::declared_extent(void const *pointer) noexcept {
+  return Externals::current().declared_extent(pointer);
+}
+
+namespace {
+
+// The index that the program uses now. One outside of the table is reported: the original has no meaning there.
+std::size_t carried_index(char const *name, RealNumber index, std::size_t extent) {
+  double const value = index.is_node() ? detail::needed_value(index) : index.plain();
+  if (!(value > -1 && value < static_cast<double>(extent)))
+    trace::report_here(DiagnosticId::index_outside, std::string("'") + name + "' has " + std::to_string(extent) +
+                                                        " elements, and the index " + trace::describe(index) + " is " +
+                                                        shortest(value));
+  return table_index(value, extent);
+}
+
+// Under policy guard the recorded path includes that the index lies in the table; otherwise one outside reads the
+// nearest element.
+void require_within(RealNumber index, std::size_t extent) {
+  if (decisions() != Decisions::guard || !index.is_node()) return;
+  require(index >= RealNumber(0.0));
+  require(index < RealNumber(static_cast<double>(extent)));
+}
+
+// The text of the source may be a macro's; a name is enough.
+Table table_of(char const *name, RealNumber const *numbers, std::size_t rows, std::size_t columns) {
+  Table table{name, {rows}, {}, {}};
+  if (columns != 0) table.extents.push_back(columns);
+  table.values.reserve(rows * std::max<std::size_t>(columns, 1));
+  for (std::size_t k = 0; k < rows * std::max<std::size_t>(columns, 1); ++k) table.values.push_back(numbers[k].plain());
+  return table;
+}
+
+} // namespace
+
+RealNumber const detail::look_up(TableName table, void const *elements, std::size_t rows, std::size_t columns,
+                                 RealNumber row, RealNumber column) noexcept {
+  void const *caller = __builtin_return_address(0);
+  char const *name = table.name;
+  auto *numbers = static_cast<RealNumber const *>(elements);
+  std::size_t const count = rows * std::max<std::size_t>(columns, 1);
+  std::size_t at = carried_index(name, row, rows);
+  if (columns != 0) at = at * columns + carried_index(name, column, columns);
+  Pool &pool = Pool::current();
+  if (std::any_of(numbers, numbers + count, [](RealNumber number) { return number.is_node(); })) {
+    // Not a table of constants: which of its expressions is meant is decided.
+    if (row.is_node()) (void)convert_to_integer(row);
+    if (columns != 0 && column.is_node()) (void)convert_to_integer(column);
+    return numbers[at];
+  }
+  require_within(row, rows);
+  if (columns != 0) require_within(column, columns);
+  Op const op = columns == 0 ? Op::lookup : Op::lookup2;
+  ++executed[static_cast<unsigned>(op)];
+  NodeId const which =
+      pool.node(static_cast<double>(Externals::current().number(table_of(name, numbers, rows, columns))));
+  NodeId const i = pool.node(row), j = columns == 0 ? no_node : pool.node(column);
+  return pool.leaf(pool.nodes().operation(op, which, i, j), numbers[at].plain(), caller);
+}
+
+} // namespace symreal

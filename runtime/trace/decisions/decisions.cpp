@@ -1,0 +1,125 @@
+// Where a program leaves the real numbers: branches and conversions. The program goes on with its carried value. By
+// policy the outcome becomes a guard of the kernel, or the place is reported and the driver makes an error of it, so
+// that nothing is baked in silently.
+#include "graph/guard_words.h"
+#include "graph/infinity.h"
+#include "support/number.h"
+#include "trace/decisions/guards.h"
+#include "trace/decisions/policy.h"
+#include "trace/describe/describe.h"
+#include "trace/nodes/pool.h"
+#include "trace/report/events.h"
+
+#include <symreal/symbolic_int.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace symreal::detail {
+
+using trace::Pool;
+
+static void require_value(double value, std::string const &what) {
+  if (!trace::is_missing(value)) return;
+  trace::report_here(DiagnosticId::missing_value, what + " depends on an input that has no value");
+  trace::give_up();
+}
+
+double needed_value(RealNumber x) noexcept {
+  double value = Pool::current().carried_value(x);
+  if (trace::is_missing(value)) require_value(value, "the value of " + trace::describe(x));
+  return value;
+}
+
+// Whether a constant that is no finite number may be what is here. Not followed for ever: then it may.
+static bool may_be_own_infinity(NodeId node) {
+  NodeTable const &nodes = Pool::current().nodes();
+  constexpr std::size_t most = 1000;
+  std::vector<NodeId> seen = {node};
+  for (std::size_t k = 0; k < seen.size(); ++k) {
+    Node const &one = nodes[seen[k]];
+    if (one.is_constant() && !std::isfinite(one.value())) return true;
+    if (is_leaf(one.op) || !hands_on(one.op)) continue;
+    for (NodeId operand : one.operand)
+      if (operand != no_node && std::find(seen.begin(), seen.end(), operand) == seen.end()) seen.push_back(operand);
+    if (seen.size() > most) return true;
+  }
+  return false;
+}
+
+// Premise P1 of mode finite: every value that is computed is finite. A program whose own values are not is outside of
+// it and decides.
+static bool is_settled(RealNumber x) {
+  if (trace::floating_point() == FloatingPoint::strict) return false;
+  double value = Pool::current().carried_value(x);
+  return trace::is_missing(value) || std::isfinite(value);
+}
+
+RealNumber compare(Op op, RealNumber x, RealNumber y) noexcept {
+  if (x.to_bits() == y.to_bits() && is_settled(x)) {
+    trace::report_settled(trace::describe(op, x, y));
+    return RealNumber(evaluate(op, 0, 0, 0));
+  }
+  return Pool::current().record(op, x, y, 0.0, __builtin_return_address(0));
+}
+
+RealNumber compare_finite(RealNumber x) noexcept {
+  if (is_settled(x) && !may_be_own_infinity(Pool::current().node(x))) {
+    trace::report_settled("isfinite(" + trace::describe(x) + ")");
+    return 1.0;
+  }
+  void const *caller = __builtin_return_address(0);
+  Pool &pool = Pool::current();
+  RealNumber magnitude = pool.record(Op::abs, x, 0.0, 0.0, caller);
+  return pool.record(Op::le, magnitude, std::numeric_limits<double>::max(), 0.0, caller);
+}
+
+static void report(std::string const &decision) {
+  if (decisions() == Decisions::carry)
+    trace::report_carried(decision);
+  else
+    trace::report_decision(decision);
+}
+
+bool decide(RealNumber condition) noexcept {
+  double value = Pool::current().carried_value(condition);
+  if (trace::is_missing(value)) require_value(value, "the decision on " + trace::describe(condition));
+  if (decisions() == Decisions::guard)
+    trace::Guards::current().add(SymbolicBool::from_condition(condition), value != 0);
+  else
+    report(trace::describe(condition));
+  return value != 0;
+}
+
+static std::string conversion(RealNumber x) { return "the conversion of " + trace::describe(x); }
+
+double convert_to_integer(RealNumber x) noexcept {
+  double value = needed_value(x);
+  if (decisions() == Decisions::guard)
+    trace::Guards::current().add(trunc(x) == RealNumber(std::trunc(value)),
+                                 conversion(x) + std::string(guard_gives) + shortest(std::trunc(value)));
+  else
+    report(conversion(x));
+  return value;
+}
+
+std::uint64_t convert_wide(RealNumber integer) noexcept {
+  double const value = needed_value(integer);
+  if (decisions() == Decisions::guard)
+    trace::Guards::current().add(wide_equal(integer64_of_bits(integer), integer64(bits(value))),
+                                 conversion(integer) + std::string(guard_gives) +
+                                     std::to_string(static_cast<std::int64_t>(bits(value))));
+  else
+    report(conversion(integer));
+  return bits(value);
+}
+
+double convert(RealNumber x) noexcept {
+  double value = needed_value(x);
+  report(conversion(x));
+  return value;
+}
+
+} // namespace symreal::detail

@@ -1,0 +1,48 @@
+#include "trace/kernel/again.h"
+
+#include "memory/heap_blocks.h"
+
+#include <symreal/original.h>
+
+#include <csetjmp>
+#include <cstring>
+#include <vector>
+
+#ifdef __x86_64__
+
+namespace symreal::trace {
+namespace {
+
+thread_local std::jmp_buf point;
+thread_local char *frame_begin = nullptr;
+thread_local std::vector<char> frame_bytes;
+thread_local bool is_again = false;
+
+} // namespace
+
+void run_again() {
+  if (!frame_begin) return;
+  // The function's frame lies above this one.
+  is_again = true;
+  std::memcpy(frame_begin, frame_bytes.data(), frame_bytes.size());
+  std::longjmp(point, 1);
+}
+
+} // namespace symreal::trace
+
+void *symreal_original_point() { return symreal::trace::point; }
+
+void symreal_original_keep(void const *frame) {
+  using namespace symreal::trace;
+  if (is_again) return; // nothing is kept but the first state
+  symreal::memory::OwnWork const own;
+  // From where the function's stack ends, which is where this frame begins, to what it has saved.
+  frame_begin = static_cast<char *>(__builtin_frame_address(0)) + 2 * sizeof(void *);
+  frame_bytes.assign(frame_begin, static_cast<char *>(const_cast<void *>(frame)));
+}
+
+#else
+
+void symreal::trace::run_again() {}
+
+#endif

@@ -1,0 +1,81 @@
+#include "trace/kernel/kernel.h"
+
+#include "memory/heap_blocks.h"
+#include "trace/report/crash.h"
+#include "trace/report/events.h"
+
+#include <filesystem>
+
+namespace symreal::trace {
+
+Kernel &Kernel::current() {
+  static constinit thread_local Kernel *kernel = nullptr;
+  if (!kernel) kernel = new Kernel;
+  return *kernel;
+}
+
+void Kernel::begin(MakeSink make_sink, std::string const &name, SourcePlace place) {
+  watch_for_crashes();
+  if (!sink_) sink_ = make_sink();
+  name_ = name;
+  begun_at_ = where(place);
+  sink_->begin(name, place.frame);
+}
+
+bool Kernel::begin_object(MakeSink make_sink, Kind kind, char const *label, SourcePlace place) {
+  if (muted_ || inert_region_ || phase_ == Phase::inside) return false;
+  if (phase_ == Phase::none) {
+    Place const at{place.file, place.line, place.column};
+    if (kind == Kind::output) {
+      report({DiagnosticId::annotation_outside_kernel, Severity::error, at,
+              "output '" + std::string(label) + "' is met before any input of its kernel"});
+      give_up();
+    }
+    if (recorded_.contains(where(place))) {
+      inert_region_ = true;
+      return false;
+    }
+    begin(make_sink, to_string(at), place);
+    phase_ = Phase::region;
+  }
+  sink_->begin_object(kind, label, {place.file, place.line, place.column});
+  return true;
+}
+
+bool Kernel::begin_function(MakeSink make_sink, char const *name, SourcePlace place, unsigned call) {
+  muted_ = true;
+  if (phase_ != Phase::none || recorded_.contains(where(place)) || ++calls_[where(place)] != call) return false;
+  muted_ = false;
+  begin(make_sink, name, place);
+  phase_ = Phase::entering;
+  return true;
+}
+
+void Kernel::end_function() {
+  phase_ = Phase::none;
+  {
+    memory::OwnWork const own; // the sink may never return
+    recorded_.insert(begun_at_);
+  }
+  sink_->end(name_, "", {begun_at_.first, begun_at_.second.first, begun_at_.second.second});
+}
+
+void Kernel::end_region(char const *file_name, SourcePlace place) {
+  if (inert_region_) {
+    inert_region_ = false;
+    return;
+  }
+  if (muted_ || phase_ == Phase::inside || phase_ == Phase::entering || phase_ == Phase::leaving) return;
+  if (phase_ == Phase::none) {
+    report({DiagnosticId::annotation_outside_kernel,
+            Severity::error,
+            {place.file, place.line, place.column},
+            "generate is met before any input of its kernel"});
+    give_up();
+  }
+  phase_ = Phase::none;
+  recorded_.insert(begun_at_);
+  sink_->end(std::filesystem::path(file_name).stem().string(), file_name, {place.file, place.line, place.column});
+}
+
+} // namespace symreal::trace

@@ -1,0 +1,96 @@
+// The life of a kernel, shared by symbolic, replay and original programs.
+//
+//   region:    none ──first input──▶ region ──generate──▶ none
+//   function:  none ──call──▶ entering ──inputs met──▶ inside ──return──▶ leaving ──outputs met──▶ none
+//
+// A kernel is recorded once. In a later pass over the same pragmas, in a recursive call, and inside another kernel they
+// are inert.
+#pragma once
+
+#include "graph/graph.h"
+
+#include <symreal/annotate.h>
+
+#include <map>
+#include <memory>
+#include <set>
+#include <string>
+
+namespace symreal::trace {
+
+// What a kernel's annotations are for: recording, or running it again on other inputs.
+class Sink {
+public:
+  virtual ~Sink() = default;
+  // `frame`: of the function in which the kernel begins.
+  virtual void begin(std::string const &name, void const *frame) = 0;
+  virtual void begin_object(Kind kind, std::string const &label, Place const &place) = 0;
+  virtual void element(void *number, bool is_temporary) = 0;
+  // An integer of a structure that is annotated.
+  virtual void integer(IntegerObject) {}
+  // Of a structure the elements are those of its members.
+  virtual void begin_members() {}
+  virtual void begin_member(std::string const &) {}
+  virtual void end_member(std::vector<std::size_t> const &) {}
+  virtual void end_members() {}
+  // The bytes of a constant or scratch object, where nothing tells its numbers.
+  virtual void bytes(void const *, std::size_t) {}
+  // An object that holds annotated numbers, maybe elsewhere.
+  virtual void holder(void const *, std::size_t) {}
+  // The kernel's own, though it lies with its caller.
+  virtual void own(void const *, std::size_t) {}
+  virtual void end_object(std::vector<std::size_t> extents) = 0;
+  virtual void set_range(double low, double high) = 0;
+  // `place`: where the kernel ends, or a function kernel's pragma.
+  virtual void end(std::string const &name, std::string const &output_file, Place const &place) = 0;
+  // The objects so far, for descriptions.
+  virtual Graph const &interface() const = 0;
+};
+
+using MakeSink = std::unique_ptr<Sink> (*)();
+
+class Kernel {
+public:
+  static Kernel &current(); // one per thread
+
+  bool begin_object(MakeSink make_sink, Kind kind, char const *label, SourcePlace place);
+  bool begin_function(MakeSink make_sink, char const *name, SourcePlace place, unsigned call);
+  void accept_annotations() { muted_ = false, phase_ = phase_ == Phase::entering ? Phase::inside : phase_; }
+  void begin_outputs() { phase_ = Phase::leaving; }
+  void end_function();
+  // The function of the kernel that has ended is run from its beginning.
+  void begin_again() { muted_ = false, phase_ = Phase::entering; }
+  void end_region(char const *file_name, SourcePlace place);
+
+  void set_range(double low, double high) {
+    if (!muted_ && !inert_region_ && (phase_ == Phase::region || phase_ == Phase::entering))
+      sink_->set_range(low, high);
+  }
+
+  bool is_entering_function() const { return phase_ == Phase::entering; }
+  Sink &sink() { return *sink_; }
+  // The objects that are annotated so far.
+  Graph const &interface() const {
+    static Graph const none;
+    return sink_ ? sink_->interface() : none;
+  }
+
+private:
+  enum class Phase { none, region, entering, inside, leaving };
+  // Identity of an annotation: where it stands.
+  using Where = std::pair<std::string, std::pair<unsigned, unsigned>>;
+  static Where where(SourcePlace place) { return {place.file, {place.line, place.column}}; }
+
+  void begin(MakeSink make_sink, std::string const &name, SourcePlace place);
+
+  Phase phase_ = Phase::none;
+  bool muted_ = false;        // the annotations that follow belong to an inert call
+  bool inert_region_ = false; // until its generate
+  std::string name_;
+  Where begun_at_;
+  std::set<Where> recorded_;
+  std::map<Where, unsigned> calls_;
+  std::unique_ptr<Sink> sink_;
+};
+
+} // namespace symreal::trace

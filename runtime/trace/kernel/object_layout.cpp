@@ -1,0 +1,154 @@
+#include "trace/kernel/object_layout.h"
+
+#include "diagnostics/diagnostic.h"
+#include "memory/own_memory.h"
+#include "trace/kernel/kernel.h"
+
+#include <cstdlib>
+#include <cstring>
+
+namespace symreal {
+
+namespace trace {
+
+namespace {
+
+// The text is read again for each object: it is short, and says what is in it in the order in which that is visited.
+class Layout {
+public:
+  Layout(detail::VisitElements const *containers, LayoutVisitor &visitor)
+      : containers_(containers),
+        visitor_(visitor) {}
+
+  // Both return where the shape ends.
+  char const *visit(char const *text, char const volatile *object, std::vector<std::size_t> *extents) {
+    switch (*text) {
+    case '[': return visit_array(text, object, extents);
+    case 'd': visitor_.number(object); return text + 1;
+    case 'i':
+    case 'u': {
+      std::size_t bytes = 0;
+      char const *end = number(text + 1, bytes);
+      visitor_.integer({const_cast<char const *>(object), static_cast<unsigned char>(bytes), *text == 'i'});
+      return end;
+    }
+    case '{': return visit_members(text + 1, object);
+    case '@': return visit_container(text + 1, object, extents);
+    }
+    internal_failure("a layout is well-formed", __FILE__, __LINE__);
+  }
+
+  static char const *measure(char const *text, std::size_t &size) {
+    std::size_t count = 0;
+    switch (*text) {
+    case '[': {
+      char const *end = measure(number(text + 1, count) + 1, size);
+      size *= count;
+      return end;
+    }
+    case 'd': size = sizeof(double); return text + 1;
+    case '{':
+      for (++text; *text != '}'; ++text) text = measure(number(std::strchr(text, '+') + 1, count) + 1, size);
+      return number(text + 1, size);
+    case '@': {
+      std::size_t element = 0;
+      return measure(number(number(text + 1, count) + 1, size) + 1, element);
+    }
+    default: return number(text + 1, size);
+    }
+  }
+
+private:
+  static char const *number(char const *text, std::size_t &value) {
+    char *end = nullptr;
+    value = std::strtoul(text, &end, 10);
+    return end;
+  }
+
+  char const *visit_array(char const *text, char const volatile *object, std::vector<std::size_t> *extents) {
+    std::size_t count = 0, size = 0;
+    char const *element = number(text + 1, count) + 1;
+    char const *end = measure(element, size);
+    if (extents) extents->push_back(count);
+    for (std::size_t k = 0; k < count; ++k) visit(element, object + k * size, k == 0 ? extents : nullptr);
+    return end;
+  }
+
+  char const *visit_members(char const *text, char const volatile *object) {
+    visitor_.begin_members();
+    for (; *text != '}'; ++text) { // behind the `;`
+      char const *plus = std::strchr(text, '+');
+      visitor_.begin_member({text, plus});
+      std::size_t offset = 0;
+      char const *shape = number(plus + 1, offset) + 1;
+      std::vector<std::size_t> extents;
+      text = visit(shape, object + offset, &extents);
+      visitor_.end_member(extents);
+    }
+    visitor_.end_members();
+    std::size_t size = 0;
+    return number(text + 1, size);
+  }
+
+  char const *visit_container(char const *text, char const volatile *object, std::vector<std::size_t> *extents) {
+    std::size_t index = 0, size = 0;
+    text = number(number(text, index) + 1, size) + 1;
+    struct Each {
+      Layout &layout;
+      char const *shape;
+      std::vector<std::size_t> inner, *wanted;
+    } each{*this, text, {}, nullptr};
+    each.wanted = extents ? &each.inner : nullptr;
+    std::size_t own[2] = {0, 0};
+    std::size_t const rank = containers_[index](
+        object,
+        [](void *context, void const volatile *element) {
+          Each &here = *static_cast<Each *>(context);
+          here.layout.visit(here.shape, static_cast<char const volatile *>(element), here.wanted);
+          here.wanted = nullptr; // the first tells the shape of all
+        },
+        &each, own);
+    if (extents) {
+      extents->insert(extents->end(), own, own + rank);
+      extents->insert(extents->end(), each.inner.begin(), each.inner.end());
+    }
+    return measure(text, size);
+  }
+
+  detail::VisitElements const *containers_;
+  LayoutVisitor &visitor_;
+};
+
+// For symbolic and replay programs.
+class ToSink final : public LayoutVisitor {
+public:
+  ToSink(Sink &sink, bool is_temporary) : sink_(sink), is_temporary_(is_temporary) {}
+  void number(void const volatile *address) override { sink_.element(const_cast<void *>(address), is_temporary_); }
+  void integer(IntegerObject integer) override { sink_.integer(integer); }
+  void begin_members() override { sink_.begin_members(); }
+  void begin_member(std::string const &name) override { sink_.begin_member(name); }
+  void end_member(std::vector<std::size_t> const &extents) override { sink_.end_member(extents); }
+  void end_members() override { sink_.end_members(); }
+
+private:
+  Sink &sink_;
+  bool is_temporary_;
+};
+
+} // namespace
+
+void visit_layout(void const volatile *object, char const *layout, detail::VisitElements const *containers,
+                  LayoutVisitor &visitor, std::vector<std::size_t> *extents) {
+  Layout(containers, visitor).visit(layout, static_cast<char const volatile *>(object), extents);
+}
+
+} // namespace trace
+
+void detail::walk_layout(void const volatile *object, char const *layout, VisitElements const *containers,
+                         bool is_temporary, Extents *extents) noexcept {
+  trace::Pause const pause; // how a container finds its elements is not the kernel's doing
+  trace::ToSink visitor(trace::Kernel::current().sink(), is_temporary);
+  trace::visit_layout(object, layout, containers, visitor, extents);
+}
+
+} // namespace symreal

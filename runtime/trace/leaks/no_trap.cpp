@@ -1,0 +1,9 @@
+// Machines that the trap does not know.
+#include "trace/leaks/trap.h"
+
+namespace symreal::trace {
+
+void enable_trap() {}
+bool disable_trap() { return true; }
+
+} // namespace symreal::trace

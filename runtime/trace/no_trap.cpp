@@ -1,9 +1,0 @@
-// Machines that the trap does not know.
-#include "trace/trap.h"
-
-namespace symreal::trace {
-
-void enable_trap() {}
-bool disable_trap() { return true; }
-
-} // namespace symreal::trace

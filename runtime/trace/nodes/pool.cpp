@@ -1,0 +1,150 @@
+#include "trace/nodes/pool.h"
+
+#include "trace/report/events.h"
+
+#include <atomic>
+#include <bit>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+
+extern "C" char const __ehdr_start; // the linker's name for where this executable is loaded
+
+namespace symreal {
+
+__thread std::uint64_t detail::executed[static_cast<unsigned>(Op::count)] = {};
+
+static constexpr std::uint64_t missing_bits = 0x7FF8'0000'4D15'5145u;
+
+double missing_value() noexcept { return std::bit_cast<double>(missing_bits); }
+
+namespace trace {
+
+// Code of the executable; anything else is too far away.
+static std::uint32_t relative_address(void const *address) {
+  auto offset = reinterpret_cast<std::uintptr_t>(address) - reinterpret_cast<std::uintptr_t>(&__ehdr_start);
+  return offset <= std::numeric_limits<std::uint32_t>::max() ? static_cast<std::uint32_t>(offset) : 0;
+}
+
+bool is_missing(double value) { return std::bit_cast<std::uint64_t>(value) == missing_bits; }
+
+Pool &Pool::current() {
+  static constinit thread_local Pool *pool = nullptr;
+  if (!pool) pool = new Pool;
+  return *pool;
+}
+
+Pool::Columns Pool::wanted_columns() {
+  auto has = [](char const *name, bool otherwise) {
+    char const *text = std::getenv(name);
+    return text ? *text != '0' : otherwise;
+  };
+  return {has("SYMREAL_VALUES", true), has("SYMREAL_PLACES", false)};
+}
+
+// Which generations are being recorded now, in any thread.
+static std::atomic<std::uint64_t> live[4];
+
+static bool is_live(std::uint8_t generation) { return (live[generation / 64] >> (generation % 64) & 1) != 0; }
+
+void Pool::begin(Columns columns) {
+  static std::atomic<std::uint8_t> last_generation = 0;
+  do generation_ = ++last_generation;
+  while (generation_ == 0); // which says that nothing is recorded
+  live[generation_ / 64] |= std::uint64_t{1} << (generation_ % 64);
+  recording_ = true;
+  error_setter_ = no_node;
+  table_.clear();
+  values_.clear();
+  places_.clear();
+  columns_ = columns;
+}
+
+std::vector<Node> Pool::end() {
+  recording_ = false;
+  live[generation_ / 64] &= ~(std::uint64_t{1} << (generation_ % 64));
+  generation_ = 0;
+  return table_.release();
+}
+
+RealNumber Pool::number(NodeId id) const {
+  return RealNumber::from_bits(detail::node_tag << 40 | std::uint64_t{generation_} << 32 | id);
+}
+
+RealNumber Pool::leaf(Node const &node, double value, void const *caller) {
+  NodeId id = table_.intern(node);
+  fill(id, value, caller);
+  return number(id);
+}
+
+NodeId Pool::checked(RealNumber number) const {
+  if (generation_of(number) != generation_ || !recording_) {
+    report_here(DiagnosticId::stale_value, is_live(generation_of(number))
+                                               ? "a value of a kernel is used in a thread that does not record it: a "
+                                                 "kernel is recorded by the thread that began it"
+                                           : recording_ ? "a value of another kernel or thread is used in this kernel"
+                                                        : "a value of a kernel is used outside of it");
+    give_up();
+  }
+  return static_cast<NodeId>(number.to_bits());
+}
+
+NodeId Pool::node(RealNumber number) {
+  if (number.is_node()) return checked(number);
+  if (Pool::is_tagged(number.to_bits())) {
+    report_here(DiagnosticId::leak, "a symbolic value came back from code that was not rewritten");
+    give_up();
+  }
+  NodeId id = table_.constant(number.plain());
+  fill(id, number.plain(), nullptr);
+  return id;
+}
+
+double Pool::value(NodeId id) const {
+  if (columns_.values) return values_[id];
+  return table_[id].is_constant() ? table_[id].value() : missing_value();
+}
+
+void Pool::fill(NodeId id, double value, void const *caller) {
+  if (columns_.values && id == values_.size()) values_.push_back(value);
+  if (columns_.places && id == places_.size()) places_.push_back(relative_address(caller));
+}
+
+double Pool::value_of(Node const &node) const {
+  double operand[3] = {0, 0, 0};
+  for (unsigned i = 0; i < arity(node.op); ++i) {
+    operand[i] = value(node.operand[i]);
+    if (is_missing(operand[i])) return missing_value();
+  }
+  return evaluate(node.op, operand[0], operand[1], operand[2]);
+}
+
+RealNumber Pool::record(Op op, RealNumber x, RealNumber y, RealNumber z, void const *caller) {
+  unsigned operands = arity(op);
+  NodeId a = node(x), b = operands > 1 ? node(y) : no_node, c = operands > 2 ? node(z) : no_node;
+  NodeId id = table_.intern(table_.operation(op, a, b, c));
+  if (info(op).has(flag::ERROR)) error_setter_ = id;
+  if (id + 1 == table_.size()) // most likely new
+    fill(id, columns_.values && id == values_.size() ? value_of(table_[id]) : 0, caller);
+  return number(id);
+}
+
+double Pool::carried_value(RealNumber number) {
+  if (!number.is_node()) return number.plain();
+  return value(checked(number));
+}
+
+} // namespace trace
+
+namespace detail {
+
+using trace::Pool;
+
+RealNumber record(Op op, RealNumber x, RealNumber y, RealNumber z) noexcept {
+  return Pool::current().record(op, x, y, z, __builtin_return_address(0));
+}
+
+double carried_value(RealNumber x) noexcept { return Pool::current().carried_value(x); }
+
+} // namespace detail
+} // namespace symreal

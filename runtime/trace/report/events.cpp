@@ -1,0 +1,152 @@
+#include "trace/report/events.h"
+
+#include "support/files.h"
+#include "trace/report/call_stack.h"
+
+#include <cstdio>
+#include <cstdlib>
+#include <iostream>
+#include <map>
+#include <unistd.h>
+
+namespace symreal::trace {
+
+namespace {
+
+// What is met at a place, counted, in the order of the first meetings.
+class Meetings {
+public:
+  // Whether this is the first.
+  bool add(std::string const &condition, std::vector<std::uintptr_t> const &stack) {
+    auto [found, is_new] = at_.try_emplace(stack);
+    if (found->second.count++ != 0) return false;
+    found->second.condition = condition;
+    order_.push_back(found->first);
+    return true;
+  }
+  template <class Print> void for_each(Print const &print) const {
+    for (auto const &stack : order_) print(at_.at(stack).count, at_.at(stack).condition, stack);
+  }
+
+private:
+  struct Meeting {
+    std::size_t count = 0;
+    std::string condition;
+  };
+  std::map<std::vector<std::uintptr_t>, Meeting> at_;
+  std::vector<std::vector<std::uintptr_t>> order_;
+};
+
+struct Log {
+  std::vector<std::string> lines;
+  Meetings decisions, carried, settled;
+  std::map<DiagnosticId, Meetings> interrupted;
+  bool wrong = false;
+};
+
+// Never destroyed: objects with static storage may record until the very end.
+Log &log() {
+  static Log *const instance = [] {
+    std::atexit(flush_events);
+    return new Log;
+  }();
+  return *instance;
+}
+
+} // namespace
+
+std::string hexadecimal(std::vector<std::uintptr_t> const &addresses) {
+  std::string text;
+  char buffer[20];
+  for (std::uintptr_t address : addresses) {
+    std::snprintf(buffer, sizeof buffer, "%jx", static_cast<std::uintmax_t>(address));
+    text += (text.empty() ? "" : ",") + std::string(buffer);
+  }
+  return text;
+}
+
+namespace {
+
+std::string joined(std::initializer_list<std::string> fields) {
+  std::string line;
+  for (std::string const &field : fields) {
+    if (&field != fields.begin()) line += '\t';
+    for (char c : field) line += c == '\t' || c == '\n' || c == '\r' ? ' ' : c;
+  }
+  return line;
+}
+
+} // namespace
+
+std::string const &record_directory() {
+  static std::string const *const directory = [] {
+    char const *text = std::getenv("SYMREAL_RECORD");
+    return new std::string(text ? text : "");
+  }();
+  return *directory;
+}
+
+void event(std::initializer_list<std::string> fields) { log().lines.push_back(joined(fields)); }
+
+void report(Diagnostic const &diagnostic) {
+  bool const is_error = diagnostic.severity == Severity::error;
+  log().wrong = log().wrong || is_error;
+  event({is_error ? "diagnostic" : "warning", code(diagnostic.id), diagnostic.place.file,
+         std::to_string(diagnostic.place.line), std::to_string(diagnostic.place.column), diagnostic.message});
+  if (record_directory().empty()) print(std::cerr, diagnostic);
+}
+
+void report_here(DiagnosticId id, std::string const &message) {
+  log().wrong = true;
+  event({"located", code(id), message, hexadecimal(call_stack())});
+  if (record_directory().empty()) print(std::cerr, {id, Severity::error, {}, message});
+}
+
+void report_interrupted(DiagnosticId id, std::string const &message, std::uintptr_t delayed) {
+  log().wrong = true;
+  if (log().interrupted[id].add(message, interrupted_stack(delayed)) && record_directory().empty())
+    print(std::cerr, {id, Severity::error, {}, message});
+}
+
+void report_decision(std::string const &condition) {
+  if (log().decisions.add(condition, call_stack()) && record_directory().empty())
+    std::cerr << "symreal: a decision on " << condition << "; symreal generate tells where\n";
+  log().wrong = true;
+}
+
+void report_carried(std::string const &condition) { log().carried.add(condition, call_stack()); }
+
+void report_settled(std::string const &condition) { log().settled.add(condition, call_stack()); }
+
+bool anything_wrong() { return log().wrong; }
+
+void flush_events() {
+  if (record_directory().empty()) return;
+  std::string text;
+  for (std::string const &line : log().lines) text += line + '\n';
+  auto append = [&text](char const *kind, Meetings const &meetings) {
+    meetings.for_each([&](std::size_t count, std::string const &condition, auto const &stack) {
+      text += joined({kind, std::to_string(count), condition, hexadecimal(stack)}) + '\n';
+    });
+  };
+  append("decision", log().decisions);
+  append("carried", log().carried);
+  append("settled", log().settled);
+  for (auto const &[id, meetings] : log().interrupted)
+    meetings.for_each([&text, id](std::size_t count, std::string const &message, auto const &stack) {
+      text += joined({"met", code(id), message, hexadecimal(stack), std::to_string(count)}) + '\n';
+    });
+  try {
+    write_if_changed(record_directory() + "/events", text);
+  } catch (DiagnosticError const &error) {
+    print(std::cerr, error.diagnostic());
+  }
+}
+
+void give_up() {
+  flush_events();
+  std::fflush(nullptr);
+  _exit(1);
+}
+
+} // namespace symreal::trace

@@ -1,0 +1,12 @@
+// The sinks of the programs that one source is compiled as, one each.
+#pragma once
+
+#include "trace/kernel/kernel.h"
+
+namespace symreal::trace {
+
+std::unique_ptr<Sink> make_recorder();
+std::unique_ptr<Sink> make_replay();
+std::unique_ptr<Sink> make_original();
+
+} // namespace symreal::trace

@@ -1,0 +1,91 @@
+// What comes from outside of the program while a kernel is recorded, from clocks, files, the environment, or a
+// generator of random numbers, is baked in like other hidden state. The functions of the C library that it comes
+// through are replaced in the whole symbolic program, together with the heap's, and call the originals.
+//
+// Weak, so that a program with a function of such a name has its own.
+#include "memory/heap_blocks.h"
+#include "memory/own_memory.h"
+#include "trace/state/state.h"
+
+#ifdef __GLIBC__
+
+#include <cerrno>
+#include <cstdarg>
+#include <cstdio>
+#include <cstring>
+#include <ctime>
+#include <dlfcn.h>
+#include <sys/types.h>
+#include <type_traits>
+
+namespace {
+
+template <class Result> void note(char const *name, [[maybe_unused]] Result result) {
+  if (!symreal::detail::recording || symreal::memory::OwnWork::is_going_on()) return;
+  int const kept = errno;
+  {
+    symreal::trace::Pause const pause;
+    if constexpr (std::is_arithmetic_v<Result>)
+      symreal::trace::State::current().outside(name, {static_cast<double>(result)});
+    else
+      symreal::trace::State::current().outside(name, {});
+  }
+  errno = kept;
+}
+
+} // namespace
+
+// What the runtime itself asks for while a kernel is recorded is no matter of the program's.
+static bool is_of_runtime(char const *name) { return std::strncmp(name, "SYMREAL_", 8) == 0; }
+template <class... Arguments> static bool is_of_runtime(Arguments...) { return false; }
+
+extern "C" {
+
+char symreal_outside_hooks = 0;
+
+#define OUTSIDE(result, symbol, name, parameters, arguments)                                                           \
+  result symreal_outside_##symbol parameters asm(#symbol);                                                             \
+  [[gnu::weak]] result symreal_outside_##symbol parameters {                                                           \
+    using Function = result(*) parameters;                                                                             \
+    static auto const original = reinterpret_cast<Function>(dlsym(RTLD_NEXT, #symbol));                                \
+    result const value = original arguments;                                                                           \
+    if (!is_of_runtime arguments) note(name, value);                                                                   \
+    return value;                                                                                                      \
+  }
+#include "support/outside.def"
+#undef OUTSIDE
+
+// Those with any number of arguments; the names are those that the headers of the C library give them.
+#define SCANNED(symbol)                                                                                                \
+  int symreal_outside_##symbol(std::FILE *file, char const *format, ...) asm(#symbol);                                 \
+  [[gnu::weak]] int symreal_outside_##symbol(std::FILE *file, char const *format, ...) {                               \
+    va_list arguments;                                                                                                 \
+    va_start(arguments, format);                                                                                       \
+    int const value = std::vfscanf(file, format, arguments);                                                           \
+    va_end(arguments);                                                                                                 \
+    note("fscanf()", value);                                                                                           \
+    return value;                                                                                                      \
+  }
+SCANNED(fscanf)
+SCANNED(__isoc99_fscanf)
+SCANNED(__isoc23_fscanf)
+#undef SCANNED
+
+#define SCANNED(symbol)                                                                                                \
+  int symreal_outside_##symbol(char const *format, ...) asm(#symbol);                                                  \
+  [[gnu::weak]] int symreal_outside_##symbol(char const *format, ...) {                                                \
+    va_list arguments;                                                                                                 \
+    va_start(arguments, format);                                                                                       \
+    int const value = std::vscanf(format, arguments);                                                                  \
+    va_end(arguments);                                                                                                 \
+    note("scanf()", value);                                                                                            \
+    return value;                                                                                                      \
+  }
+SCANNED(scanf)
+SCANNED(__isoc99_scanf)
+SCANNED(__isoc23_scanf)
+#undef SCANNED
+
+} // extern "C"
+
+#endif

@@ -1,0 +1,407 @@
+#include "trace/state/state.h"
+
+#include "memory/own_memory.h"
+#include "support/number.h"
+#include "trace/nodes/pool.h"
+#include "trace/report/call_stack.h"
+#include "trace/report/events.h"
+#include "trace/report/written_place.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <cstring>
+#include <tuple>
+
+namespace symreal {
+
+namespace trace {
+
+Place State::place_of(Site const &site) { return written_place(site.place); }
+
+State &State::current() {
+  static constinit thread_local State *state = nullptr;
+  if (!state) state = new State;
+  return *state;
+}
+
+void State::begin(void const *frame) {
+  *this = {};
+  find_own_stack(frame);
+  constant_memory_ = find_constant_memory();
+  // Are we told of what is allocated?
+  detail::recording = true;
+  void *(*volatile allocate)(std::size_t) = std::malloc;
+  void *block = allocate(sizeof(double));
+  heap_is_known_ = [&] {
+    Pause const pause;
+    return (shadow_.at(block) & mark::own) != 0;
+  }();
+  std::free(block);
+  // An allocator of the program's own keeps its blocks in its static objects, those of the bookkeeping among them.
+  if (heap_is_known_) image_ = memory::MemoryImage::capture(frame);
+}
+
+Site State::site_of(void const *address, char const *name, char const *place) const {
+  auto next = names_.upper_bound(address);
+  if (next == names_.begin()) return {name, place};
+  auto const &[begin, object] = *--next;
+  auto const offset = static_cast<std::size_t>(static_cast<char const *>(address) - static_cast<char const *>(begin));
+  return offset < object.size ? object.site : Site{name, place};
+}
+
+// Does what lies there outlive the kernel, so that others may change or read it?
+bool State::outlives(void const *address) {
+  if ((shadow_.at(address) & mark::own) != 0) return false;
+  bool const constant = std::any_of(constant_memory_.begin(), constant_memory_.end(),
+                                    [address](MemoryRange const &range) { return range.contains(address); });
+  bool const unknown = !heap_is_known_ && site_of(address, "", "").name.empty();
+  if (constant || unknown) shadow_.add(address, 1, mark::own);
+  overlooked_ = overlooked_ || (unknown && !constant);
+  return !constant && !unknown;
+}
+
+// As the source has it: a name of C that means something else in C++ gets another one (SYMREAL_REAL_NAME).
+static std::string_view source_name(std::string_view name) {
+  std::size_t const at = name.find("REAL_NAME(");
+  if (at == name.npos || !name.ends_with(')')) return name;
+  name.remove_prefix(name.find('(', at) + 1);
+  name.remove_suffix(1);
+  return name;
+}
+
+// Small objects share a word.
+void State::named(void const *object, std::size_t size, detail::Scope scope, char const *name, char const *place) {
+  if ((shadow_.at(object) & mark::named) != 0 && names_.contains(object)) return;
+  shadow_.add(object, 1, mark::named);
+  names_[object] = {size, {source_name(name), place, scope}};
+}
+
+void State::local(void const *object, std::size_t size, detail::Scope scope, char const *name, char const *place) {
+  named(object, size, scope, name, place);
+  if (scope == detail::Scope::around) widen_around(object, size);
+}
+
+// Nobody else can know what is left in it.
+static bool is_private(Site const &site) {
+  return site.scope == detail::Scope::around || site.scope == detail::Scope::parameter;
+}
+
+State::Read &State::read_at(Site const &site) {
+  auto [found, is_new] = reads_.try_emplace(site);
+  if (is_new) found->second.stack = call_stack();
+  return found->second;
+}
+
+void State::read(RealNumber const *number, char const *name, char const *place) {
+  if ((shadow_.at(number) & mark::may_be_read) != 0 || !outlives(number)) return;
+  shadow_.add(number, sizeof *number, mark::noted);
+  Site const site = site_of(number, name, place);
+  if (number->is_node()) { // code that is not rewritten has written it
+    shadow_.add(number, sizeof *number, mark::written);
+    written_.push_back({number, sizeof *number, site});
+    return;
+  }
+  add_read(number, number->plain(), site);
+}
+
+void State::add_read(RealNumber const *number, double value, Site const &site) {
+  shadow_.add(number, sizeof *number, mark::read);
+  Read &read = read_at(site);
+  read.numbers.push_back(number);
+  read.values.push_back(value);
+}
+
+void State::read(IntegerObject integer, char const *name, char const *place) {
+  if (integers_.is_noted(integer.address) || !outlives(integer.address)) return;
+  Site const site = site_of(integer.address, name, place);
+  (void)read_at(site);
+  integers_.note(integer, site, Integers::First::read);
+}
+
+void State::written(IntegerObject integer, char const *name, char const *place) {
+  if (!integers_.is_noted(integer.address) && outlives(integer.address))
+    integers_.note(integer, site_of(integer.address, name, place), Integers::First::written);
+  integers_.change(integer.address);
+}
+
+void State::check_bits(void const *begin, std::size_t size, char const *name, char const *place) {
+  std::uintptr_t const first = reinterpret_cast<std::uintptr_t>(begin) / sizeof(RealNumber);
+  std::uintptr_t const end =
+      (reinterpret_cast<std::uintptr_t>(begin) + size + sizeof(RealNumber) - 1) / sizeof(RealNumber);
+  auto const *numbers = reinterpret_cast<RealNumber const *>(first * sizeof(RealNumber));
+  bool const any = std::any_of(numbers, numbers + (end - first), [](RealNumber number) { return number.is_node(); });
+  if (!any || !reported_bits_.insert(place).second) return;
+  report({DiagnosticId::reinterpretation, Severity::error, written_place(place),
+          "the bytes behind '" + std::string(name) + "' are those of a symbolic value"});
+}
+
+void const *State::other_range_end(void const *end, bool is_last, char const *place) {
+  for (std::size_t k = range_ends_.size(); k-- > 0;) {
+    RangeEnd const other = range_ends_[k];
+    if (other.is_last == is_last || std::strcmp(other.place, place) != 0) continue;
+    range_ends_.resize(k);
+    return other.end;
+  }
+  range_ends_.push_back({end, is_last, place});
+  return nullptr;
+}
+
+bool State::is_first_write(void const *address, std::size_t size) {
+  if ((shadow_.at(address) & (mark::own | mark::written)) != 0 || !outlives(address)) return false;
+  shadow_.add(address, size, mark::noted | mark::written);
+  return true;
+}
+
+void State::written(void const *begin, std::size_t size, char const *name, char const *place) {
+  if (is_first_write(begin, size)) written_.push_back({begin, size, site_of(begin, name, place)});
+}
+
+bool State::is_foreign(RealNumber const *number) {
+  return !number->is_node() && !detail::is_own(number) &&
+         (shadow_.at(number) & (mark::may_be_read | mark::written)) == 0 && outlives(number);
+}
+
+bool State::take_written(RealNumber const *number) {
+  Marks const before = shadow_.at(number);
+  if ((before & mark::written) == 0) return false;
+  shadow_.set(number, sizeof *number, before & static_cast<Marks>(~(mark::noted | mark::written)));
+  return true;
+}
+
+void State::keep(RealNumber const *number, double value) {
+  bool const is_read = (shadow_.at(number) & mark::read) != 0;
+  was_written(number);
+  if (is_read) return;
+  auto const site =
+      std::find_if(written_.rbegin(), written_.rend(), [number](Written const &each) { return each.begin == number; });
+  if (site != written_.rend()) add_read(number, value, site->site);
+}
+
+void State::changed(void const *object, detail::Visit visit, char const *name, char const *place) {
+  if ((shadow_.at(object) & (mark::own | mark::changed)) != 0 || !heap_is_known_) return;
+  shadow_.add(object, 1, mark::changed);
+  changed_.push_back({object, visit, site_of(object, name, place)});
+}
+
+void State::constant(void const *begin, std::size_t size) {
+  auto const at = reinterpret_cast<std::uintptr_t>(begin);
+  std::uintptr_t const first = (at + 7) / 8 * 8, last = (at + size) / 8 * 8;
+  if (first < last) shadow_.add(static_cast<char const *>(begin) + (first - at), last - first, mark::constant);
+  if (first != at || last != at + size) integers_.annotate(begin, size);
+}
+
+void State::input(RealNumber const *number, std::string const &label, Place const &place) {
+  shadow_.add(number, sizeof *number, mark::input);
+  inputs_.push_back({number, number->to_bits(), &*labels_.insert(label).first, place});
+}
+
+void State::member(IntegerObject integer, std::string const &label, Place const &place) {
+  if (!members_.insert(integer.address).second) return;
+  // Where the kernel reads it, it is its own: an argument by value.
+  if (detail::on_own_stack(integer.address) || is_private(site_of(integer.address, "", ""))) {
+    Frozen &copy = copies_.try_emplace(label, Frozen{label, place, {}}).first->second;
+    copy.values.push_back(Integers::value_of(integer));
+    copy.is_member = true;
+  }
+}
+
+bool State::output(RealNumber const *number) {
+  Marks const before = shadow_.at(number);
+  shadow_.add(number, sizeof *number, mark::output);
+  outputs_.push_back(number);
+  return number->is_node() || (before & (mark::may_be_read | mark::written)) != 0 || detail::on_own_stack(number) ||
+         !outlives(number) || has_changed(number);
+}
+
+void State::scratch(void const *object, std::size_t size, detail::Visit visit) {
+  scratch_.push_back({object, size, visit});
+}
+
+void State::outside(std::string const &name, std::vector<double> const &values) {
+  std::vector<double> &met = outside_[{name, call_stack()}];
+  met.insert(met.end(), values.begin(), values.end());
+}
+
+void State::allocated(void *block, std::size_t size) {
+  Pause const pause;
+  shadow_.set(block, size, mark::own);
+}
+
+void State::released(void *block, std::size_t size) {
+  Pause const pause;
+  shadow_.set(block, size, mark::freed);
+}
+
+void State::moved(void *block, std::size_t size, void *to, std::size_t new_size) {
+  Pause const pause;
+  std::vector<Marks> marks = shadow_.copy(block, size);
+  marks.resize((new_size + 7) / 8, mark::own);
+  shadow_.set(block, size, mark::freed);
+  shadow_.paste(to, marks);
+  integers_.move(block, size, to);
+}
+
+// A number that holds a node is an ordinary one again.
+void State::make_plain(RealNumber const *number) {
+  if (Pool::current().owns(*number)) *const_cast<RealNumber *>(number) = Pool::current().final_value(*number);
+}
+
+void State::report_lost(Site const &site) {
+  if (is_private(site) || !reported_.insert(site).second) return;
+  report({DiagnosticId::state_not_output, Severity::error, written_place(site.place),
+          "'" + std::string(site.name) + "' is written by the kernel and is no output"});
+}
+
+// Nothing that is left in this object is lost, nor in the blocks of the heap that can be reached from it: what owns
+// them, a container, a smart pointer, a plain pointer to what is hidden elsewhere, cannot be told from the bytes.
+void State::leave(memory::Known object, std::vector<memory::HeapBlock> const &blocks) {
+  std::vector<memory::Known> const all = image_ ? image_->owned(object, blocks) : std::vector<memory::Known>{object};
+  for (memory::Known const &one : all) {
+    if ((shadow_.at(one.begin) & mark::freed) != 0) continue;
+    for (std::size_t k = 0; k < one.size / sizeof(RealNumber); ++k) {
+      RealNumber const *number = reinterpret_cast<RealNumber const *>(one.begin) + k;
+      shadow_.add(number, sizeof *number, mark::scratch);
+      make_plain(number);
+    }
+    integers_.forget(one.begin, one.size);
+  }
+}
+
+// Nothing that a scratch object holds is lost.
+void State::mark_scratch() {
+  std::vector<memory::HeapBlock> const blocks = memory::heap_blocks();
+  for (auto const &[begin, object] : names_)
+    if (scratch_files_.contains(place_of(object.site).file))
+      scratch_.push_back({begin, object.size, [](void const *, Numbers &) {}});
+  for (Scratch const &one : scratch_) {
+    if ((shadow_.at(one.object) & mark::freed) != 0) continue;
+    struct {
+      State &state;
+      void operator()(RealNumber const *number) const {
+        state.shadow_.add(number, sizeof *number, mark::scratch);
+        state.make_plain(number);
+      }
+      void operator()(IntegerObject integer) const { state.integers_.forget(integer); }
+    } left{*this};
+    Numbers numbers(left);
+    one.visit(one.object, numbers);
+    leave({static_cast<char const *>(one.object), one.size}, blocks);
+  }
+}
+
+// The caller sees what became of its inputs.
+void State::judge_inputs() {
+  for (Input const &one : inputs_) {
+    bool const is_own = detail::on_own_stack(one.number) || (shadow_.at(one.number) & mark::own) != 0 ||
+                        is_private(site_of(one.number, "", ""));
+    if (is_own || may_be_left(one.number) || one.number->to_bits() == one.bits) continue;
+    auto const written = std::find_if(written_.begin(), written_.end(),
+                                      [&one](Written const &each) { return each.begin == one.number; });
+    if (written != written_.end())
+      report_lost(written->site);
+    else if (reported_inputs_.insert(one.label).second)
+      report({DiagnosticId::state_not_output, Severity::error, one.place,
+              "input '" + *one.label + "' is written by the kernel and is no output"});
+  }
+}
+
+// An integer that was read keeps the value that it had then; one that has changed is lost.
+void State::judge_integers() {
+  for (Integers::Noted const &one : integers_.noted()) {
+    Marks const marks = shadow_.at(one.integer.address);
+    if ((marks & mark::freed) != 0) continue;
+    bool const is_constant = (marks & mark::constant) != 0 || integers_.is_annotated(one.integer);
+    bool const private_scratch = !one.is_read && one.site.scope == detail::Scope::function;
+    if (one.is_lost() && private_scratch)
+      event({"scratch", std::string(one.site.name)});
+    else if (one.is_lost() && !is_private(one.site))
+      report_lost(one.site);
+    else if (one.is_read && !is_constant)
+      (members_.contains(one.integer.address) ? reads_[one.site].members : reads_[one.site].integers)
+          .push_back(one.value());
+  }
+}
+
+void State::warn_overlooked() const {
+  report({DiagnosticId::state_not_looked_for,
+          Severity::warning,
+          {},
+          "what the kernel reads through pointers and from members was not looked at: the program has an allocator of "
+          "its own"});
+}
+
+// What was read keeps the value that it had then, unless it has changed.
+void State::judge_reads(std::vector<Frozen> &frozen) {
+  for (auto &[site, read] : reads_) {
+    Frozen state{std::string(site.name), written_place(site.place), {}, site.scope == detail::Scope::around, false,
+                 std::move(read.stack)};
+    std::vector<double> kept; // by outputs
+    for (std::size_t k = 0; k < read.numbers.size(); ++k) {
+      RealNumber const *number = read.numbers[k];
+      Marks const marks = shadow_.at(number);
+      bool const changed_since =
+          (marks & mark::freed) == 0 && number->to_bits() != RealNumber(read.values[k]).to_bits();
+      if (changed_since && (marks & mark::may_be_left) == 0 && !is_private(site))
+        report_lost(site);
+      else if ((marks & mark::constant) == 0)
+        ((marks & mark::output) != 0 && !is_private(site) ? kept : state.values).push_back(read.values[k]);
+      if (changed_since) make_plain(number);
+    }
+    state.values.insert(state.values.end(), read.integers.begin(), read.integers.end());
+    if (!kept.empty())
+      report({DiagnosticId::output_keeps_value, Severity::error, state.place,
+              "'" + state.name + "' is an output, and what it held before (" + shortest(kept[0]) +
+                  (kept.size() > 1 ? ", ...)" : ")") + " is part of a result"});
+    Frozen members = state;
+    members.values = std::move(read.members);
+    members.is_member = true;
+    if (!members.values.empty()) frozen.push_back(std::move(members));
+    if (!state.values.empty()) frozen.push_back(std::move(state));
+  }
+  for (auto &[label, copy] : copies_) frozen.push_back(std::move(copy));
+}
+
+void State::judge_writes() {
+  for (Written const &one : written_)
+    for (std::size_t k = 0; k < one.size / sizeof(RealNumber); ++k) {
+      auto const *number = static_cast<RealNumber const *>(one.begin) + k;
+      Marks const marks = shadow_.at(number);
+      if ((marks & (mark::may_be_left | mark::input)) == 0) report_lost(one.site);
+      if ((marks & mark::freed) == 0) make_plain(number);
+    }
+  for (Changed const &one : changed_) {
+    if ((shadow_.at(one.object) & mark::freed) != 0) continue;
+    auto look = [&](RealNumber const *number) {
+      if (number->is_node() && (shadow_.at(number) & (mark::may_be_left | mark::input)) == 0) report_lost(one.site);
+      make_plain(number);
+    };
+    Numbers numbers(look);
+    one.visit(one.object, numbers);
+  }
+}
+
+std::vector<Frozen> State::end(Place const &kernel) {
+  detail::recording = false;
+  mark_scratch();
+  judge_inputs();
+  judge_integers();
+  std::vector<Frozen> frozen;
+  judge_reads(frozen);
+  for (auto &[function, values] : outside_)
+    frozen.push_back({function.first, {}, std::move(values), false, false, function.second});
+  judge_writes();
+  judge_memory(kernel);
+  image_.reset();
+  // In which order operands are evaluated is the compiler's choice.
+  std::sort(frozen.begin(), frozen.end(), [](Frozen const &a, Frozen const &b) {
+    return std::tie(a.place.file, a.place.line, a.place.column, a.name) <
+           std::tie(b.place.file, b.place.line, b.place.column, b.name);
+  });
+  if (overlooked_) warn_overlooked();
+  tell_clauses(frozen, kernel);
+  shadow_.clear();
+  return frozen;
+}
+
+} // namespace trace
+} // namespace symreal

@@ -1,0 +1,156 @@
+// Hidden state of a recording: objects that live longer than the kernel and that it reads or changes. What they hold is
+// baked in, or lost, unless annotated. <symreal/state.h> says what is told here, and when.
+#pragma once
+
+#include "graph/graph.h"
+#include "memory/memory_image.h"
+#include "memory/own_memory.h"
+#include "trace/state/integers.h"
+#include "trace/state/shadow.h"
+
+#include <symreal/state.h>
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace symreal::trace {
+
+class State {
+public:
+  static State &current(); // one per thread
+
+  // `frame`: of the function in which the kernel begins; its locals are the kernel's own.
+  void begin(void const *frame);
+
+  // A reference to an object of static storage duration: from here on its numbers go by this name.
+  void named(void const *object, std::size_t size, detail::Scope scope, char const *name, char const *place);
+  // A local of the function around the kernel, or a parameter of its own.
+  void local(void const *object, std::size_t size, detail::Scope scope, char const *name, char const *place);
+  bool is_around(void const *address) const { return site_of(address, "", "").scope == detail::Scope::around; }
+  void read(RealNumber const *number, char const *name, char const *place);
+  void read(IntegerObject integer, char const *name, char const *place);
+  void written(IntegerObject integer, char const *name, char const *place);
+  void written(void const *begin, std::size_t size, char const *name, char const *place);
+  void changed(void const *object, detail::Visit visit, char const *name, char const *place);
+  void check_bits(void const *begin, std::size_t size, char const *name, char const *place);
+  void const *other_range_end(void const *end, bool is_last, char const *place);
+  void constant(void const *begin, std::size_t size);
+  // An integer of a structure that is annotated: it is baked in, which is known.
+  void member(IntegerObject integer, std::string const &label, Place const &place);
+  void input(RealNumber const *number, std::string const &label, Place const &place);
+  // Whether the kernel wrote it, as far as is known, or it is an input. If not, it holds what it held before.
+  bool output(RealNumber const *number);
+  void scratch(void const *object, std::size_t size, detail::Visit visit);
+  void scratch_file(char const *file) { scratch_files_.insert(file); }
+  // For arms that are both executed (<symreal/branch.h>). Is it somewhere that outlives the kernel, and not met yet?
+  bool is_foreign(RealNumber const *number);
+  bool take_written(RealNumber const *number);
+  void was_written(RealNumber const *number) { shadow_.add(number, sizeof *number, mark::noted | mark::written); }
+  // The value that it had before it was written is part of the result.
+  void keep(RealNumber const *number, double value);
+
+  // A function gave this, which comes from outside of the program (outside_hooks.cpp).
+  void outside(std::string const &name, std::vector<double> const &values);
+
+  // Told by the heap (heap_hooks.cpp).
+  void allocated(void *block, std::size_t size);
+  void released(void *block, std::size_t size);
+  void moved(void *block, std::size_t size, void *to, std::size_t new_size);
+
+  // What is baked in. Reports state that was written and is no output, and makes its numbers ordinary again.
+  // `kernel`: its place.
+  std::vector<Frozen> end(Place const &kernel = {});
+
+private:
+  struct Static {
+    std::size_t size;
+    Site site;
+  };
+  struct Read {
+    std::vector<RealNumber const *> numbers;
+    std::vector<double> values;
+    std::vector<double> integers;      // that are frozen, known when the kernel ends
+    std::vector<double> members;       // those of them that belong to annotated structures
+    std::vector<std::uintptr_t> stack; // of the first
+  };
+  struct Written {
+    void const *begin;
+    std::size_t size;
+    Site site;
+  };
+  struct Input {
+    RealNumber const *number;
+    std::uint64_t bits;
+    std::string const *label;
+    Place place;
+  };
+  struct Scratch {
+    void const *object;
+    std::size_t size;
+    detail::Visit visit;
+  };
+  struct Changed {
+    void const *object;
+    detail::Visit visit;
+    Site site;
+  };
+  struct RangeEnd {
+    void const *end;
+    bool is_last;
+    char const *place;
+  };
+
+  bool outlives(void const *address);
+  Site site_of(void const *address, char const *name, char const *place) const;
+  Read &read_at(Site const &site);
+  void add_read(RealNumber const *number, double value, Site const &site);
+  // Marks it as written; whether it outlives the kernel, and that was news.
+  bool is_first_write(void const *address, std::size_t size);
+  bool may_be_left(void const *address) { return (shadow_.at(address) & mark::may_be_left) != 0; }
+  void make_plain(RealNumber const *number);
+  void report_lost(Site const &site);
+  void mark_scratch();
+  void leave(memory::Known object, std::vector<memory::HeapBlock> const &blocks);
+  void judge_inputs();
+  void judge_reads(std::vector<Frozen> &frozen);
+  void judge_writes();
+  // state_memory.cpp
+  std::vector<memory::Known> known_changes();
+  bool has_changed(RealNumber const *number) const;
+  void judge_memory(Place const &kernel);
+  void judge_integers();
+  static Place place_of(Site const &site);
+  // state_clauses.cpp
+  void tell_clauses(std::vector<Frozen> const &frozen, Place const &kernel) const;
+  void warn_overlooked() const;
+
+  Shadow shadow_;
+  bool heap_is_known_ = false;
+  std::vector<MemoryRange> constant_memory_;          // of the program and its libraries
+  std::map<void const *, Static, std::less<>> names_; // by address
+  std::map<Site, Read> reads_;
+  Integers integers_;
+  std::vector<Written> written_;
+  std::vector<Input> inputs_;
+  std::vector<RealNumber const *> outputs_;
+  std::optional<memory::MemoryImage> image_; // from when the kernel began
+  std::set<std::string> labels_;             // of inputs
+  std::set<void const *> members_;           // integers of annotated structures
+  std::map<std::string, Frozen> copies_;     // those that lie in the kernel's own arguments, by name
+  std::vector<Changed> changed_;
+  std::vector<Scratch> scratch_;
+  std::set<std::string> scratch_files_;
+  std::vector<RangeEnd> range_ends_;
+  std::map<std::pair<std::string, std::vector<std::uintptr_t>>, std::vector<double>> outside_; // by name and stack
+  std::set<Site> reported_;
+  std::set<std::string const *> reported_inputs_;
+  std::set<std::string> reported_bits_; // by place
+  bool overlooked_ = false;             // something could not be judged
+};
+
+} // namespace symreal::trace

@@ -1,0 +1,67 @@
+// What the kernel has left in objects of static storage duration that nobody told of: text, bytes, or what code that is
+// not rewritten wrote there.
+#include "trace/nodes/externals.h"
+#include "trace/report/events.h"
+#include "trace/state/state.h"
+
+#include <cstdlib>
+#include <cstring>
+#include <cxxabi.h>
+
+namespace symreal::trace {
+
+namespace {
+
+std::string readable(std::string const &linkers_name) {
+  int status = 0;
+  char *const text = abi::__cxa_demangle(linkers_name.c_str(), nullptr, nullptr, &status);
+  std::string const name = status == 0 && text ? text : linkers_name;
+  std::free(text);
+  return name;
+}
+
+} // namespace
+
+// All that was told and judged, and what an object that is scratch owns.
+std::vector<memory::Known> State::known_changes() {
+  std::vector<memory::Known> known;
+  auto const add = [&known](void const *begin, std::size_t size) {
+    known.push_back({static_cast<char const *>(begin), size});
+  };
+  for (Input const &one : inputs_) add(one.number, sizeof *one.number);
+  for (RealNumber const *number : outputs_) add(number, sizeof *number);
+  for (Written const &one : written_) add(one.begin, one.size);
+  for (auto const &[site, read] : reads_)
+    for (RealNumber const *number : read.numbers) add(number, sizeof *number);
+  for (Integers::Noted const &one : integers_.noted()) add(one.integer.address, one.integer.size);
+  for (Scratch const &one : scratch_) {
+    if ((shadow_.at(one.object) & mark::freed) != 0) continue;
+    for (memory::Known const &owned : image_->owned({static_cast<char const *>(one.object), one.size}))
+      known.push_back(owned);
+  }
+  return known;
+}
+
+bool State::has_changed(RealNumber const *number) const {
+  char const *before = image_ ? image_->before(number) : nullptr;
+  return before && std::memcmp(before, number, sizeof *number) != 0;
+}
+
+void State::judge_memory(Place const &kernel) {
+  if (!image_) return;
+  // An external function may keep what it likes.
+  bool const calls_externals = !Externals::current().functions().empty();
+  for (memory::Change const &change : image_->changes(known_changes())) {
+    if (change.region != memory::Region::static_object) continue;
+    auto const named = names_.find(change.object);
+    if (named == names_.end() && calls_externals) continue;
+    if (named != names_.end() && reported_.contains(named->second.site)) continue;
+    std::string const name = named == names_.end() ? readable(change.name) : std::string(named->second.site.name);
+    report({DiagnosticId::state_not_output, Severity::error,
+            named == names_.end() ? kernel : place_of(named->second.site),
+            "'" + name + "' (static, " + std::to_string(change.size) + " bytes) is changed by the kernel in bytes " +
+                std::to_string(change.first) + " to " + std::to_string(change.end - 1) + " and is no output"});
+  }
+}
+
+} // namespace symreal::trace

@@ -1,0 +1,81 @@
+#include "trace/text/environment.h"
+
+#include "memory/own_memory.h"
+#include "trace/describe/describe.h"
+#include "trace/nodes/pool.h"
+#include "trace/report/events.h"
+#include "trace/report/written_place.h"
+
+#include <symreal/environment.h>
+
+#include <cfenv>
+#ifdef __SSE2__
+#include <xmmintrin.h>
+#endif
+
+namespace symreal {
+
+namespace trace {
+
+Environment &Environment::current() {
+  static constinit thread_local Environment *environment = nullptr;
+  if (!environment) environment = new Environment;
+  return *environment;
+}
+
+void Environment::begin() { reported_.clear(); }
+
+void Environment::error_read(char const *place) {
+  RealNumber const setter = Pool::current().last_to_set_error();
+  if (!setter.is_node() || !reported_.insert(place).second) return;
+  report({DiagnosticId::error_number, Severity::error, written_place(place),
+          "errno is read where " + describe(setter) + " may have set it"});
+}
+
+void Environment::used(char const *what, char const *place) {
+  if (!reported_.insert(place).second) return;
+  report(
+      {DiagnosticId::environment_used, Severity::error, written_place(place), "the kernel uses " + std::string(what)});
+}
+
+std::string Environment::unusual_modes() {
+  bool rounds_to_nearest = std::fegetround() == FE_TONEAREST, has_subnormals = true;
+#ifdef __SSE2__
+  // Where arithmetic is done; fegetround asks the x87 unit.
+  constexpr unsigned rounding = 0x6000, flush_to_zero = 0x8000, denormals_are_zero = 0x0040;
+  unsigned const control = _mm_getcsr();
+  rounds_to_nearest = rounds_to_nearest && (control & rounding) == 0;
+  has_subnormals = (control & (flush_to_zero | denormals_are_zero)) == 0;
+#elif defined(__aarch64__)
+  constexpr std::uint64_t flush_to_zero = std::uint64_t{1} << 24;
+  std::uint64_t control;
+  asm volatile("mrs %0, fpcr" : "=r"(control));
+  has_subnormals = (control & flush_to_zero) == 0;
+#endif
+  if (!rounds_to_nearest) return "does not round to nearest";
+  return has_subnormals ? "" : "takes subnormal numbers for zero";
+}
+
+} // namespace trace
+
+namespace detail {
+
+using trace::Environment;
+using trace::Pause;
+
+void error_read(char const *place) noexcept {
+  Pause const pause;
+  Environment::current().error_read(place);
+}
+
+void error_written() noexcept { trace::Pool::current().forget_error(); }
+
+void environment_used(char const *what, char const *place) noexcept {
+  Pause const pause;
+  Environment::current().used(what, place);
+}
+
+void may_set_error(RealNumber x) noexcept { trace::Pool::current().may_set_error(x); }
+
+} // namespace detail
+} // namespace symreal

@@ -1,0 +1,227 @@
+#include "tool/calls/call_spec.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+
+namespace symreal::tool {
+namespace {
+
+using rewrite::ConfiguredText;
+
+constexpr std::array<std::string_view, 4> words = {"input", "parameter", "constant", "scratch"};
+
+bool is_name(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
+
+[[noreturn]] void refuse(Place const &place, std::string const &message) {
+  fail(DiagnosticId::call_specification, place, message);
+}
+
+// A part of the text, and where it stands.
+struct Part {
+  std::string_view text;
+  Place place;
+
+  Part from(std::size_t begin, std::size_t end = std::string_view::npos) const {
+    Part part{text.substr(begin, end == std::string_view::npos ? end : end - begin), place};
+    part.place.column += static_cast<unsigned>(begin);
+    return part.trimmed();
+  }
+  Part trimmed() const {
+    Part part = *this;
+    while (!part.text.empty() && std::isspace(static_cast<unsigned char>(part.text.front()))) {
+      part.text.remove_prefix(1);
+      ++part.place.column;
+    }
+    while (!part.text.empty() && std::isspace(static_cast<unsigned char>(part.text.back()))) part.text.remove_suffix(1);
+    return part;
+  }
+  std::string string() const { return std::string(text); }
+};
+
+// Offsets of what stands outside of brackets and literals; the brackets must match.
+template <class Visit> void each_outside(Part const &part, Visit visit) {
+  std::vector<std::size_t> open;
+  for (std::size_t i = 0; i < part.text.size(); ++i) {
+    char const c = part.text[i];
+    if (c == '"' || c == '\'') {
+      std::size_t end = i + 1;
+      while (end < part.text.size() && part.text[end] != c) end += part.text[end] == '\\' ? 2 : 1;
+      if (end >= part.text.size()) refuse(part.from(i, i + 1).place, "this quote is not closed");
+      i = end;
+    } else if (c == '(' || c == '[' || c == '{') {
+      if (open.empty()) visit(i);
+      open.push_back(i);
+    } else if (c == ')' || c == ']' || c == '}') {
+      constexpr std::string_view pairs = "()[]{}";
+      if (open.empty() || pairs[pairs.find(part.text[open.back()]) + 1] != c)
+        refuse(part.from(i, i + 1).place, std::string("this '") + c + "' has no partner");
+      open.pop_back();
+      if (open.empty()) visit(i);
+    } else if (open.empty())
+      visit(i);
+  }
+  if (!open.empty())
+    refuse(part.from(open.back(), open.back() + 1).place,
+           std::string("this '") + part.text[open.back()] + "' is not closed");
+}
+
+std::vector<Part> split(Part const &part, char separator) {
+  std::vector<Part> parts;
+  std::size_t begin = 0;
+  each_outside(part, [&](std::size_t i) {
+    if (part.text[i] != separator) return;
+    parts.push_back(part.from(begin, i));
+    begin = i + 1;
+  });
+  parts.push_back(part.from(begin));
+  return parts;
+}
+
+// The bracket that the last character closes.
+std::size_t opening(Part const &part) {
+  std::size_t open = 0;
+  each_outside(part, [&](std::size_t i) {
+    if (part.text[i] == '(') open = i;
+  });
+  return open;
+}
+
+// What a pragma's items may have in their brackets: [low:length].
+void read_item(Part const &part, CallSpec::Item &item) {
+  if (part.text.empty()) refuse(part.place, "an item is missing here");
+  item.text = {part.string(), part.place};
+  std::size_t at = part.text.find_first_not_of("*&( ");
+  if (at == part.text.npos || !is_name(part.text[at]) || std::isdigit(static_cast<unsigned char>(part.text[at])))
+    refuse(part.place, "'" + part.string() + "' is no item: an item is an argument, as in q[0:6] or state->x");
+  std::size_t end = at;
+  while (end < part.text.size() && (is_name(part.text[end]) || part.text.substr(end, 2) == "::"))
+    end += part.text[end] == ':' ? 2 : 1;
+  item.base = part.text.substr(at, end - at);
+  item.path = item.text.text;
+  std::size_t begin = 0;
+  for (std::size_t open = part.text.find('[', end); open < part.text.size(); open = part.text.find('[', open)) {
+    std::size_t close = open + 1, colon = part.text.npos;
+    for (int depth = 1; close < part.text.size(); ++close) {
+      depth +=
+          (part.text[close] == '[' || part.text[close] == '(') - (part.text[close] == ']' || part.text[close] == ')');
+      if (part.text[close] == ':' && depth == 1) colon = close;
+      if (depth == 0) break;
+    }
+    if (colon == part.text.npos && (close + 1 < part.text.size() || open != end)) { // an index on the way to a member
+      open = close + 1;
+      continue;
+    }
+    if (colon == part.text.npos) {
+      std::string const inside = part.from(open + 1, close).string();
+      refuse(part.from(open, open + 1).place, "'" + part.string() + "' says no range of elements: write " + item.base +
+                                                  "[" + inside + ":1] for one element, [0:" + inside +
+                                                  "] for that many");
+    }
+    if (item.sections.empty()) item.path = part.text.substr(0, open);
+    std::string const low = part.from(open + 1, colon).string();
+    std::string const length = part.from(colon + 1, close).string();
+    if (length.empty()) refuse(part.from(colon, colon + 1).place, "how many elements these are is missing");
+    if (!item.sections.empty()) item.behind.back() = part.text.substr(begin, open - begin);
+    item.sections.push_back({low.empty() ? "0" : low, length});
+    item.behind.emplace_back(part.text.substr(close + 1));
+    begin = open = close + 1;
+  }
+}
+
+void read_value(Part const &part, CallSpec::Item &item) {
+  if (part.text.empty())
+    refuse(part.place, "the value of '" + item.text.text + "' is missing: write " + item.text.text + "=0.5");
+  std::size_t dots = part.text.npos;
+  each_outside(part, [&](std::size_t i) {
+    if (part.text.substr(i, 2) == ".." && dots == part.text.npos) dots = i;
+  });
+  if (dots != part.text.npos) {
+    item.range.emplace(part.from(0, dots).string(), part.from(dots + 2).string());
+    if (item.range->first.empty() || item.range->second.empty())
+      refuse(part.place, "a range has two ends, as in -1..1");
+    if (item.kind != "input")
+      refuse(part.place, "a range is where the inputs of 'verify' lie; '" + item.text.text + "' is no input");
+  } else if (item.is_list = part.text.front() == '{'; item.is_list)
+    item.value = part.from(1, part.text.size() - 1).string();
+  else
+    item.value = part.string();
+}
+
+CallSpec::Item read_argument(Part part) {
+  CallSpec::Item item{
+      .kind = "input", .text = {}, .base = {}, .path = {}, .sections = {}, .behind = {}, .value = {}, .range = {}};
+  for (std::string_view const word : words)
+    if (part.text.starts_with(word) && part.text.size() > word.size() && part.text[word.size()] == ' ') {
+      item.kind = word;
+      part = part.from(word.size());
+    }
+  std::size_t equal = part.text.npos;
+  each_outside(part, [&](std::size_t i) {
+    if (part.text[i] == '=' && equal == part.text.npos) equal = i;
+  });
+  read_item(part.from(0, equal), item);
+  if (equal != part.text.npos) read_value(part.from(equal + 1), item);
+  return item;
+}
+
+// [object.]name[(types)]
+void read_callee(Part part, CallSpec &spec) {
+  if (part.text.ends_with(')')) {
+    std::size_t const open = opening(part);
+    spec.types = part.from(open).string();
+    part = part.from(0, open);
+  }
+  std::size_t dot = part.text.npos;
+  each_outside(part, [&](std::size_t i) {
+    if (part.text[i] == '.') dot = i;
+  });
+  if (dot != part.text.npos) {
+    spec.object = part.from(0, dot).string();
+    if (spec.object->empty()) refuse(part.place, "the object before '.' is missing");
+    part = part.from(dot + 1);
+  }
+  bool const is_plain = !part.text.empty() &&
+                        std::all_of(part.text.begin(), part.text.end(), [](char c) { return is_name(c) || c == ':'; });
+  if (!is_plain)
+    refuse(part.place, "'" + part.string() + "' is no function's name: write FUNCTION(ARGUMENTS) -> OUTPUTS, as in " +
+                           "f(x[0:3]=0.5, n=3) -> y[0:3]");
+  spec.function = {part.string(), part.place};
+}
+
+} // namespace
+
+bool is_call_spec(std::string const &text) { return text.find('(') != text.npos || text.find("->") != text.npos; }
+
+CallSpec parse_call_spec(ConfiguredText const &text) {
+  Part const all = Part{text.text, text.place}.trimmed();
+  CallSpec spec;
+  std::size_t arrow = all.text.npos;
+  each_outside(all, [&](std::size_t i) { // that of body->x has no call before it
+    bool const follows_call = all.text.substr(i, 2) == "->" && all.from(0, i).text.ends_with(')');
+    if (follows_call && arrow == all.text.npos) arrow = i;
+  });
+  spec.end = all.place;
+  spec.end.column += static_cast<unsigned>(all.text.size());
+  Part const call = all.from(0, arrow);
+  if (!call.text.ends_with(')'))
+    refuse(call.place, "'" + call.string() + "' has no arguments: write FUNCTION(ARGUMENTS) -> OUTPUTS, as in " +
+                           "f(x[0:3]=0.5, n=3) -> y[0:3]");
+  std::size_t const open = opening(call);
+  read_callee(call.from(0, open), spec);
+  Part const arguments = call.from(open + 1, call.text.size() - 1);
+  if (!arguments.text.empty())
+    for (Part const &one : split(arguments, ',')) spec.items.push_back(read_argument(one));
+  if (arrow == all.text.npos)
+    refuse(spec.end, "what is wanted of '" + spec.function.text + "' is missing: add -> and its outputs, as in " +
+                         "-> y[0:3], or -> return");
+  for (Part const &one : split(all.from(arrow + 2), ',')) {
+    CallSpec::Item item{
+        .kind = "output", .text = {}, .base = {}, .path = {}, .sections = {}, .behind = {}, .value = {}, .range = {}};
+    read_item(one, item);
+    spec.items.push_back(std::move(item));
+  }
+  return spec;
+}
+
+} // namespace symreal::tool

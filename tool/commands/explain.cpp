@@ -1,0 +1,60 @@
+#include "diagnostics/diagnostic.h"
+#include "tool/commands/subcommands.h"
+
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+namespace symreal::tool {
+namespace {
+
+// Prose to lines of at most 80 columns.
+std::string wrapped(std::string_view text) {
+  constexpr std::size_t width = 80;
+  std::string result;
+  while (text.size() > width) {
+    std::size_t cut = text.rfind(' ', width);
+    if (cut == text.npos) break;
+    result.append(text.substr(0, cut)) += '\n';
+    text.remove_prefix(cut + 1);
+  }
+  return result.append(text) + "\n";
+}
+
+void explain(DiagnosticInfo const &row) {
+  std::cout << code(row.id) << ": " << row.summary << "\n\n"
+            << wrapped(row.explanation) << "\n"
+            << wrapped("Way out: " + std::string(row.way_out) + ".");
+}
+
+void list_json() {
+  nlohmann::ordered_json rows = nlohmann::ordered_json::array();
+  for (DiagnosticInfo const &row : diagnostic_table())
+    rows.push_back(
+        {{"id", code(row.id)}, {"summary", row.summary}, {"explanation", row.explanation}, {"way out", row.way_out}});
+  std::cout << rows.dump(1) << "\n";
+}
+
+void list() {
+  for (DiagnosticInfo const &row : diagnostic_table()) std::cout << code(row.id) << "  " << row.summary << "\n";
+}
+
+} // namespace
+
+void add_explain(CLI::App &app, Session &session) {
+  CLI::App *command = app.add_subcommand("explain", "Say what a diagnostic means and what to do; without id, list all");
+  auto wanted = std::make_shared<std::string>();
+  auto json = std::make_shared<bool>(false);
+  command->add_option("id", *wanted, "As in SYM012");
+  command->add_flag("--json", *json, "All of them as JSON");
+  command->callback([wanted, json, &session] {
+    refuse_flags(session);
+    if (*json && !wanted->empty()) fail(DiagnosticId::option_without_effect, {}, "--json is for the whole list");
+    if (wanted->empty()) return *json ? list_json() : list();
+    DiagnosticInfo const *row = find_diagnostic(*wanted);
+    if (!row) fail(DiagnosticId::bad_option, {}, "no diagnostic has the id '" + *wanted + "'");
+    explain(*row);
+  });
+}
+
+} // namespace symreal::tool

@@ -1,0 +1,203 @@
+#include "graph/graph_text.h"
+#include "program/make_rule.h"
+#include "support/files.h"
+#include "tool/calls/driver_program.h"
+#include "tool/commands/optimise.h"
+#include "tool/commands/subcommands.h"
+#include "tool/output/outputs.h"
+#include "tool/output/wrapper.h"
+#include "tool/output/write_config.h"
+#include "tool/report/console.h"
+#include "tool/report/frozen.h"
+
+#include <chrono>
+#include <filesystem>
+#include <fmt/ostream.h>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+namespace symreal::tool {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Options {
+  SourceOptions source;
+  PassOptions passes;
+  EmitterOptions emitter;
+  std::string output, graph_file, language = "c", decisions = "error";
+  FrozenOption frozen;
+  std::string depfile;
+  bool check = false, wrapper = false, statistics = false, json = false, write_config = false;
+};
+
+// What one kernel gives.
+struct Product {
+  Graph recorded;
+  Optimised optimised;
+  std::vector<OutputFile> files;
+  std::vector<Diagnostic> warnings;
+  double seconds;
+};
+
+bool names_directory(std::string const &path) { return path.ends_with('/') || fs::is_directory(path); }
+
+// `name` is what the file is called where the option names a directory or is not given.
+std::string place_output(std::string const &option, std::string const &name, bool several) {
+  if (option.empty()) return name;
+  bool directory = several || names_directory(option);
+  return directory ? (fs::path(option) / fs::path(name).filename()).string() : option;
+}
+
+void require_sense(Options const &options) {
+  require_one_of("--lang", options.language, "c");
+  options.frozen.require_sense();
+  require_one_of("--decisions", options.decisions, "error|guard|select");
+  (void)options.passes.floating_point();
+  (void)options.passes.names();
+  if (options.check && !options.depfile.empty())
+    fail(DiagnosticId::option_without_effect, {}, "--check writes nothing, so --depfile would do nothing");
+}
+
+// What can be known to fail before the work is done.
+void require_outputs(Options const &options) {
+  // With several kernels, which only the sources know, these may be directories still to be made.
+  auto may_be_file = [](std::string const &path) { return !path.empty() && !names_directory(path); };
+  if (options.check) return;
+  if (may_be_file(options.output)) {
+    if (fs::path(options.output).has_extension()) require_c_name(options.output);
+    require_writable(options.output);
+  }
+  if (may_be_file(options.graph_file)) require_writable(options.graph_file);
+}
+
+Product make_product(program::Recorded &recorded, Options const &options, bool several) {
+  auto start = std::chrono::steady_clock::now();
+  Product product{std::move(recorded.graph), {}, {}, {}, 0};
+  product.optimised = optimise(product.recorded, options.passes);
+  std::string given = recorded.output_file.empty() ? recorded.kernel.name + ".c" : recorded.output_file;
+  std::string path = place_output(options.output, given, several);
+  product.files = emitted_files(product.optimised.graph, options.emitter, options.passes.floating_point(), path);
+  if (options.wrapper)
+    product.files.push_back(
+        wrapper_file(recorded.kernel, product.optimised.graph, options.emitter, path, product.warnings));
+  if (!options.graph_file.empty()) {
+    std::ostringstream text;
+    write_graph(text, product.recorded);
+    product.files.push_back({place_output(options.graph_file, recorded.kernel.name + ".graph", several), text.str()});
+  }
+  product.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return product;
+}
+
+void show(std::vector<Product> const &products, program::Front const &front, Options const &options) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::array();
+  for (Product const &product : products) {
+    KernelReport report{&product.recorded, &product.optimised.graph, product.optimised.stages, {}, {}};
+    for (OutputFile const &file : product.files) report.files.push_back(file.path);
+    report.seconds = {{"rewrite", front.rewrite_seconds},
+                      {"build", front.build_seconds},
+                      {"run", front.run_seconds},
+                      {"optimise and emit", product.seconds}};
+    print_table(std::cerr, report, options.statistics);
+    if (options.json) json.push_back(to_json(report));
+  }
+  program::ObjectCache const &cache = *front.build.cache;
+  if (options.statistics)
+    fmt::print(std::cerr,
+               "sources: {} read, {} as an earlier run read them\n"
+               "objects: {} compiled, {} as an earlier run compiled them\n",
+               front.sources_read, front.sources_kept, cache.compiled(), cache.reused());
+  if (options.json)
+    std::cout << nlohmann::ordered_json{{"kernels", json},
+                                        {"sources", {{"read", front.sources_read}, {"reused", front.sources_kept}}},
+                                        {"objects", {{"compiled", cache.compiled()}, {"reused", cache.reused()}}}}
+                     .dump(2)
+              << "\n";
+}
+
+void write_config(ProjectOptions const &project, std::vector<Lacking> const &lacking, Console &console) {
+  std::string const file = project.configuration_file(true);
+  write_if_changed(file, with_clauses(file, lacking));
+  console.note("what is lacking stands in " + file + " now; say yourself whether it is meant, and run again");
+}
+
+int run(CLI::App &command, Options &options, Session &session) {
+  options.source.project.configure(command, session.configured);
+  require_sense(options);
+  require_outputs(options);
+  Console console;
+  program::FrontRequest request = options.source.request(session.flags);
+  request.run.decisions = options.decisions;
+  request.run.floating_point = options.passes.mode;
+  request.run.places = true;
+  std::vector<Lacking> lacking;
+  auto const note_lacking = [&](program::Recorded const &one) { lacking.push_back({one.kernel, one.clauses}); };
+  auto front = run_front(request, options.source.project.calls, console, note_lacking);
+  if (front && options.source.front.keep) console.note("the build directory is " + front->workspace->path());
+  bool const is_refused = !front || !report_frozen(front->kernels, options.frozen, console);
+  if (is_refused && front)
+    for (program::Recorded const &one : front->kernels)
+      if (!one.clauses.empty()) note_lacking(one);
+  if (is_refused) {
+    if (options.write_config && !lacking.empty()) write_config(options.source.project, lacking, console);
+    return error;
+  }
+
+  console.stage("optimising");
+  bool several = front->kernels.size() > 1;
+  std::vector<Product> products;
+  std::vector<OutputFile> files;
+  for (program::Recorded &recorded : front->kernels) {
+    products.push_back(make_product(recorded, options, several));
+    for (Diagnostic const &warning : products.back().warnings) console.report(warning);
+    files.insert(files.end(), products.back().files.begin(), products.back().files.end());
+  }
+  if (options.check) {
+    console.clear();
+    return check_files(files) ? clean : out_of_date;
+  }
+  for (std::string const &directory : {options.output, options.graph_file})
+    if (!directory.empty() && several) make_directory(directory);
+  require_writable(files);
+  write_files(files);
+  if (!options.depfile.empty())
+    write_if_changed(options.depfile, program::make_rule({program::make_escaped(files.front().path)}, front->read));
+  console.clear();
+  show(products, *front, options);
+  return clean;
+}
+
+} // namespace
+
+void add_generate(CLI::App &app, Session &session) {
+  CLI::App *command = app.add_subcommand("generate", "Rewrite, build, run, optimise and emit: the main job");
+  auto options = std::make_shared<Options>();
+  command->add_option("sources", options->source.project.request.sources,
+                      "C and C++ sources of the program; with -p by default all of them");
+  command->add_option("-o", options->output, "The generated file; with several kernels a directory")->type_name("FILE");
+  command->add_option("--graph", options->graph_file, "Also write the recorded graph as text")->type_name("FILE");
+  command->add_option("--depfile", options->depfile, "Also write what the result was made from, as a rule of make")
+      ->type_name("FILE");
+  command->add_flag("--check", options->check, "Write nothing: tell whether the files there are up to date");
+  command->add_option("--lang", options->language, "Language of the result: c")->capture_default_str();
+  options->passes.add_to(*command);
+  options->emitter.add_to(*command);
+  command->add_flag("--wrapper", options->wrapper,
+                    "Also emit a file that defines the function in place of the original");
+  command
+      ->add_option("--decisions", options->decisions,
+                   "What becomes of a decision on a symbolic value: error, guard or select")
+      ->capture_default_str();
+  options->frozen.add_to(*command);
+  options->source.add_to(*command);
+  command->add_flag("--write-config", options->write_config,
+                    "Where a kernel is refused for what its pragma lacks, put that into .symreal.yaml");
+  command->add_flag("--stats", options->statistics, "Print more than the table: every object, every pass");
+  command->add_flag("--json", options->json, "Print the table as JSON to standard output");
+  command->callback([options, command, &session] { session.status = run(*command, *options, session); });
+}
+
+} // namespace symreal::tool

@@ -1,0 +1,80 @@
+#include "program/record.h"
+#include "graph/graph_text.h"
+#include "tool/commands/subcommands.h"
+#include "tool/output/outputs.h"
+#include "tool/report/console.h"
+#include "tool/report/frozen.h"
+
+#include <filesystem>
+#include <memory>
+#include <sstream>
+
+namespace symreal::tool {
+namespace {
+
+struct Options {
+  program::RunOptions run;
+  std::string directory = ".";
+  FrozenOption frozen;
+};
+
+// Named from here, wherever it runs.
+std::string program_path(std::string const &name) {
+  return name.find('/') == name.npos ? name : std::filesystem::absolute(name).string();
+}
+
+int run(Options options, Session const &session) {
+  require_one_of("--decisions", options.run.decisions, "error|guard|select");
+  require_one_of("--fp", options.run.floating_point, "finite|strict|fast");
+  options.frozen.require_sense();
+  if (session.flags.empty()) fail(DiagnosticId::bad_option, {}, "the program and its arguments stand after --");
+  options.run.arguments.assign(session.flags.begin() + 1, session.flags.end());
+  options.run.places = true;
+  Console console;
+  console.stage("recording");
+  program::Workspace const workspace(/*keep=*/false);
+  program::Overlay const overlay;
+  program::Recording recording = program::record(program_path(session.flags.front()), options.run, {}, {}, overlay,
+                                                 workspace, console.talk().program_output);
+  bool failed = false;
+  for (Diagnostic const &diagnostic : recording.diagnostics) {
+    console.report(diagnostic);
+    failed |= diagnostic.severity == Severity::error;
+  }
+  if (failed || !report_frozen(recording.kernels, options.frozen, console)) return error;
+  make_directory(options.directory);
+  std::vector<OutputFile> files;
+  for (program::Recorded const &recorded : recording.kernels) {
+    std::ostringstream text;
+    write_graph(text, recorded.graph);
+    files.push_back(
+        {(std::filesystem::path(options.directory) / (recorded.kernel.name + ".graph")).string(), text.str()});
+  }
+  require_writable(files);
+  for (std::string const &path : write_files(files)) console.note("wrote " + path);
+  return clean;
+}
+
+} // namespace
+
+void add_record(CLI::App &app, Session &session) {
+  CLI::App *command = app.add_subcommand("record", "Run a program that symreal-c++ built, after --; keep its graphs");
+  auto options = std::make_shared<Options>();
+  command->add_option("-o", options->directory, "Directory of the graphs, NAME.graph for each kernel")
+      ->type_name("DIR")
+      ->capture_default_str();
+  command->add_option("--fp", options->run.floating_point, "Floating-point mode: finite, strict or fast")
+      ->capture_default_str();
+  command->add_option("--decisions", options->run.decisions, "Decisions on symbolic values: error, guard or select")
+      ->capture_default_str();
+  options->frozen.add_to(*command);
+  command->add_option("--stdin", options->run.standard_input, "File that the program reads as standard input")
+      ->type_name("FILE");
+  command->add_option("--cwd", options->run.directory, "Directory in which the program runs")->type_name("DIR");
+  command->add_option("--timeout", options->run.time_limit, "Seconds after which the program is ended")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  command->callback([options, &session] { session.status = run(*options, session); });
+}
+
+} // namespace symreal::tool

@@ -1,0 +1,23 @@
+#include "program/tree_edit.h"
+#include "tool/commands/subcommands.h"
+#include "tool/options/recovery.h"
+
+#include <iostream>
+#include <memory>
+
+namespace symreal::tool {
+
+void add_undo(CLI::App &app, Session &session) {
+  CLI::App *command = app.add_subcommand("undo", "Take back the last rewrite --in-place");
+  auto directory = std::make_shared<std::string>(".");
+  command->add_option("directory", *directory, "Where the files are, or below them; by default here");
+  command->callback([directory, &session] {
+    refuse_flags(session);
+    program::Recovery const recovery = recover(*directory);
+    // With that the tree is what it was before already.
+    if (recovery == program::Recovery::taken_back || recovery == program::Recovery::undone) return;
+    for (std::string const &file : program::undo_tree(*directory)) std::cout << file << "\n";
+  });
+}
+
+} // namespace symreal::tool

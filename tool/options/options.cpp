@@ -1,0 +1,74 @@
+#include "tool/options/options.h"
+
+#include "diagnostics/diagnostic.h"
+#include "passes/pass.h"
+#include "program/object_cache.h"
+#include "program/process.h"
+
+namespace symreal::tool {
+
+void SourceOptions::add_to(CLI::App &app) {
+  project.add_build_to(app);
+  app.add_option("--cxx", front.build.compiler, "Compiler of the rewritten program")->capture_default_str();
+  app.add_option("--link", link, "Words for the linker of the rewritten program, such as '-L. -lfoo'");
+  app.add_option("--run-args", run_arguments, "Arguments of the program, as in a shell");
+  app.add_option("--stdin", front.run.standard_input, "File that the program reads as standard input")
+      ->type_name("FILE");
+  app.add_option("--cwd", front.run.directory, "Directory in which the program runs")->type_name("DIR");
+  app.add_option("--timeout", front.run.time_limit, "Seconds after which the program is ended")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  app.add_flag("--reachable", project.request.reachable,
+               "Rewrite and build only those of the sources that define what main, or the called function, reaches");
+  app.add_flag("--run-on", front.run.run_on, "Let the program run to its end after the last kernel");
+  app.add_flag("--keep", front.keep, "Keep the build directory and say where it is");
+  app.add_option("--kernel", front.kernel,
+                 "Only the kernel of this name; or a function that no program calls: 'f(x[0:3]=0.5, n=3) -> y[0:3]'")
+      ->type_name("NAME|CALL");
+}
+
+program::FrontRequest SourceOptions::request(CompilerFlags const &flags) const {
+  program::FrontRequest request = front;
+  request.source = project.complete(flags);
+  request.build.link = program::split_words(link);
+  request.build.cache = std::make_shared<program::ObjectCache>(project.cache());
+  request.run.arguments = program::split_words(run_arguments);
+  return request;
+}
+
+void PassOptions::add_to(CLI::App &app) {
+  app.add_option("--fp", mode, "Floating-point mode: finite, strict or fast")->capture_default_str();
+  std::string names;
+  for (PassInfo const &pass : pass_table()) names += std::string(names.empty() ? "" : ", ") + std::string(pass.name);
+  app.add_option("--passes", passes, "Passes, separated by commas; or default, or none. There are: " + names)
+      ->capture_default_str();
+}
+
+FloatingPoint PassOptions::floating_point() const {
+  auto parsed = parse_floating_point(mode);
+  if (!parsed) fail(DiagnosticId::bad_option, {}, "--fp takes finite, strict or fast, not '" + mode + "'");
+  return *parsed;
+}
+
+std::vector<std::string> PassOptions::names() const { return parse_passes(passes); }
+
+void EmitterOptions::add_to(CLI::App &app) {
+  app.add_option("--prefix", prefix, "Begins every external name of the generated code: P gives P_compute");
+  app.add_flag("--mainline", mainline, "Also emit a program that runs the generated code");
+  app.add_flag("--trace-comments", trace_comments, "Each statement says which source lines it comes from");
+  app.add_option("--map", map_file, "Also write a map from generated lines to source lines, as JSON")
+      ->type_name("FILE");
+  app.add_flag("--check-values", check_values,
+               "For debugging: the generated code reports the first NaN or infinity with its source line");
+}
+
+void require_one_of(std::string const &option, std::string const &value, std::string_view words) {
+  for (std::string_view rest = words; !rest.empty();) {
+    std::size_t end = rest.find('|');
+    if (rest.substr(0, end) == value) return;
+    rest = end == rest.npos ? "" : rest.substr(end + 1);
+  }
+  fail(DiagnosticId::bad_option, {}, option + " takes " + std::string(words) + ", not '" + value + "'");
+}
+
+} // namespace symreal::tool

@@ -1,0 +1,46 @@
+// Options that several subcommands share, and how they are told to CLI11.
+#pragma once
+
+#include "ops/floating_point.h"
+#include "program/front.h"
+#include "tool/options/project_options.h"
+
+#include <CLI/CLI.hpp>
+
+#include <string>
+#include <vector>
+
+namespace symreal::tool {
+
+// Sources, how they are built and how the program is run.
+struct SourceOptions {
+  ProjectOptions project;
+  std::string run_arguments, link;
+  program::FrontRequest front;
+
+  void add_to(CLI::App &app);
+  program::FrontRequest request(CompilerFlags const &flags) const;
+};
+
+// Which passes run, in which floating-point mode.
+struct PassOptions {
+  std::string mode = "finite", passes = "default";
+
+  void add_to(CLI::App &app);
+  FloatingPoint floating_point() const;
+  std::vector<std::string> names() const;
+};
+
+// The form of the generated code.
+struct EmitterOptions {
+  std::string prefix;
+  bool mainline = false, trace_comments = false, check_values = false;
+  std::string map_file;
+
+  void add_to(CLI::App &app);
+};
+
+// Fails unless `value` is among the words, separated by '|'.
+void require_one_of(std::string const &option, std::string const &value, std::string_view words);
+
+} // namespace symreal::tool

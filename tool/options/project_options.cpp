@@ -1,0 +1,129 @@
+#include "tool/options/project_options.h"
+
+#include "diagnostics/diagnostic.h"
+#include "tool/options/recovery.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+#include <thread>
+
+namespace symreal::tool {
+
+// Of the sources, and of where the user is.
+static void recover_trees(std::vector<std::string> const &sources) {
+  std::set<std::string> directories = {"."};
+  for (std::string const &source : sources) {
+    std::string const directory = std::filesystem::path(source).parent_path().string();
+    if (!directory.empty()) directories.insert(directory);
+  }
+  for (std::string const &directory : directories) recover(directory);
+}
+
+// What the build has besides the named sources. What is excluded there belongs to no program unless it is named.
+static void add_others(rewrite::Request &request, std::string const &build) {
+  for (rewrite::Compilation &one : rewrite::read_compile_commands(build, {})) {
+    std::string const real = rewrite::real_source(one);
+    bool const is_named = std::find(request.begin.begin(), request.begin.end(), real) != request.begin.end();
+    if (!is_named && !request.exclude.matches(real)) request.compilations.push_back(std::move(one));
+  }
+}
+
+void ProjectOptions::add_to(CLI::App &app) {
+  app.add_option("sources", request.sources, "C and C++ sources; with -p by default all of them");
+  add_build_to(app);
+}
+
+void ProjectOptions::add_build_to(CLI::App &app) {
+  app.add_option("--root", request.roots,
+                 "A further directory whose files may be rewritten, besides the sources' own (repeatable)")
+      ->take_all()
+      ->allow_extra_args(false)
+      ->type_name("DIR");
+  app.add_option("-p", build, "Directory of the compile_commands.json that says how the sources are compiled")
+      ->type_name("DIR");
+  app.add_option("-j", request.jobs, "How many sources are read at once; by default as many as there are processors")
+      ->check(CLI::PositiveNumber)
+      ->type_name("N");
+  app.add_option("--type-name", request.type_name,
+                 "How rewritten sources spell the number; by default REAL, or SYMREAL_REAL where that is taken");
+  app.add_flag("--no-cache", no_cache, "Read and compile everything, also what an earlier run has read and compiled");
+  app.add_option("--config", configuration,
+                 "The project's configuration; by default the .symreal.yaml in the directory of the first source or "
+                 "the nearest above it")
+      ->type_name("FILE");
+}
+
+std::shared_ptr<program::CacheDirectory> ProjectOptions::cache() const {
+  return std::make_shared<program::CacheDirectory>(no_cache ? "" : program::usual_cache_directory());
+}
+
+std::string ProjectOptions::configuration_file(bool or_new) const {
+  if (!configuration.empty()) return configuration;
+  std::filesystem::path const start = request.sources.empty()
+                                          ? std::filesystem::path(build.empty() ? "." : build)
+                                          : std::filesystem::path(request.sources.front()).parent_path();
+  std::string const found = find_configuration(start.string());
+  return found.empty() && or_new ? (start / ".symreal.yaml").string() : found;
+}
+
+void ProjectOptions::configure(CLI::App &command, ConfiguredOptions &given) {
+  std::string const file = configuration_file();
+  if (file.empty()) return;
+  Configuration read = read_configuration(file);
+  set_options(read, command, given);
+  request.roots.insert(request.roots.end(), read.roots.begin(), read.roots.end());
+  request.exclude = std::move(read.exclude);
+  if (request.type_name.empty()) request.type_name = read.type_name;
+  request.kernels = std::move(read.kernels);
+  calls = std::move(read.calls);
+  request.externals = std::move(read.externals);
+}
+
+rewrite::Request ProjectOptions::complete(CompilerFlags const &flags) const {
+  rewrite::Request complete = request;
+  if (complete.jobs == 0) complete.jobs = std::max(1U, std::thread::hardware_concurrency());
+  if (build.empty() && complete.sources.empty())
+    fail(DiagnosticId::bad_option, {}, "sources, or a directory with -p, say what is read");
+  complete.flags = flags;
+  if (std::shared_ptr<program::CacheDirectory> kept = cache(); kept->exists()) complete.kept = std::move(kept);
+  if (complete.reachable) {
+    std::vector<std::string> named = complete.sources;
+    if (build.empty()) named.resize(1);
+    for (std::string const &source : named) complete.begin.push_back(rewrite::real_source({source, {}, {}}));
+  }
+  if (build.empty()) {
+    recover_trees(complete.sources);
+    return complete;
+  }
+  if (!complete.reachable || !request.sources.empty())
+    complete.compilations = rewrite::read_compile_commands(build, request.sources);
+  if (complete.reachable) add_others(complete, build);
+  complete.sources.clear();
+  for (rewrite::Compilation &one : complete.compilations) {
+    one.flags.insert(one.flags.end(), flags.begin(), flags.end());
+    complete.sources.push_back(one.source);
+  }
+  std::vector<std::string> paths;
+  for (rewrite::Compilation const &one : complete.compilations)
+    paths.push_back((std::filesystem::path(one.directory) / one.source).string());
+  recover_trees(paths);
+  return complete;
+}
+
+rewrite::Request only_rewritten(rewrite::Request request) {
+  rewrite::Exclusion const &exclude = request.exclude;
+  std::erase_if(request.compilations,
+                [&](rewrite::Compilation const &one) { return exclude.matches(rewrite::real_source(one)); });
+  std::erase_if(request.sources, [&](std::string const &source) {
+    return request.compilations.empty() && exclude.matches(rewrite::real_source({source, {}, {}}));
+  });
+  if (!request.compilations.empty()) {
+    request.sources.clear();
+    for (rewrite::Compilation const &one : request.compilations) request.sources.push_back(one.source);
+  }
+  if (request.sources.empty()) fail(DiagnosticId::bad_option, {}, "the configuration excludes all of the sources");
+  return request;
+}
+
+} // namespace symreal::tool

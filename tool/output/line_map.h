@@ -1,0 +1,14 @@
+// The map from lines of generated code to source lines, as JSON.
+#pragma once
+
+#include "emit/print/emitted.h"
+
+#include <string>
+
+namespace symreal::tool {
+
+// {"version": 1, "file": "arm.c", "lines": [{"first": 9, "last": 10, "sources": [[{"file": ..., "line": ..., "column":
+// ...}, ...], ...]}, ...]}. Each source is a list of places: the user's own, then those further in.
+std::string line_map(EmittedFile const &file, Graph const &graph);
+
+} // namespace symreal::tool

@@ -1,0 +1,96 @@
+#include "tool/output/outputs.h"
+
+#include "diagnostics/diagnostic.h"
+#include "emit/c/banner.h"
+#include "emit/emit.h"
+#include "support/diff.h"
+#include "support/files.h"
+#include "tool/output/line_map.h"
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <iostream>
+#include <set>
+#include <unistd.h>
+
+namespace symreal::tool {
+
+namespace fs = std::filesystem;
+
+std::vector<OutputFile> emitted_files(Graph const &graph, EmitterOptions const &options, FloatingPoint mode,
+                                      std::string const &path) {
+  require_c_name(path);
+  EmitOptions emit{fs::path(path).stem().string(), options.prefix,      mode, options.mainline,
+                   options.trace_comments,         options.check_values};
+  std::vector<OutputFile> files;
+  for (EmittedFile &file : emit_c(graph, emit)) {
+    if (!options.map_file.empty() && files.empty()) files.push_back({options.map_file, line_map(file, graph)});
+    files.push_back({(fs::path(path).parent_path() / file.name).string(), std::move(file.text)});
+  }
+  if (!options.map_file.empty()) std::swap(files[0], files[1]); // the source comes first
+  return files;
+}
+
+void require_c_name(std::string const &path) {
+  if (fs::path(path).extension() != ".c")
+    fail(DiagnosticId::bad_option, {}, "generated C goes to a file whose name ends in .c, not to '" + path + "'");
+  if (fs::path(path).filename().string().find_first_of("\"\n\\") != std::string::npos)
+    fail(DiagnosticId::bad_option, {}, "an #include cannot name the header beside '" + path + "'");
+}
+
+void require_writable(std::string const &path) {
+  fs::path directory = fs::path(path).parent_path();
+  if (directory.empty()) directory = ".";
+  std::error_code ignored;
+  if (access(directory.c_str(), W_OK | X_OK) != 0)
+    fail(DiagnosticId::unwritable_output, {path},
+         "'" + path + "' cannot be written: " + std::string(std::strerror(errno)));
+  if (!fs::is_directory(directory, ignored))
+    fail(DiagnosticId::unwritable_output, {path}, "'" + path + "' cannot be written: its directory is a file");
+  if (fs::is_directory(path, ignored))
+    fail(DiagnosticId::unwritable_output, {path}, "'" + path + "' cannot be written: a directory has this name");
+}
+
+void require_writable(std::vector<OutputFile> const &files) {
+  std::set<fs::path> paths;
+  for (OutputFile const &file : files) {
+    require_writable(file.path);
+    require_ours(file.path, file.text);
+    if (!paths.insert(fs::path(file.path).lexically_normal()).second)
+      fail(DiagnosticId::output_collision, {file.path}, "two results would be written to this file");
+  }
+}
+
+void make_directory(std::string const &path) {
+  std::error_code problem;
+  fs::create_directories(path, problem);
+  if (problem) fail(DiagnosticId::unwritable_output, {path}, "the directory cannot be made: " + problem.message());
+}
+
+bool check_files(std::vector<OutputFile> const &files) {
+  bool current = true;
+  for (OutputFile const &file : files) {
+    bool const exists = fs::exists(file.path);
+    std::string const there = exists ? read_file(file.path) : "";
+    if (exists && there == file.text) continue;
+    current = false;
+    std::cout << unified_diff(file.path, there, file.text) << std::flush;
+    print(std::cerr, {DiagnosticId::out_of_date,
+                      Severity::error,
+                      {file.path},
+                      exists ? "this file is not what the sources give now" : "this file is not there"});
+  }
+  return current;
+}
+
+std::vector<std::string> write_files(std::vector<OutputFile> const &files) {
+  std::vector<std::string> paths;
+  for (OutputFile const &file : files) {
+    write_if_changed(file.path, file.text);
+    paths.push_back(file.path);
+  }
+  return paths;
+}
+
+} // namespace symreal::tool

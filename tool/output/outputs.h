@@ -1,0 +1,36 @@
+// The files that a run leaves: all of them or none.
+#pragma once
+
+#include "graph/graph.h"
+#include "tool/options/options.h"
+
+#include <string>
+#include <vector>
+
+namespace symreal::tool {
+
+struct OutputFile {
+  std::string path, text;
+};
+
+// Generated C at `path` (its name ends in .c), the header and on request the mainline beside it.
+std::vector<OutputFile> emitted_files(Graph const &graph, EmitterOptions const &options, FloatingPoint mode,
+                                      std::string const &path);
+
+// Fails for a name that --lang=c cannot have.
+void require_c_name(std::string const &path);
+
+// Fails when a file of this name cannot be written; before the work is done, so that it is not done in vain.
+void require_writable(std::string const &path);
+void require_writable(std::vector<OutputFile> const &files);
+
+// Makes a directory for results where there is none.
+void make_directory(std::string const &path);
+
+// Does the disk hold these files? What differs is reported, and its difference printed to standard output.
+bool check_files(std::vector<OutputFile> const &files);
+
+// Returns the paths. Files that are up to date are left alone.
+std::vector<std::string> write_files(std::vector<OutputFile> const &files);
+
+} // namespace symreal::tool

@@ -1,0 +1,163 @@
+#include "tool/report/report.h"
+
+#include "emit/print/words.h"
+#include "graph/frozen.h"
+#include "graph/statistics.h"
+#include "support/number.h"
+#include "tool/report/source_lines.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <fmt/ostream.h>
+#include <nlohmann/json.hpp>
+
+namespace symreal::tool {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct Column {
+  std::string name, meaning;
+  OperationCounts counts;
+};
+
+std::vector<Column> columns(KernelReport const &report) {
+  Statistics before = statistics(*report.recorded), after = statistics(*report.optimised);
+  return {{"executed", "by the program", report.recorded->executed},
+          {"recorded", "distinct", before.recorded},
+          {"compute", "generated", after.compute},
+          {"preprocess", "generated", after.preprocess}};
+}
+
+void print_row(std::ostream &out, std::string const &name, std::vector<std::size_t> const &cells) {
+  fmt::print(out, "  {:<16}", name);
+  for (std::size_t cell : cells) fmt::print(out, "{:>12}", cell == 0 ? "." : std::to_string(cell));
+  out << "\n";
+}
+
+void print_operations(std::ostream &out, std::vector<Column> const &table) {
+  fmt::print(out, "  {:<16}", "operations");
+  for (Column const &column : table) fmt::print(out, "{:>12}", column.name);
+  out << "\n";
+  std::vector<std::size_t> sums(table.size());
+  for (OperationInfo const &operation : operations()) {
+    std::vector<std::size_t> cells;
+    bool any = false;
+    for (std::size_t i = 0; i < table.size(); ++i) {
+      cells.push_back(table[i].counts[operation.op]);
+      any |= cells.back() != 0;
+    }
+    if (any) print_row(out, std::string(operation.name), cells);
+  }
+  for (std::size_t i = 0; i < table.size(); ++i) sums[i] = table[i].counts.arithmetic();
+  print_row(out, "+ - * / together", sums);
+}
+
+std::string extents(Object const &object) {
+  std::string text;
+  for (std::size_t extent : object.extents) text += fmt::format("[{}]", extent);
+  return text;
+}
+
+void print_objects(std::ostream &out, char const *role, std::vector<Object> const &objects) {
+  for (Object const &object : objects)
+    fmt::print(out, "  {:<10}{:>6}..{:<6}{}  {}\n", role, object.first, object.first + object.count - 1, object.label,
+               extents(object));
+}
+
+// Fewer operations are what makes generated code faster. Where there are as many, the loops of the original may be.
+void print_gain(std::ostream &out, Graph const &recorded, Graph const &optimised) {
+  std::size_t const before = recorded.executed.arithmetic(), after = statistics(optimised).compute.arithmetic();
+  if (after == 0 || 10 * after < 9 * before) return;
+  fmt::print(
+      out,
+      "  the generated code has as many operations as the original ({} of {}): where a compiler makes vector code "
+      "of the original's loops, the original may win; measure both\n",
+      after, before);
+}
+
+// Numbered as `compute` returns them.
+void print_guards(std::ostream &out, Graph const &graph, bool details) {
+  constexpr std::size_t most = 10;
+  std::size_t const count = graph.guards.size(), shown = details ? count : std::min(count, most);
+  for (std::size_t k = 0; k < shown; ++k)
+    fmt::print(out, "  guard {:<9} {}\n", k + 1, guard_text(graph, graph.guards[k]));
+  if (shown < count) fmt::print(out, "  ... {} guards in all; --stats lists them\n", count);
+}
+
+Json guards_to_json(Graph const &graph) {
+  Json json = Json::array();
+  for (Guard const &guard : graph.guards) {
+    json.push_back({{"condition", guard.text}, {"places", Json::array()}});
+    if (guard.location == no_location) continue;
+    for (Place const &place : graph.locations[guard.location].places)
+      json.back()["places"].push_back({{"file", place.file}, {"line", place.line}, {"column", place.column}});
+  }
+  return json;
+}
+
+Json to_json(OperationCounts const &counts) {
+  Json json = Json::object();
+  for (OperationInfo const &operation : operations())
+    if (counts[operation.op] != 0) json[std::string(operation.name)] = counts[operation.op];
+  json["arithmetic"] = counts.arithmetic();
+  return json;
+}
+
+Json to_json(std::vector<Object> const &objects) {
+  Json json = Json::array();
+  for (Object const &object : objects)
+    json.push_back(
+        {{"label", object.label}, {"first", object.first}, {"count", object.count}, {"extents", object.extents}});
+  return json;
+}
+
+} // namespace
+
+void print_table(std::ostream &out, KernelReport const &report, bool details) {
+  Graph const &recorded = *report.recorded, &optimised = *report.optimised;
+  fmt::print(out, "kernel {}: {} inputs, {} parameters, {} outputs, {} precomputed constants\n", recorded.kernel,
+             recorded.input_count(), recorded.parameter_count(), recorded.output_count(), optimised.precomputed.size());
+  print_operations(out, columns(report));
+  if (details) {
+    out << "  live operations after each pass (+ - * /, functions)\n";
+    for (Stage const &stage : report.stages)
+      fmt::print(out, "    {:<14}{:>12}{:>12}\n", stage.name, stage.live.arithmetic(), stage.live.calls());
+    print_objects(out, "input", recorded.inputs);
+    print_objects(out, "parameter", recorded.parameters);
+    print_objects(out, "output", recorded.outputs);
+    print_lines(out, operations_by_line(recorded, optimised));
+    print_gain(out, recorded, optimised);
+  }
+  print_guards(out, optimised, details);
+  for (Frozen const &state : recorded.frozen)
+    fmt::print(out, "  baked in        {} = {}  ({})\n", state.name, value_list(state.values), to_string(state.place));
+  std::string times;
+  for (auto const &[part, seconds] : report.seconds)
+    times += fmt::format("{}{} {:.2f} s", times.empty() ? "" : ", ", part, seconds);
+  if (!times.empty()) fmt::print(out, "  {}\n", times);
+  for (std::string const &file : report.files) fmt::print(out, "  wrote {}\n", file);
+}
+
+Json to_json(KernelReport const &report) {
+  Graph const &recorded = *report.recorded;
+  Json json = {{"kernel", recorded.kernel},
+               {"inputs", to_json(recorded.inputs)},
+               {"parameters", to_json(recorded.parameters)},
+               {"outputs", to_json(recorded.outputs)},
+               {"constants", report.optimised->precomputed.size()}};
+  if (!report.optimised->guards.empty()) json["guards"] = guards_to_json(*report.optimised);
+  for (Column const &column : columns(report)) json["operations"][column.name] = to_json(column.counts);
+  json["passes"] = Json::array();
+  for (Stage const &stage : report.stages)
+    json["passes"].push_back({{"after", stage.name}, {"live", to_json(stage.live)}});
+  if (auto lines = operations_by_line(recorded, *report.optimised); !lines.empty()) json["lines"] = to_json(lines);
+  json["frozen"] = Json::array();
+  for (Frozen const &state : recorded.frozen)
+    json["frozen"].push_back({{"name", state.name}, {"place", to_string(state.place)}, {"values", state.values}});
+  for (auto const &[part, seconds] : report.seconds) json["seconds"][part] = seconds;
+  json["files"] = report.files;
+  return json;
+}
+
+} // namespace symreal::tool

@@ -1,0 +1,249 @@
+#include "tool/report/verify_report.h"
+
+#include "graph/names.h"
+#include "support/number.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <fmt/ostream.h>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+namespace symreal::tool {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string ulp_text(std::uint64_t distance) {
+  return distance == std::numeric_limits<std::uint64_t>::max() ? "NaN" : std::to_string(distance);
+}
+
+// The element of an object that is worst: one that differs before one that does not, then by distance.
+std::uint32_t worst_element(Object const &object, std::vector<OutputComparison> const &outputs) {
+  auto key = [&](std::uint32_t element) {
+    OutputComparison const &output = outputs[object.first + element];
+    return std::pair(output.different != 0, output.worst_ulp);
+  };
+  std::uint32_t worst = 0;
+  for (std::uint32_t element = 1; element < object.count; ++element)
+    if (key(element) > key(worst)) worst = element;
+  return worst;
+}
+
+std::size_t different_elements(Object const &object, std::vector<OutputComparison> const &outputs) {
+  auto first = outputs.begin() + object.first;
+  return static_cast<std::size_t>(
+      std::count_if(first, first + object.count, [](OutputComparison const &output) { return output.different != 0; }));
+}
+
+// The worst of an object, in a column; nothing where there is none.
+std::string ulp_column(Object const &object, std::vector<std::uint64_t> const &ulp) {
+  if (ulp.empty()) return "";
+  auto const first = ulp.begin() + object.first;
+  return fmt::format("{:>22}", ulp_text(*std::max_element(first, first + object.count)));
+}
+
+std::string list(std::vector<double> const &values) {
+  constexpr std::size_t most = 16;
+  std::string text;
+  for (std::size_t i = 0; i < values.size() && i < most; ++i) text += (i ? ", " : "") + shortest(values[i]);
+  return values.size() > most ? text + ", ..." : text;
+}
+
+// Of the first object that differs, the element that is worst. `what` stands against the original.
+std::string first_difference(Graph const &graph, program::Verification const &verification,
+                             std::vector<OutputComparison> const &outputs, std::string_view what) {
+  std::vector<std::string> names = identifiers(graph.outputs);
+  for (std::size_t i = 0; i < graph.outputs.size(); ++i) {
+    Object const &object = graph.outputs[i];
+    if (different_elements(object, outputs) == 0) continue;
+    std::uint32_t element = worst_element(object, outputs);
+    OutputComparison const &worst = outputs[object.first + element];
+    return fmt::format("{}: original {}, {} {}, {} ULP apart, inputs {}", element_name(names[i], object, element),
+                       shortest(worst.original), what, shortest(worst.generated), ulp_text(worst.worst_ulp),
+                       list(verification.samples[worst.worst_sample].inputs));
+  }
+  return {};
+}
+
+// A fault of the rewriter: nothing else can be told apart from it.
+std::optional<Diagnostic> rewriting_failure(Graph const &graph, program::Verification const &verification) {
+  std::size_t const count = program::count_different(verification.rewritten);
+  if (count == 0) return {};
+  return Diagnostic{DiagnosticId::rewriting_mismatch,
+                    Severity::error,
+                    graph.outputs.front().place,
+                    fmt::format("kernel '{}': {} of {} outputs of the rewritten program differ from the original's",
+                                graph.kernel, count, verification.rewritten.size()),
+                    {{{}, first_difference(graph, verification, verification.rewritten, "rewritten")}}};
+}
+
+std::optional<Diagnostic> state_failure(Graph const &graph, std::vector<program::LeftState> const &all,
+                                        std::string_view who) {
+  if (all.empty()) return {};
+  Diagnostic diagnostic{DiagnosticId::state_left_behind, Severity::error, graph.outputs.front().place, ""};
+  for (program::LeftState const &left : all) {
+    std::string const text = fmt::format("the {} leaves {} changed, on {} sample{}", who, left.name, left.samples,
+                                         left.samples == 1 ? "" : "s");
+    if (diagnostic.message.empty())
+      diagnostic.message = fmt::format("kernel '{}': {}", graph.kernel, text);
+    else
+      diagnostic.notes.push_back({{}, text});
+  }
+  return diagnostic;
+}
+
+// 1, 3-5, 8 of 1, 3, 4, 5, 8.
+std::string runs_of(std::vector<std::size_t> const &numbers) {
+  std::string text;
+  for (std::size_t k = 0; k < numbers.size(); ++k) {
+    std::size_t const first = k;
+    while (k + 1 < numbers.size() && numbers[k + 1] == numbers[k] + 1) ++k;
+    text += (text.empty() ? "" : ", ") + std::to_string(numbers[first]);
+    if (k != first) text += (k == first + 1 ? ", " : "-") + std::to_string(numbers[k]);
+  }
+  return text;
+}
+
+void print_guards(std::ostream &out, program::Verification const &verification) {
+  fmt::print(out, "  refused by a guard: {}\n  {:<8}{:>10}   {}\n", verification.refused, "guard", "samples",
+             "condition");
+  for (std::size_t k = 0; k < verification.guards.size(); ++k)
+    fmt::print(out, "  {:<8}{:>10}   {}\n", k + 1, verification.guards[k].failed, verification.guards[k].text);
+  std::vector<std::size_t> never;
+  for (std::size_t k = 0; k < verification.guards.size(); ++k)
+    if (verification.guards[k].failed == 0) never.push_back(k + 1);
+  if (!never.empty())
+    fmt::print(out,
+               "  no sample failed guard {}: the code was not tried beyond; range(low, high) on an input says "
+               "where samples are drawn\n",
+               runs_of(never));
+  if (verification.mode == FloatingPoint::fast && verification.guards_different != 0)
+    fmt::print(out, "  rounding decides {} samples otherwise\n", verification.guards_different);
+}
+
+std::string guard_difference(program::Verification const &verification) {
+  program::GuardMismatch const &mismatch = *verification.guard_mismatch;
+  return fmt::format("the original {}, the code returned {}, inputs {}",
+                     mismatch.expected.empty() ? "decides as it did while it was recorded"
+                                               : "does not satisfy the guard " + mismatch.expected,
+                     mismatch.found, list(verification.samples[mismatch.sample].inputs));
+}
+
+} // namespace
+
+void print_verification(std::ostream &out, Graph const &graph, program::Verification const &verification) {
+  fmt::print(out, "kernel {}, mode {}: {} samples, {} within the premises\n", graph.kernel,
+             to_string(verification.mode), verification.samples.size(), verification.inside);
+  if (verification.undefined != 0)
+    fmt::print(out,
+               "  left out: {} on which the original's behaviour is undefined: an index outside of its table, an "
+               "integer beyond its type, or the sign of a NaN\n",
+               verification.undefined);
+  if (verification.not_finite + verification.zero_sign != 0)
+    fmt::print(out,
+               "  outside: {} with a value that is not finite, {} where the sign of a zero is seen; {} of them "
+               "differ\n",
+               verification.not_finite, verification.zero_sign, verification.outside_different);
+  if (!verification.guards.empty()) print_guards(out, verification);
+  if (!verification.wrapped.empty()) fmt::print(out, "  the wrapper was tried as well\n");
+  fmt::print(out, "  {:<28}{:>10}{:>22}{:>12}{}{}\n", "output", "elements", "worst ULP", "different",
+             verification.own_flags_ulp.empty() ? "" : fmt::format("{:>22}", "ULP, own flags"),
+             verification.own_code_ulp.empty() ? "" : fmt::format("{:>22}", "code with own flags"));
+  std::vector<std::string> names = identifiers(graph.outputs);
+  for (std::size_t i = 0; i < graph.outputs.size(); ++i) {
+    Object const &object = graph.outputs[i];
+    if (object.count == 0) continue;
+    std::uint32_t element = worst_element(object, verification.outputs);
+    fmt::print(out, "  {:<28}{:>10}{:>22}{:>12}{}{}\n", element_name(names[i], object, element), object.count,
+               ulp_text(verification.outputs[object.first + element].worst_ulp),
+               different_elements(object, verification.outputs), ulp_column(object, verification.own_flags_ulp),
+               ulp_column(object, verification.own_code_ulp));
+  }
+}
+
+Json to_json(Graph const &graph, program::Verification const &verification) {
+  Json json = {{"kernel", graph.kernel},
+               {"mode", to_string(verification.mode)},
+               {"samples", verification.samples.size()},
+               {"inside", verification.inside},
+               {"not_finite", verification.not_finite},
+               {"zero_sign", verification.zero_sign},
+               {"undefined", verification.undefined},
+               {"outputs", Json::array()}};
+  for (Object const &object : graph.outputs)
+    for (std::uint32_t element = 0; element < object.count; ++element) {
+      OutputComparison const &output = verification.outputs[object.first + element];
+      json["outputs"].push_back({{"label", object.label},
+                                 {"element", element},
+                                 {"worst_ulp", output.worst_ulp},
+                                 {"different", output.different}});
+      if (!verification.own_flags_ulp.empty())
+        json["outputs"].back()["own_flags_ulp"] = verification.own_flags_ulp[object.first + element];
+      if (!verification.own_code_ulp.empty())
+        json["outputs"].back()["own_code_ulp"] = verification.own_code_ulp[object.first + element];
+    }
+  if (!verification.guards.empty()) json["refused"] = verification.refused;
+  json["rewritten_different"] = program::count_different(verification.rewritten);
+  json["called_again_different"] = program::count_different(verification.called_again);
+  json["left_behind"] = Json::array();
+  for (program::LeftState const &left : verification.left)
+    json["left_behind"].push_back({{"name", left.name}, {"samples", left.samples}});
+  for (program::GuardCheck const &guard : verification.guards)
+    json["guards"].push_back({{"text", guard.text}, {"failed", guard.failed}});
+  return json;
+}
+
+std::optional<Diagnostic> verification_failure(Graph const &graph, program::Verification const &verification,
+                                               program::VerificationOptions const &options, std::string const &file) {
+  if (auto failure = rewriting_failure(graph, verification)) return failure;
+  if (std::size_t count = program::count_different(verification.outputs)) {
+    Diagnostic diagnostic{DiagnosticId::verification_mismatch, Severity::error, {file}, ""};
+    diagnostic.message = fmt::format("{} of {} outputs differ from the original", count, verification.outputs.size());
+    diagnostic.notes.push_back({{}, first_difference(graph, verification, verification.outputs, "generated")});
+    if (verification.graph_different != 0)
+      diagnostic.notes.push_back(
+          {{},
+           fmt::format(
+               "on {} samples the graph as recorded, before any pass, differs from the original too: no pass is "
+               "at fault there, but what the recording has not seen (state that is no input, a decision that "
+               "was carried, code that was not rewritten)",
+               verification.graph_different)});
+    return diagnostic;
+  }
+  if (std::size_t count = program::count_different(verification.called_again))
+    return Diagnostic{DiagnosticId::verification_mismatch,
+                      Severity::error,
+                      {file},
+                      fmt::format("called again, {} of {} outputs differ from the original: it keeps something that is "
+                                  "no output, or that is said to be scratch",
+                                  count, verification.outputs.size()),
+                      {{{}, first_difference(graph, verification, verification.called_again, "generated")}}};
+  if (verification.guards_different != 0 && verification.mode != FloatingPoint::fast)
+    return Diagnostic{DiagnosticId::verification_mismatch,
+                      Severity::error,
+                      {file},
+                      fmt::format("on {} samples the code does not return the guard that does not hold",
+                                  verification.guards_different),
+                      {{{}, guard_difference(verification)}}};
+  if (auto failure = state_failure(graph, verification.left, "original")) return failure;
+  if (std::size_t count = program::count_different(verification.wrapped))
+    return Diagnostic{DiagnosticId::verification_mismatch,
+                      Severity::error,
+                      {file},
+                      fmt::format("{} of {} outputs of the wrapper differ from the generated code's", count,
+                                  verification.outputs.size()),
+                      {{{}, first_difference(graph, verification, verification.wrapped, "wrapper's")}}};
+  if (auto failure = state_failure(graph, verification.left_by_wrapper, "wrapper")) return failure;
+  if (verification.inside < std::min(options.min_samples, options.samples))
+    return Diagnostic{DiagnosticId::too_few_samples,
+                      Severity::error,
+                      {file},
+                      fmt::format("only {} samples lie within the premises of mode {}, {} are wanted",
+                                  verification.inside, to_string(verification.mode), options.min_samples)};
+  return {};
+}
+
+} // namespace symreal::tool
