@@ -17,7 +17,7 @@ import sys
 from concurrent.futures import ThreadPoolExecutor
 
 from kernels import KERNELS
-from present import write_results
+from present import recorded_ratios, write_plot, write_results
 
 SYMREAL = os.environ.get("SYMREAL", "build/dev/tool/symreal")
 WORK = pathlib.Path("build/bench")
@@ -204,6 +204,8 @@ def machine():
 
 def main():
     wanted = sys.argv[1:]
+    if wanted == ["--draw"]:
+        return write_plot(recorded_ratios())
     unknown = set(wanted) - {kernel.name for kernel in KERNELS}
     if unknown:
         sys.exit(f"bench: no such kernel: {', '.join(sorted(unknown))}")
