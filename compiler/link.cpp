@@ -31,10 +31,9 @@ int link(Words const &compiler, Words words) {
   std::cerr << done.output;
   if (done.outcome.success()) return 0;
   if (done.outcome.ending == program::Ending::not_started)
-    print(std::cerr, {DiagnosticId::compiler_missing, Severity::error, {}, "'" + words[0] + "' cannot be started"});
+    print(std::cerr, {DiagnosticId::compiler_missing, {}, "'" + words[0] + "' cannot be started"});
   for (std::string const &function : missing_marks(done.output))
     print(std::cerr, {DiagnosticId::boundary_function,
-                      Severity::error,
                       {},
                       "'" + function + "' carries REAL, and nothing that was compiled in symbolic mode defines it"});
   return done.outcome.ending == program::Ending::exited ? done.outcome.status : 1;

@@ -129,7 +129,6 @@ bool all_rewritten(Words const &dependencies, Names const &names, std::string co
     if (rewrite::File const *file = names.read_unchanged(one)) {
       print(std::cerr,
             {DiagnosticId::read_unchanged,
-             Severity::error,
              {source},
              "'" + file->display_path + "' is rewritten, but the compiler reads it as it was, as '" + one + "'"});
       return false;

@@ -68,7 +68,6 @@ std::optional<Message> expansion(std::vector<std::string> const &lines, std::siz
 std::optional<Diagnostic> did_not_start(std::vector<std::string> const &command, Captured const &result) {
   if (result.outcome.ending != Ending::not_started) return {};
   return Diagnostic{DiagnosticId::compiler_missing,
-                    Severity::error,
                     {},
                     "the compiler '" + command[0] + "' cannot be run: " + std::strerror(result.outcome.status)};
 }
@@ -86,7 +85,7 @@ Diagnostic compiler_failure(std::vector<std::string> const &command, Captured co
                             std::string const &mode) {
   if (auto missing = did_not_start(command, result)) return *missing;
   static std::regex const error("([^:]+):([0-9]+):(?:([0-9]+):)? (?:fatal error|error): (.*)");
-  Diagnostic diagnostic{DiagnosticId::build_failed, Severity::error, {}, ""};
+  Diagnostic diagnostic{DiagnosticId::build_failed, {}, ""};
   std::vector<std::string> lines = lines_of(result.output);
   for (std::size_t i = 0; i < lines.size(); ++i) {
     auto message = match(lines[i], error, overlay);
@@ -121,7 +120,7 @@ Diagnostic linker_failure(std::vector<std::string> const &command, Captured cons
   // With debug information the linker names the source: file:line: undefined reference to `...'
   static std::regex const undefined(
       "(?:[^ ]*/?ld: )?(?:([^:]+):([0-9]+):|[^`]*:)?(?:\\(.*\\):)? *(undefined reference to .*)");
-  Diagnostic diagnostic{DiagnosticId::link_failed, Severity::error, {}, "the symbolic program cannot be linked"};
+  Diagnostic diagnostic{DiagnosticId::link_failed, {}, "the symbolic program cannot be linked"};
   std::vector<std::string> lines = lines_of(result.output);
   for (std::string const &line : lines) {
     std::smatch found;

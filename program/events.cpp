@@ -49,7 +49,7 @@ void add(Events &events, std::vector<std::string> const &field) {
   if ((kind == "diagnostic" || kind == "warning") && has(6)) {
     Place place{field[2], number<unsigned>(field[3]), number<unsigned>(field[4])};
     Severity const severity = kind == "warning" ? Severity::warning : Severity::error;
-    events.diagnostics.push_back({row(field[1]).id, severity, place, field[5]});
+    events.diagnostics.push_back({row(field[1]).id, place, field[5], {}, severity});
   }
   std::vector<Decision> *const decisions = kind == "decision"  ? &events.decisions
                                            : kind == "carried" ? &events.carried

@@ -11,8 +11,8 @@ namespace {
 constexpr std::size_t most_frames = 8; // of a call path, as notes
 constexpr char const *here_in = "here, in ";
 
-Met locate(DiagnosticId id, Severity severity, std::vector<std::uint64_t> const &addresses, Symbolizer &symbolizer) {
-  Met met{{id, severity, {}, {}}};
+Met locate(DiagnosticId id, std::vector<std::uint64_t> const &addresses, Symbolizer &symbolizer) {
+  Met met{{id}};
   Diagnostic &diagnostic = met.diagnostic;
   std::vector<Frame> frames = symbolizer.frames(addresses);
   met.frames = frames.size();
@@ -38,12 +38,11 @@ bool same(Diagnostic const &one, Diagnostic const &other) {
 // What is said of a condition, before and after it.
 struct Phrase {
   DiagnosticId id;
-  Severity severity;
   std::string before, after;
 };
 
 Met explain(Decision const &decision, Phrase const &phrase, Symbolizer &symbolizer, DecidingTexts const &texts) {
-  Met met = locate(phrase.id, phrase.severity, decision.addresses, symbolizer);
+  Met met = locate(phrase.id, decision.addresses, symbolizer);
   bool const is_further_in = !met.diagnostic.notes.empty() && met.diagnostic.notes.front().message.starts_with(here_in);
   SaidDecision const said = is_further_in ? SaidDecision{decision.condition, {}}
                                           : said_by_source(decision.condition, met.diagnostic.place, texts);
@@ -57,7 +56,7 @@ Met explain(Decision const &decision, Phrase const &phrase, Symbolizer &symboliz
 std::vector<Diagnostic> explain_met(Events const &events, Symbolizer &symbolizer, DecidingTexts const &texts) {
   std::vector<Met> all;
   for (Located const &located : events.located) {
-    all.push_back(locate(located.id, Severity::error, located.addresses, symbolizer));
+    all.push_back(locate(located.id, located.addresses, symbolizer));
     all.back().diagnostic.message = located.message;
     all.back().count = located.count;
     // Two instructions of one expression are met as one.
@@ -65,16 +64,14 @@ std::vector<Diagnostic> explain_met(Events const &events, Symbolizer &symbolizer
                                       [&](Met const &other) { return same(other.diagnostic, all.back().diagnostic); });
     if (is_known) all.pop_back();
   }
-  Phrase const decided{DiagnosticId::symbolic_decision, Severity::error,
-                       "the program decides on a symbolic value: ", ""};
+  Phrase const decided{DiagnosticId::symbolic_decision, "the program decides on a symbolic value: ", ""};
   for (Decision const &one : events.decisions) {
     all.push_back(explain(one, decided, symbolizer, texts));
     all.back().count = one.count;
   }
-  Phrase const carried{DiagnosticId::carried_decision, Severity::warning, "by a pragma's word no output depends on ",
-                       ""};
+  Phrase const carried{DiagnosticId::carried_decision, "by a pragma's word no output depends on ", ""};
   for (Decision const &one : events.carried) all.push_back(explain(one, carried, symbolizer, texts));
-  Phrase const settled{DiagnosticId::settled_condition, Severity::remark, "",
+  Phrase const settled{DiagnosticId::settled_condition, "",
                        " is taken for constant: in mode finite every value is finite"};
   for (Decision const &one : events.settled) {
     all.push_back(explain(one, settled, symbolizer, texts));
@@ -84,7 +81,7 @@ std::vector<Diagnostic> explain_met(Events const &events, Symbolizer &symbolizer
 }
 
 void explain_crash(Diagnostic &diagnostic, std::vector<std::uint64_t> const &addresses, Symbolizer &symbolizer) {
-  Met met = locate(diagnostic.id, diagnostic.severity, addresses, symbolizer);
+  Met met = locate(diagnostic.id, addresses, symbolizer);
   if (met.diagnostic.place.file.empty()) return;
   std::vector<Note> notes = {{diagnostic.place, "this was waited for"}};
   if (diagnostic.place.file.empty()) notes.clear();

@@ -236,13 +236,13 @@ ObjectComparison compare_object_code(std::vector<rewrite::Compilation> const &so
     Object const &unchanged = pairs[k].original, &changed = pairs[k].changed;
     Place const place{sources[k].source};
     if (!unchanged.made)
-      result.diagnostics.push_back({DiagnosticId::numeric_original, Severity::error, place,
-                                    "the compiler says:" + whole_message(unchanged.output, shadow)});
+      result.diagnostics.push_back(
+          {DiagnosticId::numeric_original, place, "the compiler says:" + whole_message(unchanged.output, shadow)});
     else if (++result.compared; !changed.made)
-      result.diagnostics.push_back({DiagnosticId::numeric_difference, Severity::error, place,
+      result.diagnostics.push_back({DiagnosticId::numeric_difference, place,
                                     "the rewritten source does not compile:" + whole_message(changed.output, shadow)});
     else if (changed.code != unchanged.code)
-      result.diagnostics.push_back({DiagnosticId::numeric_difference, Severity::error, place,
+      result.diagnostics.push_back({DiagnosticId::numeric_difference, place,
                                     "the object code of the rewritten source differs from the original's"});
     else
       ++result.identical;

@@ -98,7 +98,7 @@ void resolve(Graph &graph, Symbolizer &symbolizer) {
 
 // Why a kernel that was asked for is missing, from how the program ended.
 Diagnostic explain_missing(rewrite::Kernel const &kernel, bool begun, Outcome const &outcome) {
-  Diagnostic diagnostic{DiagnosticId::kernel_not_reached, Severity::error, kernel.place, ""};
+  Diagnostic diagnostic{DiagnosticId::kernel_not_reached, kernel.place, ""};
   if (!kernel.annotations.empty()) diagnostic.place = kernel.annotations.front().place;
   std::string waited_for = kernel.name.empty()  ? std::string(begun ? "the end of a kernel" : "a kernel")
                            : begun              ? fmt::format("the end of kernel '{}'", kernel.name)
@@ -106,7 +106,7 @@ Diagnostic explain_missing(rewrite::Kernel const &kernel, bool begun, Outcome co
                                                 : fmt::format("the annotations of kernel '{}'", kernel.name);
   switch (outcome.ending) {
   case Ending::not_started:
-    diagnostic = {DiagnosticId::program_not_started, Severity::error, {}, "the program cannot be started: "};
+    diagnostic = {DiagnosticId::program_not_started, {}, "the program cannot be started: "};
     diagnostic.message += std::strerror(outcome.status);
     break;
   case Ending::timed_out:

@@ -41,7 +41,7 @@ static int run(int argc, char **argv) {
   } catch (CLI::ParseError const &problem) {
     if (problem.get_exit_code() == 0) return app.exit(problem);
     std::string const explained = explain_unknown(app, {argv + 1, separator});
-    print(std::cerr, {DiagnosticId::bad_option, Severity::error, {}, explained.empty() ? problem.what() : explained});
+    print(std::cerr, {DiagnosticId::bad_option, {}, explained.empty() ? problem.what() : explained});
   } catch (DiagnosticError const &problem) {
     print(std::cerr, located(problem.diagnostic(), session.configured));
   }

@@ -98,7 +98,7 @@ private:
 
   void report(SourceLocation location, std::string message) {
     facts_.diagnostics.push_back(
-        {DiagnosticId::c_source, Severity::error, map_.place(location), std::move(message), map_.expansions(location)});
+        {DiagnosticId::c_source, map_.place(location), std::move(message), map_.expansions(location)});
   }
 
   void look_up(NamedDecl const *declaration, SourceLocation use) {

@@ -25,7 +25,7 @@ public:
           chosen->isNullPointerConstant(context_, Expr::NPC_NeverValueDependent))
         null(*chosen);
     if (!known)
-      facts_.diagnostics.push_back({DiagnosticId::c_source, Severity::error, map_.place(selection->getBeginLoc()),
+      facts_.diagnostics.push_back({DiagnosticId::c_source, map_.place(selection->getBeginLoc()),
                                     "macros make parts of this _Generic", map_.expansions(selection->getBeginLoc())});
     return true;
   }

@@ -100,7 +100,7 @@ private:
     if (possible)
       facts_.wraps.insert(words.begin(), words.end());
     else
-      facts_.diagnostics.push_back({DiagnosticId::c_source, Severity::error, map_.place((*first)->getLocation()),
+      facts_.diagnostics.push_back({DiagnosticId::c_source, map_.place((*first)->getLocation()),
                                     "a jump passes the initialisation of '" + (*first)->getNameAsString() +
                                         "', which is spelled in parts or has a type without a name",
                                     map_.expansions((*first)->getLocation())});
@@ -132,7 +132,7 @@ private:
     if (span)
       facts_.wraps.insert({*span, Use::instead, words});
     else
-      facts_.diagnostics.push_back({DiagnosticId::c_source, Severity::error, map_.place(begin),
+      facts_.diagnostics.push_back({DiagnosticId::c_source, map_.place(begin),
                                     "a jump passes the declaration of an array of REALs", map_.expansions(begin)});
   }
   static std::string declared(QualType type, std::string name, PrintingPolicy const &policy) {

@@ -26,7 +26,7 @@ public:
 protected:
   void report(clang::SourceLocation location, std::string message) {
     facts_.diagnostics.push_back(
-        {DiagnosticId::c_source, Severity::error, map_.place(location), std::move(message), map_.expansions(location)});
+        {DiagnosticId::c_source, map_.place(location), std::move(message), map_.expansions(location)});
   }
 
   // False where a macro makes what is to be changed.

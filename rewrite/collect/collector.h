@@ -202,7 +202,7 @@ private:
   // An implicit conversion that is written out.
   void convert(clang::Expr const *expression, Use use, std::string type);
   void report(DiagnosticId id, clang::SourceLocation location, std::string message,
-              Severity severity = Severity::error);
+              std::optional<Severity> unusual = {});
   // The literal of an initializer or argument: double, and double in the symbolic program too.
   bool is_plain_double(clang::Expr const *expression) const;
 

@@ -58,7 +58,7 @@ private:
     std::optional<Span> const span = map_.token(brace);
     constexpr std::int64_t container = 8; // of a bit-field
     if (isa<ClassTemplateSpecializationDecl>(shared) || !span || brace.isMacroID() || padding >= container)
-      add_diagnostic(facts_, {DiagnosticId::class_layout, Severity::error, map_.place(user->getLocation()),
+      add_diagnostic(facts_, {DiagnosticId::class_layout, map_.place(user->getLocation()),
                               "what follows '" + shared->getQualifiedNameAsString() + "' in '" +
                                   user->getQualifiedNameAsString() + "' would begin in its padding"});
     else

@@ -152,7 +152,7 @@ private:
 
   void refuse(SourceLocation location) {
     add_diagnostic(facts_,
-                   {DiagnosticId::evaluation_order, Severity::error, map_.place(location),
+                   {DiagnosticId::evaluation_order, map_.place(location),
                     "one operand changes what the other reads, or both change the same", map_.expansions(location)});
   }
   ASTContext const &context_;

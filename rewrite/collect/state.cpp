@@ -54,7 +54,7 @@ void Collector::integer(Expr const *expression, Use use) {
                            : span ? normalised(map_.text(*span, begin))
                                   : "this";
   report(DiagnosticId::integer_not_looked_at, is_declared_here ? member->getMemberDecl()->getLocation() : begin,
-         "whether '" + name + "' is hidden state is not looked at", Severity::warning);
+         "whether '" + name + "' is hidden state is not looked at");
 }
 
 static bool is_pointer(Expr const *expression) {

@@ -156,7 +156,7 @@ void Collector::shows(CallExpr const *call, FunctionDecl const *function) {
   for (unsigned i = function->getNumParams(); i < call->getNumArgs(); ++i)
     if (reals_.is_real(call->getArg(i)) || may_be_truth(call->getArg(i)))
       if (std::optional<Span> const span = map_.range(name->getSourceRange())) {
-        facts_.wraps.insert({*span, Use::formatting, ""});
+        facts_.wraps.insert({*span, Use::shown, ""});
         return;
       }
 }

@@ -5,9 +5,10 @@
 namespace symreal::rewrite {
 using namespace clang;
 
-void Collector::report(DiagnosticId id, SourceLocation location, std::string message, Severity severity) {
-  Diagnostic diagnostic{id, severity, map_.place(location), std::move(message), map_.expansions(location)};
+void Collector::report(DiagnosticId id, SourceLocation location, std::string message, std::optional<Severity> unusual) {
+  Diagnostic diagnostic{id, map_.place(location), std::move(message), map_.expansions(location)};
   if (instance_) diagnostic.notes.push_back(*instance_);
+  if (unusual) diagnostic.severity = *unusual;
   add_diagnostic(facts_, diagnostic);
 }
 

@@ -9,21 +9,6 @@
 namespace symreal::rewrite {
 namespace {
 
-// Uses that depend on types alone, and what they carry with them is no place. A literal does not count: that one source
-// sees more overloads and must write REAL(2.) harms none that does not.
-bool is_told_by_types(Use use) {
-  switch (use) {
-  case Use::cast:
-  case Use::conversion:
-  case Use::division:
-  case Use::linkage:
-  case Use::table:
-  case Use::value:
-  case Use::external: return true;
-  default: return false;
-  }
-}
-
 bool in_directive(FileFact const &file, std::size_t offset) {
   auto const after =
       std::upper_bound(file.directives.begin(), file.directives.end(), std::pair(offset, std::string::npos));
@@ -42,10 +27,11 @@ Configurations::View Configurations::view(std::string const &path, Facts const &
     std::string &text = view.types[at->span.begin];
     if (text.empty()) text = at->replacement;
   }
-  for (auto at = facts.wraps.lower_bound({{path, 0, 0}, Use::returned, ""});
-       at != facts.wraps.end() && at->span.file == path; ++at)
-    if (is_told_by_types(at->use) && !is_quoted(facts, at->span) && !in_directive(file, at->span.begin))
-      view.wraps.try_emplace({at->span.begin, at->span.end, at->use}, at->use == Use::value ? "" : at->detail);
+  for (auto at = facts.wraps.lower_bound({{path, 0, 0}, Use{}, ""}); at != facts.wraps.end() && at->span.file == path;
+       ++at)
+    if (info(at->use).has(trait::BY_TYPES) && !is_quoted(facts, at->span) && !in_directive(file, at->span.begin))
+      view.wraps.try_emplace({at->span.begin, at->span.end, at->use},
+                             info(at->use).payload == Payload::function ? "" : at->detail);
   for (auto at = facts.members.lower_bound({path, 0, 0}); at != facts.members.end() && at->first.file == path; ++at)
     view.members[at->first.begin] = at->second;
   if (auto const reached = facts.reached.find(path); reached != facts.reached.end()) view.reached = reached->second;
@@ -112,8 +98,7 @@ void Configurations::compare_wraps(std::string const &path, FileFact const &file
 void Configurations::contradiction(FileFact const &file, std::size_t offset, std::string message) {
   for (SpelledType const &type : file.spelled)
     if (type.kept && type.span.begin == offset) return; // in all of them
-  found_.push_back(
-      {DiagnosticId::contradictory_configurations, Severity::error, place_in(file, offset), std::move(message)});
+  found_.push_back({DiagnosticId::contradictory_configurations, place_in(file, offset), std::move(message)});
 }
 
 void Configurations::report(Facts &facts) const {

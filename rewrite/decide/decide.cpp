@@ -2,6 +2,7 @@
 
 #include "rewrite/decide/original_text.h"
 #include "rewrite/decide/text_calls.h"
+#include "rewrite/decide/use_text.h"
 #include "rewrite/edit/compose.h"
 #include "rewrite/facts/own_names.h"
 #include "rewrite/text/pragma_text.h"
@@ -17,69 +18,6 @@ namespace symreal::rewrite {
 namespace {
 
 using ByFile = std::map<std::string, std::vector<Rewording>>;
-
-// The macro of each use. In numeric mode each leaves exactly what stands between `before` and `after`; a cast to
-// another pointer type costs nothing.
-Rewording rewording(Wrap const &wrap, bool is_shared) {
-  auto const make = [&](std::string before, std::string after) {
-    return Rewording{wrap.span.begin,  wrap.span.end, std::move(before),
-                     std::move(after), false,         wrap.use >= Use::later ? -2 : static_cast<int>(wrap.use)};
-  };
-  if (is_shared && (wrap.use == Use::conversion || wrap.use == Use::cast)) return make("SYMREAL_REAL_FIT(", ")");
-  switch (wrap.use) {
-  case Use::declared: return make("SYMREAL_REAL_EITHER((), extern) ", "");
-  case Use::later: return make("SYMREAL_REAL_LATER(", ")");
-  case Use::now: return make("SYMREAL_REAL_NOW(", ")");
-  case Use::argument: return make("SYMREAL_REAL_ARGUMENT(" + wrap.detail + ", ", ")");
-  case Use::truth: return make("SYMREAL_REAL_TRUTH(", ")");
-  case Use::layout: return make("", " SYMREAL_REAL_LAYOUT(" + wrap.detail + ")");
-  case Use::padding: return make("SYMREAL_REAL_PADDING(" + wrap.detail + ") ", "");
-  case Use::literal: return make("SYMREAL_REAL_C(", ")");
-  case Use::value: return make("SYMREAL_REAL_VALUE(", ")");
-  case Use::enumeration: return make("SYMREAL_REAL_ENUM(", ")");
-  case Use::promoted: return make("SYMREAL_REAL_PROMOTED(", ")");
-  case Use::of_c: return make("SYMREAL_REAL_OF_C(" + wrap.detail + ", ", ")");
-  case Use::counted: return make("SYMREAL_REAL_COUNTED(", ")");
-  case Use::as_width:
-  case Use::width: return make("SYMREAL_REAL_WIDTH(" + wrap.detail + ", ", ")");
-  case Use::compound: return make("SYMREAL_REAL_COMPOUND(", ")");
-  case Use::compound_list: return make(", ", "");
-  case Use::fit: return make("SYMREAL_REAL_FIT(", ")");
-  case Use::before: return make("SYMREAL_REAL_ONLY(" + wrap.detail + ") ", "");
-  case Use::behind: return make("", " SYMREAL_REAL_ONLY(" + wrap.detail + ")");
-  case Use::instead: return make("SYMREAL_REAL_EITHER((", "), " + wrap.detail + ")");
-  case Use::division: return make("", " ");
-  case Use::conversion: return make("SYMREAL_REAL_TO(" + wrap.detail + ", ", ")");
-  case Use::range_begin: return make("SYMREAL_REAL_FIRST(" + wrap.detail + ", ", ")");
-  case Use::range_end: return make("SYMREAL_REAL_LAST(" + wrap.detail + ", ", ")");
-  case Use::bits: return make("SYMREAL_REAL_BITS(" + wrap.detail + ", ", ")");
-  case Use::view: return make("SYMREAL_REAL_VIEW(" + wrap.detail + ", ", ")");
-  case Use::bytes: return make("SYMREAL_REAL_BYTES(" + wrap.detail + ", ", ")");
-  case Use::environment: return make("SYMREAL_REAL_ENVIRONMENT(" + wrap.detail + ", ", ")");
-  case Use::formatting:
-    if (wrap.detail.empty()) return make("SYMREAL_REAL_SHOWS(", ")");
-    return make("SYMREAL_REAL_FORMAT(" + wrap.detail + ", ", ")");
-  case Use::text: return make("SYMREAL_REAL_TEXT(" + wrap.detail + ", ", ")");
-  case Use::read: return make("SYMREAL_REAL_READ(" + wrap.detail + ", ", ")");
-  case Use::written: return make("SYMREAL_REAL_WRITTEN(" + wrap.detail + ", ", ")");
-  case Use::changed: return make("SYMREAL_REAL_CHANGED(" + wrap.detail + ", ", ")");
-  case Use::state: return make("SYMREAL_REAL_STATE(", ", " + quoted(wrap.detail) + ")");
-  case Use::local_state: return make("SYMREAL_REAL_LOCAL_STATE(", ", " + quoted(wrap.detail) + ")");
-  case Use::linkage: return make("SYMREAL_REAL_LINKAGE(", ")");
-  case Use::integer: return make("SYMREAL_REAL_INT(", ")");
-  case Use::table: return make("SYMREAL_REAL_TABLE(" + wrap.detail + ", ", ")");
-  case Use::pasted: return make("SYMREAL_REAL_PASTED((" + wrap.detail + "), ", ")");
-  case Use::prototype: return make(" SYMREAL_REAL_PROTOTYPE((" + wrap.detail + "), ", ")");
-  case Use::of_library: return make("SYMREAL_REAL_EITHER((", "), symreal_" + wrap.detail + ")");
-  case Use::own_name:
-  case Use::name: return make("SYMREAL_REAL_NAME(", ")");
-  case Use::external: return make("SYMREAL_REAL_EXTERNAL(", ", " + wrap.detail + ")");
-  case Use::function: return make("SYMREAL_REAL_FUNCTION(" + wrap.detail + ", ", ")");
-  case Use::cast: return make("(" + wrap.detail + ")(", ")");
-  case Use::returned: return make("SYMREAL_RETURN" + wrap.detail + ", ", ")");
-  }
-  internal_failure("a use has a macro", __FILE__, __LINE__);
-}
 
 // A library's typedef keeps its name where the program prints it.
 std::string replacement_of(TypeToken const &token, Facts const &facts) {
@@ -99,7 +37,7 @@ void add_types(Facts const &facts, std::set<Span> const &pragmas, Ledger const &
     }
     FileFact const &file = facts.files.at(token.span.file);
     std::string const text = text_of(token.span, facts);
-    result.diagnostics.push_back({DiagnosticId::quoted_double, Severity::warning, place_in(file, token.span.begin),
+    result.diagnostics.push_back({DiagnosticId::quoted_double, place_in(file, token.span.begin),
                                   "'" + text + "' stays as it is: a macro turns this argument into text"});
   }
 }
@@ -113,8 +51,7 @@ void add_unaccounted(Facts const &facts, std::set<Span> const &pragmas, Ledger c
     bool const accounted = known != facts.types.end() && known->span == span;
     if (accounted || meets(pragmas, span) || meets(facts.quoted, span) || ledger.stays_in_text(span)) continue;
     rewordings[span.file].push_back({span.begin, span.end, reserved_type_name, "", true});
-    result.diagnostics.push_back({DiagnosticId::unaccounted_double, Severity::warning,
-                                  place_in(facts.files.at(span.file), span.begin),
+    result.diagnostics.push_back({DiagnosticId::unaccounted_double, place_in(facts.files.at(span.file), span.begin),
                                   "the syntax tree does not say what this double is part of; it becomes REAL"});
   }
 }
@@ -151,12 +88,12 @@ void add_wraps(Facts const &facts, std::set<Span> const &pragmas, ByFile &reword
     // The same words in a macro or header that two sources name differently.
     bool const again = before && before->span == wrap.span && before->use == wrap.use;
     if (again && wrap.use == Use::argument)
-      result.diagnostics.push_back({DiagnosticId::instantiations_differ, Severity::error,
+      result.diagnostics.push_back({DiagnosticId::instantiations_differ,
                                     place_in(facts.files.at(wrap.span.file), wrap.span.begin),
                                     "'" + text_of(wrap.span, facts) + "' is converted to " + before->detail +
                                         " in one instantiation and to " + wrap.detail + " in another"});
     before = &wrap;
-    if (wrap.use >= Use::layout && is_laid_out(facts.files.at(wrap.span.file).text, wrap)) continue;
+    if (info(wrap.use).has(trait::BRACE) && is_laid_out(facts.files.at(wrap.span.file).text, wrap)) continue;
     if (again || is_rewritten(facts.files.at(wrap.span.file).text, wrap.span)) continue;
     if (is_inserted(facts.files.at(wrap.span.file).text, wrap)) continue;
     // The function reads the REALs itself, as REALs.
@@ -167,7 +104,7 @@ void add_wraps(Facts const &facts, std::set<Span> const &pragmas, ByFile &reword
     bool const is_text = wrap.use != Use::pasted && is_quoted(facts, wrap.span);
     if (is_text && is_name)
       result.diagnostics.push_back(
-          {DiagnosticId::c_source, Severity::error, place_in(facts.files.at(wrap.span.file), wrap.span.begin),
+          {DiagnosticId::c_source, place_in(facts.files.at(wrap.span.file), wrap.span.begin),
            "'" + wrap.detail + "' has another name in symbolic mode, and a macro turns it into text"});
     if (!meets(pragmas, wrap.span) && !is_text)
       rewordings[wrap.span.file].push_back(rewording(wrap, facts.shared.contains(wrap.span)));
@@ -237,14 +174,13 @@ void add_boundaries(Facts const &facts, Result &result) {
   for (auto const &[mangled, pragma] : facts.externals) {
     result.externals.push_back(mangled);
     if (facts.definitions.count(mangled) != 0)
-      result.diagnostics.push_back({DiagnosticId::external_function, Severity::error, pragma.place,
+      result.diagnostics.push_back({DiagnosticId::external_function, pragma.place,
                                     "'" + pragma.message + "' is defined in the sources, so its calls are recorded"});
   }
   for (auto const &[mangled, use] : facts.uses) {
     if (facts.definitions.count(mangled) != 0) continue;
     result.boundaries.push_back({use.name, mangled, use.parameters, use.declaration, use.place});
     result.diagnostics.push_back({DiagnosticId::boundary_function,
-                                  Severity::error,
                                   use.declaration,
                                   "'" + use.name + "' carries REAL, and none of the sources defines it",
                                   {{use.place, "it is used here"}}});
@@ -311,7 +247,9 @@ Result decide(Facts facts, Request const &request) {
   for (auto const &[span, pragma] : facts.pragmas)
     if (!pragma.configured) pragmas.insert(span);
   if (!facts.makes_text)
-    std::erase_if(facts.wraps, [](Wrap const &wrap) { return wrap.use == Use::formatting || wrap.use == Use::text; });
+    std::erase_if(facts.wraps, [](Wrap const &wrap) {
+      return wrap.use == Use::formatting || wrap.use == Use::shown || wrap.use == Use::text;
+    });
   ByFile rewordings;
   copy_text_calls(facts, rewordings);
   Ledger const ledger(facts);

@@ -7,7 +7,7 @@ namespace symreal::rewrite {
 namespace {
 
 void report(Result &result, DiagnosticId id, Place const &place, std::string message) {
-  result.diagnostics.push_back({id, Severity::error, place, std::move(message)});
+  result.diagnostics.push_back({id, place, std::move(message)});
 }
 
 bool annotates(ClauseFact const &clause) {
@@ -53,8 +53,7 @@ void warn_of_members(PragmaFact const &pragma, ItemFact const &item, Result &res
     if (!is_named(pragma, member)) pointers += (pointers.empty() ? "'" : ", '") + member + "'";
   for (std::string const &member : item.kept) others += (others.empty() ? "'" : ", '") + member + "'";
   auto const warn = [&](std::string const &message) {
-    result.diagnostics.push_back(
-        {DiagnosticId::members_left_out, Severity::warning, item.place, "'" + item.label + "' " + message});
+    result.diagnostics.push_back({DiagnosticId::members_left_out, item.place, "'" + item.label + "' " + message});
   };
   if (!pointers.empty()) warn("does not include what its members " + pointers + " point to");
   if (!others.empty()) warn("has members that are no double and stay as they are: " + others);

@@ -1,4 +1,5 @@
 #include "rewrite/decide/decide.h"
+#include "rewrite/decide/use_text.h"
 
 #include <algorithm>
 #include <cctype>
@@ -19,8 +20,7 @@ std::string set_apart(std::string word, std::string const &text, Span const &spa
 
 Rewording rewording(Alteration const &one, std::string const &text) {
   if (one.replaces) return {one.span.begin, one.span.end, set_apart(one.before, text, one.span), "", true};
-  constexpr int outside_of_uses = -1, within_uses = 100;
-  return {one.span.begin, one.span.end, one.before, one.after, false, one.inside ? within_uses : outside_of_uses};
+  return {one.span.begin, one.span.end, one.before, one.after, false, one.inside ? depth::within_uses : depth::select};
 }
 
 bool is_made(std::map<Span, DecisionFact> const &decisions, DecisionFact const &fact) {

@@ -1,5 +1,6 @@
 #include "rewrite/decide/text_calls.h"
 
+#include "rewrite/decide/use_text.h"
 #include "rewrite/facts/spans.h"
 #include "rewrite/text/source_text.h"
 
@@ -8,34 +9,8 @@
 namespace symreal::rewrite {
 namespace {
 
-constexpr int innermost = 1000;
-
 bool holds(Span const &outer, Span const &inner) {
   return outer.file == inner.file && outer.begin <= inner.begin && inner.end <= outer.end;
-}
-
-// Without it the symbolic program would not compile, or mean something else.
-bool is_needed(Use use) {
-  switch (use) {
-  case Use::as_width:
-  case Use::cast:
-  case Use::conversion:
-  case Use::counted:
-  case Use::division:
-  case Use::integer:
-  case Use::environment:
-  case Use::value:
-  case Use::literal:
-  case Use::external:
-  case Use::formatting:
-  case Use::text:
-  case Use::function:
-  case Use::name:
-  case Use::of_c:
-  case Use::promoted:
-  case Use::width: return true;
-  default: return false;
-  }
 }
 
 // The outermost calls, and none that pastes what it is given, or with a directive within.
@@ -60,7 +35,7 @@ bool needs_copy(Facts const &facts, Span const &call) {
     if (!at->replacement.empty() && within(at->span)) return true;
   for (auto at = facts.wraps.lower_bound({{call.file, call.begin, 0}, Use{}, ""});
        at != facts.wraps.end() && at->span.file == call.file && at->span.begin < call.end; ++at)
-    if (is_needed(at->use) && at->span != call && within(at->span)) return true;
+    if (info(at->use).has(trait::NEEDED) && at->span != call && within(at->span)) return true;
   return false;
 }
 
@@ -95,7 +70,7 @@ void copy_text_calls(Facts &facts, std::map<std::string, std::vector<Rewording>>
     std::replace(original.begin(), original.end(), '\n', ' ');
     std::erase(original, '\r');
     rewordings[call.file].push_back(
-        {call.begin, call.end, "SYMREAL_REAL_EITHER((" + original + "), ", ")", false, innermost});
+        {call.begin, call.end, "SYMREAL_REAL_EITHER((" + original + "), ", ")", false, depth::copy});
   }
   for (Span const &span : copied) {
     erase_within(facts.quoted, span);

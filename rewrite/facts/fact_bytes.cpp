@@ -14,8 +14,8 @@ template <class Take> void visit(Take &take, Note &object) {
   take(place, message);
 }
 template <class Take> void visit(Take &take, Diagnostic &object) {
-  auto &[id, severity, place, message, notes] = object;
-  take(id, severity, place, message, notes);
+  auto &[id, place, message, notes, severity] = object;
+  take(id, place, message, notes, severity);
 }
 template <class Take> void visit(Take &take, Span &object) {
   auto &[file, begin, end] = object;

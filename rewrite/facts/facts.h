@@ -5,6 +5,7 @@
 #pragma once
 
 #include "rewrite/facts/result.h"
+#include "rewrite/facts/use.h"
 
 #include <map>
 #include <optional>
@@ -46,69 +47,10 @@ struct TypeToken {
   auto operator<=>(TypeToken const &) const = default;
 };
 
-// Why an expression is wrapped, the outermost first where several wrap the same. The macro of each is in decide.cpp.
-enum class Use {
-  returned,
-  declared, // a variable that another line defines
-  cast,
-  fit, // to what the context expects, whose type has no name
-  conversion,
-  integer, // the type of an integer that stays symbolic
-  linkage,
-  table, // it is read at a symbolic index
-  value,
-  enumeration,   // of C, which an operator of assignment changes
-  promoted,      // to double, as a function of C takes it
-  of_c,          // it has another type in C++; the other argument: the one that it has in C
-  counted,       // of an enumeration, as the integer that C computes with
-  as_width,      // the operand of what is next
-  width,         // computed in as many bits as a wide bit-field has
-  compound,      // a compound literal of C, which is an object
-  compound_list, // its initialisers
-  literal,
-  external,
-  function,    // of <cmath>, as a value; the other arguments: how many it takes
-  range_begin, // the ends of a range that a library reads
-  range_end,
-  bits,    // its bytes are used as something else than numbers
-  view,    // a pointer to numbers, or a REAL, that is taken for one to something else
-  read,    // its value is used, and it may outlive the kernel
-  written, // it gets a new value
-  changed, // a library changes it
-  bytes,   // the name of a function that moves or sets bytes
-  state,
-  local_state, // of integers that only one function can name
-  pasted,      // a macro whose expansion pastes or quotes what a converted type is spelled as
-  prototype,   // of a function that is declared as before C89
-  name,        // a name of C that is a keyword of C++, or another's there
-  own_name,    // the same, of a function or variable: where a source defines it
-  of_library,  // a function of the C library that the program declares itself: where no source defines it
-  division,    // before C99, the first of `//`, which C++ takes for a comment
-  environment, // errno, and what reads or sets the floating-point environment
-  formatting,  // the name of a function that makes text of numbers, or moves text
-  text,        // text is read: characters, strings, files
-  before,      // in symbolic mode other words stand in front of it
-  behind,      // in symbolic mode other words stand behind it
-  instead,     // in symbolic mode other words stand there
-  // Around all of these:
-  later,    // a right operand, where the order of evaluation matters
-  now,      // an argument, where it does
-  argument, // in a template: of a call that was chosen for a double
-  truth,    // its type is looked at
-  layout,   // an opening brace: of a class whose layout needs a look
-  padding,  // a closing brace: of a class that another derives from
-};
-
 struct Wrap {
   Span span;
   Use use;
-  // conversion, cast, argument, of_c: the type; state: the declaration's place; returned, and the uses between literal
-  // and state: the other arguments (returned: with the rest of the macro's name before them); value: the function of
-  // the program, if it is one, whose variadic argument the expression is; as_width, width: the bits, and whether they
-  // are signed; external, table, formatting: the other arguments; pasted: the text that the macro expands to; name,
-  // own_name, of_library: it; layout, padding: sizes and offsets; prototype: the parameters; before, behind, instead:
-  // the words
-  std::string detail;
+  std::string detail; // the use's payload (uses.def)
   auto operator<=>(Wrap const &) const = default;
 };
 

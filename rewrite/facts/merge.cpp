@@ -56,9 +56,7 @@ void merge_class(ClassFact &fact, ClassFact const &other) {
 
 void merge_file(FileFact &file, FileFact &&other, Facts &facts) {
   if (file.text != other.text)
-    add_diagnostic(
-        facts,
-        {DiagnosticId::changed_file, Severity::error, {file.display_path}, "this file changed while it was read"});
+    add_diagnostic(facts, {DiagnosticId::changed_file, {file.display_path}, "this file changed while it was read"});
 }
 
 // A file that the other source names otherwise goes by the name that is known, so that what is wrong in it is said

@@ -16,7 +16,7 @@ namespace {
 using namespace clang;
 
 void report(Facts &facts, DiagnosticId id, Place const &place, std::string message, std::vector<Note> notes = {}) {
-  add_diagnostic(facts, {id, Severity::error, place, std::move(message), std::move(notes)});
+  add_diagnostic(facts, {id, place, std::move(message), std::move(notes)});
 }
 
 // The words of a type in a fixed order: `double const *` is `const double *`.

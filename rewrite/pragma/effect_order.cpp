@@ -51,7 +51,6 @@ private:
     }
     if (count < 2 || !map_.in_roots(location)) return;
     facts_.diagnostics.push_back({DiagnosticId::external_function,
-                                  Severity::error,
                                   map_.place(location),
                                   "the language does not say which of these external functions is called first",
                                   {{{}, "put the calls into statements of their own, or say that they are pure"}}});

@@ -97,7 +97,7 @@ public:
 
 private:
   void refuse(Place const &place, std::string message, DiagnosticId id = DiagnosticId::external_function) {
-    add_diagnostic(facts_, {id, Severity::error, place, std::move(message)});
+    add_diagnostic(facts_, {id, place, std::move(message)});
   }
 
   FunctionDecl const *look_up(ExternalPragma const &pragma) {

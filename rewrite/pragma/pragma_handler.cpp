@@ -64,7 +64,7 @@ public:
 
 private:
   void report(DiagnosticId id, SourceLocation location, std::string message) {
-    facts_.diagnostics.push_back({id, Severity::error, map_.place(location), std::move(message)});
+    facts_.diagnostics.push_back({id, map_.place(location), std::move(message)});
   }
 
   void collect_external(PragmaWords const &words, Span const &span, SourceLocation start, SourceLocation end) {
@@ -74,7 +74,7 @@ private:
     fact.continued_lines = static_cast<std::size_t>(std::count(written.begin(), written.end(), '\n'));
     auto parsed = parse_external(words.tokens, words.places);
     if (auto const *error = std::get_if<PragmaError>(&parsed))
-      facts_.diagnostics.push_back({error->id, Severity::error,
+      facts_.diagnostics.push_back({error->id,
                                     error->token < words.places.size() ? words.places[error->token] : map_.place(end),
                                     error->message});
     else

@@ -76,7 +76,7 @@ void note_layout(ClauseFact const &clause, ItemFact &item, ItemType const &type,
   DescribedObject const object = describe_object(type.type, type.is_packed, context, reals);
   item.layout = object.layout;
   if (!object.refusal.empty())
-    add_diagnostic(facts, {DiagnosticId::pragma_item, Severity::error, item.place,
+    add_diagnostic(facts, {DiagnosticId::pragma_item, item.place,
                            "'" + item.label + "' " + object.refusal + ": name the numbers that are meant"});
   item.left_out = object.pointers;
   item.kept = object.others;
@@ -180,7 +180,7 @@ public:
 
 private:
   void report(DiagnosticId id, SourceLocation location, std::string message) {
-    facts_.diagnostics.push_back({id, Severity::error, map_.place(location), std::move(message)});
+    facts_.diagnostics.push_back({id, map_.place(location), std::move(message)});
   }
 
   void note_function(PragmaFact &pragma, FunctionDecl const *function) {
@@ -224,7 +224,7 @@ private:
       if (!declaration) {
         std::string const where = "'" + name.text + "' is neither a parameter of '" + function->getNameAsString() +
                                   "' nor declared before it";
-        facts_.diagnostics.push_back({DiagnosticId::pragma_undeclared_name, Severity::error, name.place, where});
+        facts_.diagnostics.push_back({DiagnosticId::pragma_undeclared_name, name.place, where});
         item.seen = item.carries_real = true; // one error is enough
         continue;
       }
@@ -268,19 +268,16 @@ private:
     changes.TraverseStmt(function->getBody());
     if (changes.place.isInvalid()) return;
     std::string const message = "'" + item.label + "' is read when the function returns, but '" + name + "' changes";
-    facts_.diagnostics.push_back({DiagnosticId::pragma_item,
-                                  Severity::error,
-                                  item.place,
-                                  message,
-                                  {{map_.place(changes.place), "it is changed here"}}});
+    facts_.diagnostics.push_back(
+        {DiagnosticId::pragma_item, item.place, message, {{map_.place(changes.place), "it is changed here"}}});
   }
 
   void refuse_returned(PragmaFact const &pragma) {
     for (ClauseFact const &clause : pragma.clauses)
       for (ItemFact const &item : clause.items)
         if (item.is_return)
-          facts_.diagnostics.push_back({DiagnosticId::pragma_item, Severity::error, item.place,
-                                        "'" + pragma.function[0].name + "' returns nothing"});
+          facts_.diagnostics.push_back(
+              {DiagnosticId::pragma_item, item.place, "'" + pragma.function[0].name + "' returns nothing"});
   }
 
   void wrap_returns(PragmaFact &pragma, FunctionDecl const *function) {

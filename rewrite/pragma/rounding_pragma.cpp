@@ -20,7 +20,7 @@ public:
     if (mode.empty() || !before.contains("STDC")) return;
     llvm::StringRef const name = mode.ltrim().take_while([](char c) { return llvm::isAlnum(c) || c == '_'; });
     if (name == "FE_TONEAREST" || name == "FE_DYNAMIC") return;
-    add_diagnostic(facts_, {DiagnosticId::arithmetic_modes, Severity::error, map_.place(location),
+    add_diagnostic(facts_, {DiagnosticId::arithmetic_modes, map_.place(location),
                             "FENV_ROUND " + name.str() + ": what is computed here does not round to nearest"});
   }
 

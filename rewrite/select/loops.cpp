@@ -79,7 +79,7 @@ private:
 void DecisionCollector::report(DiagnosticId id, Place const &place, std::string message) {
   for (Diagnostic const &known : facts_.diagnostics)
     if (known.id == id && to_string(known.place) == to_string(place)) return;
-  facts_.diagnostics.push_back({id, Severity::error, place, std::move(message)});
+  facts_.diagnostics.push_back({id, place, std::move(message)});
 }
 
 void DecisionCollector::free_loop(Stmt const *loop, Expr const *condition) {

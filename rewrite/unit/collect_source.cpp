@@ -186,7 +186,7 @@ namespace {
 void add(Facts &facts, DiagnosticId id, Place const &place, std::string message, std::vector<Note> notes = {}) {
   for (symreal::Diagnostic const &known : facts.diagnostics)
     if (known.id == id && to_string(known.place) == to_string(place)) return;
-  facts.diagnostics.push_back({id, Severity::error, place, std::move(message), std::move(notes)});
+  facts.diagnostics.push_back({id, place, std::move(message), std::move(notes)});
 }
 
 // The errors that stand at a token of a pragma.

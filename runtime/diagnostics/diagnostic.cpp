@@ -11,8 +11,8 @@ namespace symreal {
 
 std::vector<DiagnosticInfo> const &diagnostic_table() {
   static std::vector<DiagnosticInfo> const table = {
-#define DIAGNOSTIC(name, number, summary, explanation, way_out)                                                        \
-  {DiagnosticId::name, #name, summary, explanation, way_out},
+#define DIAGNOSTIC(name, number, severity, summary, explanation, way_out)                                              \
+  {DiagnosticId::name, #name, Severity::severity, summary, explanation, way_out},
 #include "diagnostics/diagnostics.def"
 #undef DIAGNOSTIC
   };
@@ -22,6 +22,10 @@ std::vector<DiagnosticInfo> const &diagnostic_table() {
 DiagnosticInfo const &info(DiagnosticId id) {
   auto const &table = diagnostic_table();
   return *std::find_if(table.begin(), table.end(), [id](DiagnosticInfo const &row) { return row.id == id; });
+}
+
+Severity usual_severity(DiagnosticId id) {
+  return id == DiagnosticId{} ? Severity::error : info(id).severity; // none yet: it is read from somewhere
 }
 
 DiagnosticInfo const *find_diagnostic(std::string_view wanted) {
@@ -65,7 +69,7 @@ DiagnosticError::DiagnosticError(Diagnostic diagnostic)
       diagnostic_(std::move(diagnostic)) {}
 
 void fail(DiagnosticId id, Place place, std::string message, std::vector<Note> notes) {
-  throw DiagnosticError({id, Severity::error, std::move(place), std::move(message), std::move(notes)});
+  throw DiagnosticError({id, std::move(place), std::move(message), std::move(notes)});
 }
 
 void internal_failure(char const *condition, char const *file, int line) {

@@ -13,14 +13,17 @@
 namespace symreal {
 
 enum class DiagnosticId {
-#define DIAGNOSTIC(name, number, summary, explanation, way_out) name = number,
+#define DIAGNOSTIC(name, number, severity, summary, explanation, way_out) name = number,
 #include "diagnostics/diagnostics.def"
 #undef DIAGNOSTIC
 };
 
+enum class Severity { error, warning, remark };
+
 struct DiagnosticInfo {
   DiagnosticId id;
   std::string_view name;
+  Severity severity; // the usual one
   std::string_view summary;
   std::string_view explanation;
   std::string_view way_out;
@@ -34,23 +37,23 @@ struct Place {
 };
 std::string to_string(Place const &place);
 
-enum class Severity { error, warning, remark };
-
 struct Note {
   Place place;
   std::string message;
 };
 
-struct Diagnostic {
-  DiagnosticId id;
-  Severity severity = Severity::error;
-  Place place;
-  std::string message;
-  std::vector<Note> notes = {};
-};
-
 std::vector<DiagnosticInfo> const &diagnostic_table();
 DiagnosticInfo const &info(DiagnosticId id);
+Severity usual_severity(DiagnosticId id);
+
+struct Diagnostic {
+  DiagnosticId id = {};
+  Place place = {};
+  std::string message = {};
+  std::vector<Note> notes = {};
+  Severity severity = usual_severity(id);
+};
+
 // The row with this code ("SYM012"), or null.
 DiagnosticInfo const *find_diagnostic(std::string_view code);
 // "SYM012"

@@ -47,7 +47,7 @@ static void report_frozen(Graph const &graph) {
   std::string const policy = wanted ? wanted : "state";
   for (Frozen const &state : graph.frozen)
     if (std::optional<Severity> const severity = frozen_severity(state, policy))
-      report({DiagnosticId::frozen_state, *severity, state.place, frozen_message(graph.kernel, state)});
+      report({DiagnosticId::frozen_state, state.place, frozen_message(graph.kernel, state), {}, *severity});
 }
 
 static void generate_here(Graph const &graph, std::string const &output_file) {

@@ -51,8 +51,8 @@ public:
     kept_.clear();
     for (Object const &met : objects(kind)) {
       if (met.label != label || met.place.line != place.line || met.place.column != place.column) continue;
-      report({kind == Kind::output ? DiagnosticId::output_met_twice : DiagnosticId::input_met_twice, Severity::error,
-              place, "'" + label + "' is annotated again before its kernel has ended"});
+      report({kind == Kind::output ? DiagnosticId::output_met_twice : DiagnosticId::input_met_twice, place,
+              "'" + label + "' is annotated again before its kernel has ended"});
       give_up();
     }
   }
@@ -146,7 +146,7 @@ public:
 
   void end(std::string const &name, std::string const &output_file, Place const &place) override {
     if (!disable_trap())
-      report({DiagnosticId::trap_lost, Severity::error, place,
+      report({DiagnosticId::trap_lost, place,
               "kernel '" + name + "' changes the floating-point environment or the handler of SIGFPE or SIGTRAP"});
     graph_.kernel = name;
     check_modes(place);
@@ -177,7 +177,7 @@ private:
     auto const input = declared_.find(number);
     if (input == declared_.end() || first_name(input->second.first) == first_name(object_.label)) return;
     if (!overlaps_.insert(object_.label).second) return;
-    report({DiagnosticId::input_met_twice, Severity::error, object_.place,
+    report({DiagnosticId::input_met_twice, object_.place,
             "output '" + object_.label + "' overlaps '" + input->second.first + "' (" +
                 to_string(input->second.second) + "), so the result would hold for calls with this overlap alone"});
   }
@@ -200,7 +200,7 @@ private:
       elements += object_.members.empty() ? std::to_string(element) : element_name("", object_, element).substr(1);
     }
     if (kept_.size() > most) elements += ", ...";
-    report({DiagnosticId::output_keeps_value, Severity::error, object_.place,
+    report({DiagnosticId::output_keeps_value, object_.place,
             "output '" + object_.label + "' is not written by the kernel" + elements +
                 ", and holds what it held before (" + shortest(kept_[0].value) + (kept_.size() > 1 ? ", ...)" : ")")});
   }
@@ -209,7 +209,7 @@ private:
   void claim(void *number) {
     auto [found, is_new] = declared_.try_emplace(number, object_.label, object_.place);
     if (is_new) return;
-    report({DiagnosticId::input_met_twice, Severity::error, object_.place,
+    report({DiagnosticId::input_met_twice, object_.place,
             "an element of '" + object_.label + "' already belongs to '" + found->second.first + "' (" +
                 to_string(found->second.second) + ")"});
     give_up();
@@ -233,7 +233,7 @@ private:
   void check_modes(Place const &end) {
     auto const refuse = [this](char const *when, std::string const &modes, Place const &place) {
       if (!modes.empty())
-        report({DiagnosticId::arithmetic_modes, Severity::error, place,
+        report({DiagnosticId::arithmetic_modes, place,
                 "kernel '" + graph_.kernel + "' " + when + " where arithmetic " + modes});
     };
     std::string const modes = Environment::unusual_modes();
@@ -243,7 +243,7 @@ private:
 
   void check_outputs(Place const &end) {
     if (graph_.outputs.empty())
-      report({DiagnosticId::no_output, Severity::error, end, "kernel '" + graph_.kernel + "' ends without an output"});
+      report({DiagnosticId::no_output, end, "kernel '" + graph_.kernel + "' ends without an output"});
     if (!Guards::current().empty()) return; // on one path of several an output may well be constant
     for (Object const &output : graph_.outputs) {
       auto first = graph_.results.begin() + output.first;
@@ -251,7 +251,7 @@ private:
         return Pool::current().nodes()[id].attribute == Attribute::constant;
       });
       if (constant)
-        report({DiagnosticId::constant_output, Severity::error, output.place,
+        report({DiagnosticId::constant_output, output.place,
                 "output '" + output.label + "' depends on no input and no parameter"});
     }
   }

@@ -21,7 +21,7 @@ TEST(Diagnostics, EveryRowIsCompleteAndItsNumberUnique) {
 
 TEST(Diagnostics, PrintedFormHasPlaceSeverityTextAndId) {
   std::ostringstream out;
-  print(out, {DiagnosticId::bad_option, Severity::warning, {"a.cpp", 3, 7}, "text", {{{"b.h", 1, 0}, "seen here"}}});
+  print(out, {DiagnosticId::bad_option, {"a.cpp", 3, 7}, "text", {{{"b.h", 1, 0}, "seen here"}}, Severity::warning});
   EXPECT_EQ(out.str().substr(0, out.str().find("  way out")),
             "a.cpp:3:7: warning: text [SYM003]\nb.h:1: note: seen here\n");
 }

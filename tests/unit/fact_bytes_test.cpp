@@ -17,7 +17,7 @@ Facts some_facts() {
   facts.pragmas[span].function = {{"f", {"double f()", std::nullopt, true}, span, {{"x", {"model.cpp", 1, 2}}}, {}}};
   facts.decisions[span].needs = span;
   facts.members[span].bases = {{span, true}};
-  facts.diagnostics = {{DiagnosticId::source_error, Severity::warning, {"model.cpp", 1, 2}, "no", {{{}, "note"}}}};
+  facts.diagnostics = {{DiagnosticId::source_error, {"model.cpp", 1, 2}, "no", {{{}, "note"}}}};
   facts.makes_text = true;
   return facts;
 }

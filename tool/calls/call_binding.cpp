@@ -46,11 +46,8 @@ public:
 
 private:
   void problem(Place const &place, std::string message) {
-    binding_.problems.push_back({DiagnosticId::call_specification,
-                                 Severity::error,
-                                 place,
-                                 std::move(message),
-                                 {{function_.place, function_.declaration}}});
+    binding_.problems.push_back(
+        {DiagnosticId::call_specification, place, std::move(message), {{function_.place, function_.declaration}}});
   }
   void add(Place const &place, std::string text) { binding_.statements.push_back({std::move(text), place}); }
 

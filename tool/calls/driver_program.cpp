@@ -220,7 +220,7 @@ public:
 private:
   static void report_unvalued(Call const &call, CallSpec const &spec, Console &console) {
     if (call.binding.unvalued.empty()) return;
-    console.report({DiagnosticId::chosen_value, Severity::remark, spec.function.place,
+    console.report({DiagnosticId::chosen_value, spec.function.place,
                     fmt::format("no values are given for {}: '{}' is recorded at numbers between 0 and 1",
                                 fmt::join(call.binding.unvalued, ", "), call.function.name)});
   }

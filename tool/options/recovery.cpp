@@ -9,7 +9,7 @@ namespace symreal::tool {
 program::Recovery recover(std::string const &directory) {
   program::Recovery const recovery = program::recover_tree(directory);
   auto const say = [&](char const *message) {
-    print(std::cerr, {DiagnosticId::interrupted_edit, Severity::warning, {directory}, message});
+    print(std::cerr, {DiagnosticId::interrupted_edit, {directory}, message});
   };
   switch (recovery) {
   case program::Recovery::nothing: break;

@@ -77,7 +77,6 @@ bool check_files(std::vector<OutputFile> const &files) {
     current = false;
     std::cout << unified_diff(file.path, there, file.text) << std::flush;
     print(std::cerr, {DiagnosticId::out_of_date,
-                      Severity::error,
                       {file.path},
                       exists ? "this file is not what the sources give now" : "this file is not there"});
   }

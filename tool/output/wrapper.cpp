@@ -43,7 +43,7 @@ std::string warn_of_missing(rewrite::Kernel const &kernel, std::vector<Diagnosti
   if (missing.empty()) return "";
   std::string const names = fmt::format("{}", fmt::join(missing, ", "));
   warnings.push_back(
-      {DiagnosticId::wrapper_needs_source, Severity::warning, kernel.place,
+      {DiagnosticId::wrapper_needs_source, kernel.place,
        fmt::format("the wrapper of '{}' cannot be compiled alone: only {} has {}", kernel.name, kernel.source, names)});
   return fmt::format(
       "/* Only the original's file has {}: include this file there, behind them, in place of the function. "

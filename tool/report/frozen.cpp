@@ -26,8 +26,8 @@ bool report_frozen(std::vector<program::Recorded> const &kernels, FrozenOption c
       std::optional<Severity> const severity = frozen_severity(state, option.policy);
       if (!severity) continue;
       is_error = is_error || *severity == Severity::error;
-      Diagnostic diagnostic{DiagnosticId::frozen_state, *severity, state.place,
-                            frozen_message(recorded.kernel.name, state)};
+      Diagnostic diagnostic{
+          DiagnosticId::frozen_state, state.place, frozen_message(recorded.kernel.name, state), {}, *severity};
       if (i < recorded.frozen_reads.size()) diagnostic.notes = recorded.frozen_reads[i];
       if (i == last && clause != recorded.clauses.end())
         diagnostic.notes.push_back(program::clause_note(recorded.kernel, {*clause}, ", if they may be kept"));

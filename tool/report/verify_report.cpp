@@ -73,7 +73,6 @@ std::optional<Diagnostic> rewriting_failure(Graph const &graph, program::Verific
   std::size_t const count = program::count_different(verification.rewritten);
   if (count == 0) return {};
   return Diagnostic{DiagnosticId::rewriting_mismatch,
-                    Severity::error,
                     graph.outputs.front().place,
                     fmt::format("kernel '{}': {} of {} outputs of the rewritten program differ from the original's",
                                 graph.kernel, count, verification.rewritten.size()),
@@ -83,7 +82,7 @@ std::optional<Diagnostic> rewriting_failure(Graph const &graph, program::Verific
 std::optional<Diagnostic> state_failure(Graph const &graph, std::vector<program::LeftState> const &all,
                                         std::string_view who) {
   if (all.empty()) return {};
-  Diagnostic diagnostic{DiagnosticId::state_left_behind, Severity::error, graph.outputs.front().place, ""};
+  Diagnostic diagnostic{DiagnosticId::state_left_behind, graph.outputs.front().place, ""};
   for (program::LeftState const &left : all) {
     std::string const text = fmt::format("the {} leaves {} changed, on {} sample{}", who, left.name, left.samples,
                                          left.samples == 1 ? "" : "s");
@@ -200,7 +199,7 @@ std::optional<Diagnostic> verification_failure(Graph const &graph, program::Veri
                                                program::VerificationOptions const &options, std::string const &file) {
   if (auto failure = rewriting_failure(graph, verification)) return failure;
   if (std::size_t count = program::count_different(verification.outputs)) {
-    Diagnostic diagnostic{DiagnosticId::verification_mismatch, Severity::error, {file}, ""};
+    Diagnostic diagnostic{DiagnosticId::verification_mismatch, {file}, ""};
     diagnostic.message = fmt::format("{} of {} outputs differ from the original", count, verification.outputs.size());
     diagnostic.notes.push_back({{}, first_difference(graph, verification, verification.outputs, "generated")});
     if (verification.graph_different != 0)
@@ -215,7 +214,6 @@ std::optional<Diagnostic> verification_failure(Graph const &graph, program::Veri
   }
   if (std::size_t count = program::count_different(verification.called_again))
     return Diagnostic{DiagnosticId::verification_mismatch,
-                      Severity::error,
                       {file},
                       fmt::format("called again, {} of {} outputs differ from the original: it keeps something that is "
                                   "no output, or that is said to be scratch",
@@ -223,7 +221,6 @@ std::optional<Diagnostic> verification_failure(Graph const &graph, program::Veri
                       {{{}, first_difference(graph, verification, verification.called_again, "generated")}}};
   if (verification.guards_different != 0 && verification.mode != FloatingPoint::fast)
     return Diagnostic{DiagnosticId::verification_mismatch,
-                      Severity::error,
                       {file},
                       fmt::format("on {} samples the code does not return the guard that does not hold",
                                   verification.guards_different),
@@ -231,7 +228,6 @@ std::optional<Diagnostic> verification_failure(Graph const &graph, program::Veri
   if (auto failure = state_failure(graph, verification.left, "original")) return failure;
   if (std::size_t count = program::count_different(verification.wrapped))
     return Diagnostic{DiagnosticId::verification_mismatch,
-                      Severity::error,
                       {file},
                       fmt::format("{} of {} outputs of the wrapper differ from the generated code's", count,
                                   verification.outputs.size()),
@@ -239,7 +235,6 @@ std::optional<Diagnostic> verification_failure(Graph const &graph, program::Veri
   if (auto failure = state_failure(graph, verification.left_by_wrapper, "wrapper")) return failure;
   if (verification.inside < std::min(options.min_samples, options.samples))
     return Diagnostic{DiagnosticId::too_few_samples,
-                      Severity::error,
                       {file},
                       fmt::format("only {} samples lie within the premises of mode {}, {} are wanted",
                                   verification.inside, to_string(verification.mode), options.min_samples)};

@@ -6,45 +6,12 @@
 namespace symreal::rewrite {
 namespace {
 
-// The uses by their names, those that are one rule together; and what is no use.
-std::map<std::string, std::set<Use>> const uses = {
-    {"returned", {Use::returned}},
-    {"declared", {Use::declared}},
-    {"cast", {Use::cast}},
-    {"conversion", {Use::conversion}},
-    {"integer", {Use::integer}},
-    {"linkage", {Use::linkage}},
-    {"table", {Use::table}},
-    {"value", {Use::value}},
-    {"enumeration", {Use::enumeration}},
-    {"promoted", {Use::promoted}},
-    {"of_c", {Use::of_c}},
-    {"counted", {Use::counted}},
+// The uses that are one rule together; any other is one by itself.
+std::map<std::string_view, std::set<Use>> const groups = {
     {"width", {Use::width, Use::as_width}},
-    {"literal", {Use::literal}},
-    {"external", {Use::external}},
-    {"function", {Use::function}},
     {"range", {Use::range_begin, Use::range_end}},
-    {"bits", {Use::bits}},
-    {"read", {Use::read}},
-    {"written", {Use::written}},
-    {"changed", {Use::changed}},
-    {"bytes", {Use::bytes}},
-    {"state", {Use::state}},
-    {"local_state", {Use::local_state}},
-    {"pasted", {Use::pasted}},
-    {"prototype", {Use::prototype}},
-    {"name", {Use::name}},
-    {"division", {Use::division}},
-    {"environment", {Use::environment}},
-    {"formatting", {Use::formatting}},
-    {"text", {Use::text}},
-    {"later", {Use::later}},
-    {"now", {Use::now}},
-    {"argument", {Use::argument}},
-    {"truth", {Use::truth}},
+    {"formatting", {Use::formatting, Use::shown}},
     {"layouts", {Use::layout, Use::padding}},
-    {"padding", {Use::padding}},
 };
 std::map<std::string, std::function<void(Facts &)>> const others = {
     {"members", [](Facts &facts) { facts.members.clear(); }},
@@ -56,14 +23,21 @@ std::map<std::string, std::function<void(Facts &)>> const others = {
     {"number_readers", [](Facts &facts) { facts.number_readers.clear(); }},
 };
 
+std::set<Use> uses_of(std::string_view rule) {
+  if (auto const group = groups.find(rule); group != groups.end()) return group->second;
+  if (std::optional<Use> const use = find_use(rule)) return {*use};
+  return {};
+}
+
 } // namespace
 
 // A rule is also an id such as SYM035: what the reading of the sources reports under it.
 void drop_rule(Facts &facts) {
   char const *const name = std::getenv("SYMREAL_DROP_RULE");
   if (!name || !*name) return;
-  if (auto const found = uses.find(name); found != uses.end())
-    std::erase_if(facts.wraps, [&](Wrap const &wrap) { return found->second.contains(wrap.use); });
+  std::set<Use> const dropped = uses_of(name);
+  if (!dropped.empty())
+    std::erase_if(facts.wraps, [&](Wrap const &wrap) { return dropped.contains(wrap.use); });
   else if (auto const other = others.find(name); other != others.end())
     other->second(facts);
   else if (find_diagnostic(name))

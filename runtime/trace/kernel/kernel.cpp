@@ -27,7 +27,7 @@ bool Kernel::begin_object(MakeSink make_sink, Kind kind, char const *label, Sour
   if (phase_ == Phase::none) {
     Place const at{place.file, place.line, place.column};
     if (kind == Kind::output) {
-      report({DiagnosticId::annotation_outside_kernel, Severity::error, at,
+      report({DiagnosticId::annotation_outside_kernel, at,
               "output '" + std::string(label) + "' is met before any input of its kernel"});
       give_up();
     }
@@ -68,7 +68,6 @@ void Kernel::end_region(char const *file_name, SourcePlace place) {
   if (muted_ || phase_ == Phase::inside || phase_ == Phase::entering || phase_ == Phase::leaving) return;
   if (phase_ == Phase::none) {
     report({DiagnosticId::annotation_outside_kernel,
-            Severity::error,
             {place.file, place.line, place.column},
             "generate is met before any input of its kernel"});
     give_up();

@@ -99,13 +99,13 @@ void report(Diagnostic const &diagnostic) {
 void report_here(DiagnosticId id, std::string const &message) {
   log().wrong = true;
   event({"located", code(id), message, hexadecimal(call_stack())});
-  if (record_directory().empty()) print(std::cerr, {id, Severity::error, {}, message});
+  if (record_directory().empty()) print(std::cerr, {id, {}, message});
 }
 
 void report_interrupted(DiagnosticId id, std::string const &message, std::uintptr_t delayed) {
   log().wrong = true;
   if (log().interrupted[id].add(message, interrupted_stack(delayed)) && record_directory().empty())
-    print(std::cerr, {id, Severity::error, {}, message});
+    print(std::cerr, {id, {}, message});
 }
 
 void report_decision(std::string const &condition) {

@@ -131,7 +131,7 @@ void State::check_bits(void const *begin, std::size_t size, char const *name, ch
   auto const *numbers = reinterpret_cast<RealNumber const *>(first * sizeof(RealNumber));
   bool const any = std::any_of(numbers, numbers + (end - first), [](RealNumber number) { return number.is_node(); });
   if (!any || !reported_bits_.insert(place).second) return;
-  report({DiagnosticId::reinterpretation, Severity::error, written_place(place),
+  report({DiagnosticId::reinterpretation, written_place(place),
           "the bytes behind '" + std::string(name) + "' are those of a symbolic value"});
 }
 
@@ -248,7 +248,7 @@ void State::make_plain(RealNumber const *number) {
 
 void State::report_lost(Site const &site) {
   if (is_private(site) || !reported_.insert(site).second) return;
-  report({DiagnosticId::state_not_output, Severity::error, written_place(site.place),
+  report({DiagnosticId::state_not_output, written_place(site.place),
           "'" + std::string(site.name) + "' is written by the kernel and is no output"});
 }
 
@@ -300,7 +300,7 @@ void State::judge_inputs() {
     if (written != written_.end())
       report_lost(written->site);
     else if (reported_inputs_.insert(one.label).second)
-      report({DiagnosticId::state_not_output, Severity::error, one.place,
+      report({DiagnosticId::state_not_output, one.place,
               "input '" + *one.label + "' is written by the kernel and is no output"});
   }
 }
@@ -324,7 +324,6 @@ void State::judge_integers() {
 
 void State::warn_overlooked() const {
   report({DiagnosticId::state_not_looked_for,
-          Severity::warning,
           {},
           "what the kernel reads through pointers and from members was not looked at: the program has an allocator of "
           "its own"});
@@ -349,7 +348,7 @@ void State::judge_reads(std::vector<Frozen> &frozen) {
     }
     state.values.insert(state.values.end(), read.integers.begin(), read.integers.end());
     if (!kept.empty())
-      report({DiagnosticId::output_keeps_value, Severity::error, state.place,
+      report({DiagnosticId::output_keeps_value, state.place,
               "'" + state.name + "' is an output, and what it held before (" + shortest(kept[0]) +
                   (kept.size() > 1 ? ", ...)" : ")") + " is part of a result"});
     Frozen members = state;

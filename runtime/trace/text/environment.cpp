@@ -28,14 +28,13 @@ void Environment::begin() { reported_.clear(); }
 void Environment::error_read(char const *place) {
   RealNumber const setter = Pool::current().last_to_set_error();
   if (!setter.is_node() || !reported_.insert(place).second) return;
-  report({DiagnosticId::error_number, Severity::error, written_place(place),
+  report({DiagnosticId::error_number, written_place(place),
           "errno is read where " + describe(setter) + " may have set it"});
 }
 
 void Environment::used(char const *what, char const *place) {
   if (!reported_.insert(place).second) return;
-  report(
-      {DiagnosticId::environment_used, Severity::error, written_place(place), "the kernel uses " + std::string(what)});
+  report({DiagnosticId::environment_used, written_place(place), "the kernel uses " + std::string(what)});
 }
 
 std::string Environment::unusual_modes() {

@@ -171,7 +171,7 @@ RealNumber TextMarks::value_in_stream(std::ios const &stream) {
 
 void TextMarks::report_read(std::string const &what, RealNumber value, char const *place) {
   if (!reported_.insert(place).second) return;
-  report({DiagnosticId::text_read_back, Severity::error, written_place(place), what + " " + describe(value)});
+  report({DiagnosticId::text_read_back, written_place(place), what + " " + describe(value)});
 }
 
 static std::string quoted_name(char const *name) { return "'" + std::string(name) + "'"; }
