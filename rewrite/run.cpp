@@ -1,6 +1,8 @@
+#include "rewrite/collected.h"
 #include "rewrite/decide/decide.h"
 #include "rewrite/pragma/configured.h"
 #include "rewrite/reading.h"
+#include "rewrite/rewrite.h"
 #include "rewrite/source/source_map.h"
 
 #include <algorithm>
@@ -30,8 +32,7 @@ void require_type_name(std::string const &name) {
 
 } // namespace
 
-Result run(Request const &request) {
-  require_type_name(request.type_name);
+Collected collect(Request const &request) {
   std::vector<Compilation> sources = compilations_of(request);
   std::erase_if(sources, [&](Compilation const &one) { return request.exclude.matches(real_source(one)); });
   Scope const scope = scope_of(request, sources);
@@ -41,11 +42,18 @@ Result run(Request const &request) {
   // Other errors may follow from a name that was not found.
   std::stable_partition(facts.diagnostics.begin(), facts.diagnostics.end(),
                         [](symreal::Diagnostic const &one) { return one.id == DiagnosticId::configured_function; });
-  Result result = decide(std::move(facts), request);
-  result.left_out = std::move(reading.left_out);
-  result.unreached = std::move(reading.unreached);
-  result.sources_read = reading.collector().read();
-  result.sources_kept = reading.collector().kept();
+  return {std::move(facts), std::move(reading.left_out), std::move(reading.unreached), reading.collector().read(),
+          reading.collector().kept()};
+}
+
+Result run(Request const &request) {
+  require_type_name(request.type_name);
+  Collected collected = collect(request);
+  Result result = decide(std::move(collected.facts), request);
+  result.left_out = std::move(collected.left_out);
+  result.unreached = std::move(collected.unreached);
+  result.sources_read = collected.read;
+  result.sources_kept = collected.kept;
   return result;
 }
 

@@ -1,5 +1,5 @@
 # What stands in RUN lines: %symreal the tool (what it generates is compiled as well), %tool the executable itself,
-# %rewrite prints rewritten text, %same compares object code,
+# %rewrite prints rewritten text, %dump that with what else there is (also the facts), %decide what becomes of facts, %same compares object code,
 # %source the repository, %inputs the example programs, %runtime_include the public headers, %runtime the directory of the runtime,
 # %tools helper scripts, %version the tool's version, %cxx %cc %clang compilers.
 import os
@@ -9,7 +9,7 @@ import lit.formats
 
 config.name = "symreal"
 config.test_format = lit.formats.ShTest(execute_external=False)
-config.suffixes = [".test", ".cpp", ".c", ".graph", ".txt"]
+config.suffixes = [".test", ".cpp", ".c", ".graph", ".txt", ".facts"]
 # Unit tests are GoogleTest's; a directory "Inputs" holds what tests read; CMake's own files are no tests.
 config.excludes = ["unit", "tools", "Inputs", "CMakeLists.txt"]
 config.test_source_root = os.path.join(config.source_dir, "tests")
@@ -25,6 +25,8 @@ config.substitutions += [
     (r"%tool\b", os.path.join(config.binary_dir, "tool", "symreal")),
     (r"%build\b", config.binary_dir),
     (r"%rewrite\b", os.path.join(config.binary_dir, "rewrite", "symreal-rewrite-dump") + " --text"),
+    (r"%dump\b", os.path.join(config.binary_dir, "rewrite", "symreal-rewrite-dump")),
+    (r"%decide\b", os.path.join(config.binary_dir, "rewrite", "symreal-rewrite-dump") + " --text --decide"),
     (r"%same\b", "python3 " + os.path.join(config.source_dir, "tests", "tools", "same_object.py") + " "
      + os.path.join(config.binary_dir, "rewrite", "symreal-rewrite-dump") + " "
      + os.path.join(config.binary_dir, "runtime", "include")),

@@ -87,6 +87,7 @@ private:
 class Write {
 public:
   template <class... T> void operator()(T &...values) { (value(values), ...); }
+  template <class... T> void members(char const *, T &...values) { (value(values), ...); }
   std::string result() { return bytes_.result(); }
 
 private:
@@ -132,6 +133,7 @@ class Read {
 public:
   explicit Read(std::string_view bytes) : bytes_(bytes) {}
   template <class... T> void operator()(T &...values) { (value(values), ...); }
+  template <class... T> void members(char const *, T &...values) { (value(values), ...); }
   bool is_complete() const { return bytes_.is_complete(); }
 
 private:

@@ -1,8 +1,14 @@
-// Prints what the rewriter makes of its arguments: rewrite_dump [--diff | --refusals] [--root DIR]... SOURCE... [--
-// FLAG...]. A tool of the tests: the library's result without a driver around it. Exits 1 when there is an error.
+// Prints what the rewriter makes of its arguments: rewrite_dump [--diff | --text | --refusals] [--root DIR]...
+// SOURCE...
+// [-- FLAG...]; with --facts what it has collected, and with --decide FILE what it makes of such facts. A tool of the
+// tests: the library's result without a driver around it. Exits 1 when there is an error.
+#include "rewrite/collected.h"
+#include "rewrite/decide/decide.h"
 #include "rewrite/edit/mirror.h"
+#include "rewrite/facts/fact_text.h"
 #include "rewrite/rewrite.h"
 #include "support/diff.h"
+#include "support/files.h"
 
 #include <algorithm>
 #include <iostream>
@@ -35,8 +41,8 @@ static std::string without_checks(std::string const &text) {
 
 int main(int argc, char **argv) {
   rewrite::Request request;
-  bool refusals = false, diff = false, after = false, bare = false;
-  std::string out;
+  bool refusals = false, diff = false, after = false, bare = false, facts = false;
+  std::string out, facts_file;
   for (int i = 1; i < argc; ++i) {
     std::string const word = argv[i];
     if (after)
@@ -47,6 +53,10 @@ int main(int argc, char **argv) {
       diff = true;
     else if (word == "--refusals")
       refusals = true;
+    else if (word == "--facts")
+      facts = true;
+    else if (word == "--decide" && i + 1 < argc)
+      facts_file = argv[++i];
     else if (word == "--text")
       bare = true;
     else if (word == "--root" && i + 1 < argc)
@@ -57,7 +67,13 @@ int main(int argc, char **argv) {
       request.sources.push_back(word);
   }
   try {
-    rewrite::Result const result = rewrite::run(request);
+    if (facts) {
+      std::cout << to_text(rewrite::collect(request).facts);
+      return 0;
+    }
+    rewrite::Result const result = facts_file.empty()
+                                       ? rewrite::run(request)
+                                       : rewrite::decide(rewrite::facts_of_text(read_file(facts_file)), request);
     bool failed = false;
     for (Diagnostic const &diagnostic : result.diagnostics) {
       print(std::cerr, diagnostic);
@@ -81,6 +97,9 @@ int main(int argc, char **argv) {
       for (rewrite::Kernel const &kernel : result.kernels) print_kernel(kernel);
   } catch (DiagnosticError const &error) {
     print(std::cerr, error.diagnostic());
+    return 1;
+  } catch (std::invalid_argument const &error) {
+    std::cerr << error.what() << "\n";
     return 1;
   }
 }

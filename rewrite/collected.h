@@ -1,0 +1,18 @@
+// The first half of run(): what the sources say, before anything is decided about it.
+#pragma once
+
+#include "rewrite/facts/facts.h"
+
+namespace symreal::rewrite {
+
+struct Collected {
+  Facts facts;
+  std::vector<std::string> left_out;  // sources that do not compile, if the request allows it
+  std::vector<Compilation> unreached; // if it asks for those that are reached
+  std::size_t read = 0, kept = 0;     // sources, by Clang, and as an earlier run has read them
+};
+
+// Throws DiagnosticError where a source cannot be read.
+Collected collect(Request const &request);
+
+} // namespace symreal::rewrite

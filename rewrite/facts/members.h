@@ -1,0 +1,96 @@
+// What the structs of facts consist of, for all forms in which they are written and read.
+//
+// `visit(take, object)` calls take.members(names, member...), the same for each direction. It names all members with
+// `auto &[...]`, so that one that is added does not compile until it is told of here.
+#pragma once
+
+#include "rewrite/facts/facts.h"
+
+namespace symreal::rewrite {
+
+// clang-format off
+#define SYMREAL_CONSISTS_OF(...)                                                                                       \
+  {                                                                                                                    \
+    auto &[__VA_ARGS__] = object;                                                                                      \
+    take.members(#__VA_ARGS__, __VA_ARGS__);                                                                                 \
+  }
+
+template <class Take> void visit(Take &take, Place &object)
+  SYMREAL_CONSISTS_OF(file, line, column)
+template <class Take> void visit(Take &take, Note &object)
+  SYMREAL_CONSISTS_OF(place, message)
+template <class Take> void visit(Take &take, Diagnostic &object)
+  SYMREAL_CONSISTS_OF(id, place, message, notes, severity)
+template <class Take> void visit(Take &take, Span &object)
+  SYMREAL_CONSISTS_OF(file, begin, end)
+template <class Take> void visit(Take &take, TypeToken &object)
+  SYMREAL_CONSISTS_OF(span, replacement, why)
+template <class Take> void visit(Take &take, Wrap &object)
+  SYMREAL_CONSISTS_OF(span, use, detail)
+template <class Take> void visit(Take &take, Section &object)
+  SYMREAL_CONSISTS_OF(low, length)
+template <class Take> void visit(Take &take, ObjectLayout &object)
+  SYMREAL_CONSISTS_OF(text, containers)
+template <class Take> void visit(Take &take, Annotation &object)
+  SYMREAL_CONSISTS_OF(kind, label, place, expression, sections, layout)
+template <class Take> void visit(Take &take, Include &object)
+  SYMREAL_CONSISTS_OF(name, beside)
+template <class Take> void visit(Take &take, Redefinition &object)
+  SYMREAL_CONSISTS_OF(obstacle, qualified, head, includes, declarations, namespaces, missing, varying, mangled,
+    arguments, parameters, returned, has_this)
+template <class Take> void visit(Take &take, Signature &object)
+  SYMREAL_CONSISTS_OF(declaration, arguments, returns_value, redefinition)
+template <class Take> void visit(Take &take, Kernel &object)
+  SYMREAL_CONSISTS_OF(name, is_function, by_hand, place, output_file, signature, annotations, source)
+template <class Take> void visit(Take &take, ItemFact &object)
+  SYMREAL_CONSISTS_OF(label, expression, base, sections, place, is_return, base_is_name, section_on_base, seen,
+    carries_real, holds_integer, type, base_kind, layout, left_out, kept)
+template <class Take> void visit(Take &take, ClauseFact &object)
+  SYMREAL_CONSISTS_OF(name, place, argument, items)
+template <class Take> void visit(Take &take, FunctionFact::Value &object)
+  SYMREAL_CONSISTS_OF(name, place)
+template <class Take> void visit(Take &take, FunctionFact &object)
+  SYMREAL_CONSISTS_OF(name, signature, brace, values, parameters)
+template <class Take> void visit(Take &take, PragmaFact &object)
+  SYMREAL_CONSISTS_OF(span, continued_lines, place, display_file, is_function, configured, clauses, function,
+    around, loop_targets, tests_late)
+template <class Take> void visit(Take &take, UseFact &object)
+  SYMREAL_CONSISTS_OF(mangled, name, parameters, declaration, place, source)
+template <class Take> void visit(Take &take, Alteration &object)
+  SYMREAL_CONSISTS_OF(span, before, after, replaces, inside)
+template <class Take> void visit(Take &take, Refusal &object)
+  SYMREAL_CONSISTS_OF(condition, last_line, reason, token)
+template <class Take> void visit(Take &take, DecisionFact &object)
+  SYMREAL_CONSISTS_OF(alterations, refusals, misuses, uses, needs)
+template <class Take> void visit(Take &take, SpelledType &object)
+  SYMREAL_CONSISTS_OF(span, is_float, is_long, kept, where, name, within)
+template <class Take> void visit(Take &take, FileFact &object)
+  SYMREAL_CONSISTS_OF(display_path, compiled_name, text, spelled, conditions, directives, kept)
+template <class Take, class Name> void visit(Take &take, ClassFact::Part<Name> &object)
+  SYMREAL_CONSISTS_OF(name, holds)
+template <class Take> void visit(Take &take, ClassFact &object)
+  SYMREAL_CONSISTS_OF(access, bases, fields)
+template <class Take> void visit(Take &take, ConversionFact &object)
+  SYMREAL_CONSISTS_OF(span, type, to_integer)
+template <class Take> void visit(Take &take, NamedStatement &object)
+  SYMREAL_CONSISTS_OF(begin, end, name)
+template <class Take> void visit(Take &take, DecidingText &object)
+  SYMREAL_CONSISTS_OF(keyword, begin, end, text, type)
+template <class Take> void visit(Take &take, ConfiguredText &object)
+  SYMREAL_CONSISTS_OF(text, place)
+template <class Take> void visit(Take &take, ConfiguredClause &object)
+  SYMREAL_CONSISTS_OF(name, items)
+template <class Take> void visit(Take &take, ConfiguredKernel &object)
+  SYMREAL_CONSISTS_OF(function, file, clauses)
+template <class Take> void visit(Take &take, ConfiguredExternal &object)
+  SYMREAL_CONSISTS_OF(function, pure, clauses)
+template <class Take> void visit(Take &take, Facts &object)
+  SYMREAL_CONSISTS_OF(files, types, doubles, wraps, shared, members, reached, skipped, consumed, conversions,
+    comparisons, printed, quoted, pasted, text_calls, pragmas, number_readers, by_hand, definitions, exported, uses,
+    links, linked_words, names, deciding, decisions, externals, configured_externals, kernel_functions, taken_names,
+    include_dirs, read, diagnostics, broken, makes_text)
+
+#undef SYMREAL_CONSISTS_OF
+// clang-format on
+
+} // namespace symreal::rewrite
