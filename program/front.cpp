@@ -116,25 +116,24 @@ void build(FrontRequest const &request, rewrite::Result const &rewritten, BuildR
   for (std::size_t k = 0; k < wanted.size(); ++k) front.*wanted[k].second = executables[k];
 }
 
-} // namespace
-
-std::optional<Front> run_front(FrontRequest const &request, Talk const &talk) {
-  Stopwatch watch;
-  Front front;
+// Source to text with REAL in place of double. Nothing when an error was reported.
+std::optional<rewrite::Result> rewrite_sources(FrontRequest const &request, Front &front, Talk const &talk) {
   talk.stage("rewriting");
   rewrite::Result rewritten = rewrite::run(request.source);
   // The compiler's messages and debug information are read here, wherever it runs.
   for (rewrite::File &file : rewritten.files) file.compiled_name = file.display_path;
   if (!report_all(rewritten.diagnostics, talk)) return {};
   note_unreached(rewritten, rewrite::compilations_of(request.source).size(), talk);
-  std::vector<rewrite::Kernel> wanted = wanted_kernels(rewritten, request);
   front.read = rewritten.read;
   for (rewrite::TextSource const &one : request.source.texts)
     std::erase(front.read, rewrite::real_source({one.path, {}, {}}));
   front.sources_read = rewritten.sources_read;
   front.sources_kept = rewritten.sources_kept;
-  front.rewrite_seconds = watch.lap();
+  return rewritten;
+}
 
+// Text to programs: the symbolic one, and those that verification runs.
+void build_programs(FrontRequest const &request, rewrite::Result &rewritten, Front &front, Talk const &talk) {
   talk.stage("building");
   front.workspace = std::make_unique<Workspace>(request.keep);
   BuildRequest parts = build_request(request, rewritten);
@@ -143,22 +142,40 @@ std::optional<Front> run_front(FrontRequest const &request, Talk const &talk) {
   parts.source_flags = std::move(c.flags);
   front.overlay = std::make_unique<Overlay>(rewritten, front.workspace->directory("overlay"), std::move(c.sources));
   build(request, rewritten, parts, front);
-  front.build_seconds = watch.lap();
+}
 
+// The symbolic program, run once, to graphs. False when an error was reported.
+bool record_kernels(FrontRequest const &request, rewrite::Result const &rewritten,
+                    std::vector<rewrite::Kernel> const &wanted, Front &front, Talk const &talk) {
   talk.stage("recording");
   RunOptions run = request.run;
   // Which kernel comes first is not known before the run, so one among several is waited for to the program's end.
   run.run_on |= wanted.size() < rewritten.kernels.size();
   Recording recording =
       record(front.symbolic_program, run, rewritten, wanted, *front.overlay, *front.workspace, talk.program_output);
-  front.run_seconds = watch.lap();
   explain_refusals(recording.diagnostics, rewritten.refusals);
   if (!report_all(recording.diagnostics, talk)) {
     for (Recorded const &kernel : recording.kernels)
       if (talk.lacking && !kernel.clauses.empty()) talk.lacking(kernel);
-    return {};
+    return false;
   }
   front.kernels = std::move(recording.kernels);
+  return true;
+}
+
+} // namespace
+
+std::optional<Front> run_front(FrontRequest const &request, Talk const &talk) {
+  Stopwatch watch;
+  Front front;
+  std::optional<rewrite::Result> rewritten = rewrite_sources(request, front, talk);
+  if (!rewritten) return {};
+  std::vector<rewrite::Kernel> const wanted = wanted_kernels(*rewritten, request);
+  front.rewrite_seconds = watch.lap();
+  build_programs(request, *rewritten, front, talk);
+  front.build_seconds = watch.lap();
+  if (!record_kernels(request, *rewritten, wanted, front, talk)) return {};
+  front.run_seconds = watch.lap();
   return front;
 }
 

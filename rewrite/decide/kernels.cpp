@@ -10,28 +10,22 @@ void report(Result &result, DiagnosticId id, Place const &place, std::string mes
   result.diagnostics.push_back({id, place, std::move(message)});
 }
 
-bool annotates(ClauseFact const &clause) {
-  return clause.name == "input" || clause.name == "parameter" || clause.name == "constant" ||
-         clause.name == "scratch" || clause.name == "output";
-}
-
 void check_item(ClauseFact const &clause, ItemFact const &item, Result &result) {
-  bool const writes = clause.name == "input" || clause.name == "parameter";
   auto const wrong = [&](std::string message) {
     report(result, DiagnosticId::pragma_item, item.place, "'" + item.label + "' " + message);
   };
-  if (item.is_return && clause.name != "output") return wrong("can only be an output");
+  if (item.is_return && clause.clause != Clause::output) return wrong("can only be an output");
   if (item.is_return) return;
   bool const is_pointer = item.base_kind == Base::pointer || item.base_kind == Base::pointer_to_const ||
                           item.base_kind == Base::const_pointer_to_const;
-  if (clause.name == "scratch") return; // whatever is left there, and wherever a pointer points to
+  if (clause.clause == Clause::scratch) return; // whatever is left there, and wherever a pointer points to
   if (item.base_is_name && is_pointer && item.sections.empty())
     return wrong("is a pointer, which does not say how much it points to: '*" + item.label + "' or '" + item.label +
                  "[0:n]' does");
-  if (clause.name == "constant" && !item.carries_real && !item.holds_integer)
+  if (clause.clause == Clause::constant && !item.carries_real && !item.holds_integer)
     return wrong("holds neither doubles nor integers: it is " + item.type);
-  if (clause.name != "constant" && !item.carries_real) return wrong("holds no double: it is " + item.type);
-  if (!writes) return;
+  if (clause.clause != Clause::constant && !item.carries_real) return wrong("holds no double: it is " + item.type);
+  if (!info(clause.clause).has(trait::GIVEN)) return;
   if (item.base_kind == Base::const_object) return wrong("is const: the compiler may have used its value already");
 }
 
@@ -77,33 +71,33 @@ void check_returned_place(PragmaFact const &pragma, ClauseFact const &clause, Re
 }
 
 // decisions(...) and loop(N).
-bool is_directive(ClauseFact const &clause) { return clause.name == "decisions" || clause.name == "loop"; }
+bool is_setting(ClauseFact const &clause) { return info(clause.clause).has(trait::SETTING); }
 
-bool only_directives(PragmaFact const &pragma) {
-  return std::all_of(pragma.clauses.begin(), pragma.clauses.end(), is_directive);
+bool only_settings(PragmaFact const &pragma) {
+  return std::all_of(pragma.clauses.begin(), pragma.clauses.end(), is_setting);
 }
 
-void check_directive(PragmaFact const &pragma, ClauseFact const &clause, Result &result) {
+void check_setting(PragmaFact const &pragma, ClauseFact const &clause, Result &result) {
   std::string const &argument = clause.argument;
   static std::set<std::string> const policies = {"error", "guard", "select", "carry"};
-  if (clause.name == "decisions" && policies.count(argument) == 0)
+  if (clause.clause == Clause::decisions && policies.count(argument) == 0)
     report(result, DiagnosticId::pragma_syntax, clause.place,
            "decisions takes error, guard, select or carry, not '" + argument + "'");
   bool const is_number = argument.find_first_not_of("0123456789") == std::string::npos && argument.size() < 8 &&
                          argument.find_first_not_of('0') != std::string::npos;
-  if (clause.name == "loop" && !is_number)
+  if (clause.clause == Clause::loop && !is_number)
     report(result, DiagnosticId::pragma_syntax, clause.place,
            "loop(N) takes how often the loop runs at most, not '" + argument + "'");
-  if (!pragma.is_function && !only_directives(pragma))
+  if (!pragma.is_function && !only_settings(pragma))
     report(result, DiagnosticId::pragma_syntax, clause.place,
-           "'" + clause.name + "' is about the next statement and stands in a pragma of its own");
+           "'" + name_of(clause.clause) + "' is about the next statement and stands in a pragma of its own");
 }
 
 void check(PragmaFact const &pragma, Result &result) {
   bool after_input = false;
   for (ClauseFact const &clause : pragma.clauses) {
-    if (is_directive(clause)) {
-      check_directive(pragma, clause, result);
+    if (is_setting(clause)) {
+      check_setting(pragma, clause, result);
       continue;
     }
     check_returned_place(pragma, clause, result);
@@ -112,34 +106,34 @@ void check(PragmaFact const &pragma, Result &result) {
         report(result, DiagnosticId::pragma_position, pragma.place, "no statement can stand where this pragma stands");
         return;
       }
-      if (annotates(clause)) check_item(clause, item, result);
+      if (info(clause.clause).has(trait::OBJECTS)) check_item(clause, item, result);
       warn_of_members(pragma, item, result);
-      if (clause.name == "table") check_table(item, result);
+      if (clause.clause == Clause::table) check_table(item, result);
     }
-    if (clause.name == "range" && (clause.items.size() != 2 || !after_input))
+    if (clause.clause == Clause::range && (clause.items.size() != 2 || !after_input))
       report(result, DiagnosticId::pragma_syntax, clause.place,
              "range(low, high) stands after input(...) and has two numbers");
-    if (clause.name == "generate" && (clause.items.size() != 1 || clause.argument.front() != '"'))
+    if (clause.clause == Clause::generate && (clause.items.size() != 1 || clause.argument.front() != '"'))
       report(result, DiagnosticId::pragma_syntax, clause.place,
              "generate takes the name of a file, as in generate(\"step.c\")");
-    if (clause.name == "call" && clause.argument.find_first_not_of("0123456789") != std::string::npos)
+    if (clause.clause == Clause::call && clause.argument.find_first_not_of("0123456789") != std::string::npos)
       report(result, DiagnosticId::pragma_syntax, clause.place, "call(k) takes the number of a call, counted from 1");
-    after_input = after_input || clause.name == "input";
+    after_input = after_input || clause.clause == Clause::input;
   }
 }
 
 std::vector<Annotation> annotations(PragmaFact const &pragma) {
   std::vector<Annotation> result;
   for (ClauseFact const &clause : pragma.clauses)
-    if (annotates(clause))
+    if (info(clause.clause).has(trait::OBJECTS))
       for (ItemFact const &item : clause.items)
-        result.push_back({clause.name, item.label, item.place, item.base, item.sections, item.layout});
+        result.push_back({name_of(clause.clause), item.label, item.place, item.base, item.sections, item.layout});
   return result;
 }
 
 bool has_output(std::vector<Annotation> const &annotations) {
   for (Annotation const &one : annotations)
-    if (one.kind == "output") return true;
+    if (one.kind == info(Clause::output).name) return true;
   return false;
 }
 
@@ -160,7 +154,7 @@ void region(PragmaFact const &pragma, Open &open, Result &result) {
   if (open.annotations.empty()) open.place = pragma.place;
   for (Annotation &one : annotations(pragma)) open.annotations.push_back(std::move(one));
   for (ClauseFact const &clause : pragma.clauses) {
-    if (clause.name != "generate" || clause.argument.size() < 2) continue;
+    if (clause.clause != Clause::generate || clause.argument.size() < 2) continue;
     if (!open.annotations.empty() && !has_output(open.annotations))
       report(result, DiagnosticId::kernel_incomplete, clause.place, "no output(...) stands before this generate");
     std::string const file = clause.argument.substr(1, clause.argument.size() - 2);
@@ -186,7 +180,7 @@ void collect_kernels(Facts const &facts, Result &result) {
       region(pragma, regions[span.file], result);
       continue;
     }
-    if (pragma.function.empty() || only_directives(pragma)) continue; // not attached, and reported; or no kernel
+    if (pragma.function.empty() || only_settings(pragma)) continue; // not attached, and reported; or no kernel
     if (!has_output(annotations(pragma)))
       report(result, DiagnosticId::kernel_incomplete, pragma.place, "this pragma has no output(...)");
     result.kernels.push_back({.name = pragma.function[0].name,

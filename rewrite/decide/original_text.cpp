@@ -8,8 +8,6 @@
 namespace symreal::rewrite {
 namespace {
 
-bool declares(std::string const &kind) { return kind == "constant" || kind == "scratch"; }
-
 // A loop over each dimension of its sections, outermost first.
 std::string loops(std::vector<Section> const &sections) {
   std::string extents, text;
@@ -23,30 +21,27 @@ std::string loops(std::vector<Section> const &sections) {
   return text;
 }
 
-std::string annotation(std::string const &kind, ItemFact const &item) {
+std::string annotation(Clause clause, ItemFact const &item) {
   bool const has_layout = !item.layout.text.empty();
   return fmt::format("if (symreal_original_object(\"{}\", {}, SYMREAL_ORIGINAL_FRAME)) {{ {}SYMREAL_ORIGINAL_{}({}{}); "
                      "symreal_original_object_end(); }} ",
-                     kind, place_arguments(item.label, item.place), loops(item.sections),
-                     means_file(kind, item) ? "STATICS"
-                     : has_layout           ? "LAYOUT"
-                     : declares(kind)       ? "BYTES"
-                                            : "NUMBERS",
+                     name_of(clause), place_arguments(item.label, item.place), loops(item.sections),
+                     means_file(clause, item)        ? "STATICS"
+                     : has_layout                    ? "LAYOUT"
+                     : info(clause).has(trait::KEPT) ? "BYTES"
+                                                     : "NUMBERS",
                      has_layout ? layout_arguments(item.layout) + ", " : "", item.expression);
 }
 
-bool annotates(ClauseFact const &clause) {
-  return clause.name == "input" || clause.name == "parameter" || clause.name == "output" || declares(clause.name);
-}
-
 std::string clause_text(ClauseFact const &clause) {
-  if (clause.name == "generate")
+  if (clause.clause == Clause::generate)
     return fmt::format("symreal_original_generate({}, {}, {}, {}); ", clause.argument, quoted(clause.place.file),
                        clause.place.line, clause.place.column);
   std::string text;
-  if (annotates(clause)) // ranges, tables and what becomes of decisions are the recording's matter
+  if (info(clause.clause)
+          .has(trait::OBJECTS)) // ranges, tables and what becomes of decisions are the recording's matter
     for (ItemFact const &item : clause.items)
-      if (!item.is_return) text += annotation(clause.name, item);
+      if (!item.is_return) text += annotation(clause.clause, item);
   return text;
 }
 
@@ -62,11 +57,11 @@ std::string original_function_text(PragmaFact const &pragma) {
   std::string entry, exit, call = "1";
   bool is_kernel = false;
   for (ClauseFact const &clause : pragma.clauses) {
-    is_kernel = is_kernel || clause.name != "decisions";
-    if (clause.name == "call")
+    is_kernel = is_kernel || !info(clause.clause).has(trait::SETTING);
+    if (clause.clause == Clause::call)
       call = clause.argument;
     else
-      (clause.name == "output" ? exit : entry) += clause_text(clause);
+      (info(clause.clause).has(trait::RESULTS) ? exit : entry) += clause_text(clause);
   }
   if (!is_kernel) return "";
   std::string own;

@@ -76,7 +76,7 @@ void add_selects(Facts &facts, std::map<std::string, std::vector<Rewording>> &re
   std::set<Span> kernels; // the braces of functions whose returned value is an output
   for (auto const &[span, pragma] : facts.pragmas)
     for (FunctionFact const &function : pragma.function)
-      if (pragma.clause("output")) kernels.insert(function.brace);
+      if (pragma.clause(Clause::output)) kernels.insert(function.brace);
   for (auto const &[key, fact] : facts.decisions) {
     report_decision(facts, key, fact, result);
     result.refusals.insert(result.refusals.end(), fact.refusals.begin(), fact.refusals.end());

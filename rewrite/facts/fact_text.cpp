@@ -45,6 +45,7 @@ private:
   }
 
   static Json value(Use &use) { return std::string(info(use).name); }
+  static Json value(Clause &clause) { return name_of(clause); }
   static Json value(std::string &text) { return text; }
   template <class T> static Json value(T &object) {
     if constexpr (std::same_as<T, bool>)
@@ -108,6 +109,11 @@ private:
     std::optional<Use> const found = find_use(json.get<std::string>());
     if (!found) throw std::invalid_argument("no use is called " + json.dump());
     use = *found;
+  }
+  static void value(Json const &json, Clause &clause) {
+    std::optional<Clause> const found = find_clause(json.get<std::string>());
+    if (!found) throw std::invalid_argument("no clause is called " + json.dump());
+    clause = *found;
   }
   static void value(Json const &json, std::string &text) { text = json.get<std::string>(); }
   template <class T> static void value(Json const &json, T &object) {

@@ -1,8 +1,8 @@
 // Facts as text (JSON with comments), so that what is decided on them can be tried without Clang, and back.
 //
 // A struct is an object of its members; a member that has the value of a struct just made is left out. A map is a list
-// of pairs, a use its name, another enumeration its number, and flags by offset are the lengths of their runs, the
-// first of those that do not hold.
+// of pairs, a use or clause its name, another enumeration its number, and flags by offset are the lengths of their
+// runs, the first of those that do not hold.
 #pragma once
 
 #include "rewrite/facts/facts.h"

@@ -4,6 +4,7 @@
 // same fact twice and the sets drop the second.
 #pragma once
 
+#include "rewrite/facts/clause.h"
 #include "rewrite/facts/result.h"
 #include "rewrite/facts/use.h"
 
@@ -78,7 +79,7 @@ struct ItemFact {
 };
 
 struct ClauseFact {
-  std::string name;
+  Clause clause = {};
   Place place;
   std::string argument; // range, generate, call: the text between the parentheses
   std::vector<ItemFact> items;
@@ -111,9 +112,9 @@ struct PragmaFact {
   std::optional<std::string> loop_targets; // (x)(y)
   bool tests_late = false;                 // after the body
 
-  ClauseFact const *clause(std::string const &name) const {
+  ClauseFact const *clause(Clause wanted) const {
     for (ClauseFact const &one : clauses)
-      if (one.name == name) return &one;
+      if (one.clause == wanted) return &one;
     return nullptr;
   }
 };

@@ -46,7 +46,7 @@ template <class Take> void visit(Take &take, ItemFact &object)
   SYMREAL_CONSISTS_OF(label, expression, base, sections, place, is_return, base_is_name, section_on_base, seen,
     carries_real, holds_integer, type, base_kind, layout, left_out, kept)
 template <class Take> void visit(Take &take, ClauseFact &object)
-  SYMREAL_CONSISTS_OF(name, place, argument, items)
+  SYMREAL_CONSISTS_OF(clause, place, argument, items)
 template <class Take> void visit(Take &take, FunctionFact::Value &object)
   SYMREAL_CONSISTS_OF(name, place)
 template <class Take> void visit(Take &take, FunctionFact &object)

@@ -15,7 +15,7 @@ enum class Use {
 enum class Payload { none, type, arguments, place, bits, function, text, parameters, name, words, layout };
 
 namespace trait {
-enum : unsigned { NEEDED = 1, BY_TYPES = 2, BRACE = 4, OUTERMOST = 8 };
+enum OfUse : unsigned { NEEDED = 1, BY_TYPES = 2, BRACE = 4, OUTERMOST = 8 };
 }
 
 struct UseInfo {

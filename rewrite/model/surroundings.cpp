@@ -49,10 +49,8 @@ struct Block {
 };
 
 bool annotates(PragmaFact const &pragma) {
-  return std::any_of(pragma.clauses.begin(), pragma.clauses.end(), [](ClauseFact const &clause) {
-    return clause.name == "input" || clause.name == "parameter" || clause.name == "constant" ||
-           clause.name == "scratch";
-  });
+  return std::any_of(pragma.clauses.begin(), pragma.clauses.end(),
+                     [](ClauseFact const &clause) { return info(clause.clause).has(trait::GIVEN | trait::KEPT); });
 }
 
 std::map<std::string, std::vector<Block>> find_blocks(Facts &facts) {
@@ -65,9 +63,9 @@ std::map<std::string, std::vector<Block>> find_blocks(Facts &facts) {
     if (found == open.end()) continue;
     for (ClauseFact const &clause : pragma.clauses)
       for (ItemFact const &item : clause.items)
-        if (clause.name != "output" && item.base_is_name && item.sections.empty())
+        if (clause.clause != Clause::output && item.base_is_name && item.sections.empty())
           found->second.annotated.insert(item.label);
-    if (!pragma.clause("generate")) continue;
+    if (!pragma.clause(Clause::generate)) continue;
     found->second.end = span.begin;
     blocks[span.file].push_back(found->second);
     open.erase(found);

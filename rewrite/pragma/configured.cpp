@@ -112,8 +112,8 @@ bool read_clauses(ConfiguredKernel const &kernel, Span const &span, ASTContext &
 bool only_adds(ConfiguredKernel const &kernel) {
   return !kernel.clauses.empty() &&
          std::all_of(kernel.clauses.begin(), kernel.clauses.end(), [](ConfiguredClause const &clause) {
-           std::string const &name = clause.name.text;
-           return name == "constant" || name == "scratch";
+           std::optional<Clause> const known = find_clause(clause.name.text);
+           return known && info(*known).has(trait::KEPT);
          });
 }
 
@@ -150,7 +150,8 @@ public:
     if (!read_clauses(kernel, *brace, function->getASTContext(), fact, names, facts_)) return;
     for (ClauseFact &clause : fact.clauses)
       for (ItemFact &item : clause.items)
-        if (means_file(clause.name, item)) item.place = map_.place(function->getLocation()); // it is in no file itself
+        if (means_file(clause.clause, item))
+          item.place = map_.place(function->getLocation()); // it is in no file itself
     facts_.pragmas.emplace(*brace, std::move(fact));
     attach_pragma(*brace, function, names, map_, reals_, integers_, facts_);
   }

@@ -42,7 +42,7 @@ void note_file_statics(ASTContext &context, SourceMap const &map, Facts &facts) 
   for (auto &[span, pragma] : facts.pragmas)
     for (ClauseFact &clause : pragma.clauses)
       for (ItemFact &item : clause.items) {
-        if (!means_file(clause.name, item) || !item.type.empty()) continue;
+        if (!means_file(clause.clause, item) || !item.type.empty()) continue;
         if (!statics) statics.emplace(context, map).TraverseDecl(context.getTranslationUnitDecl());
         item.type = "file";
         item.expression = quoted(statics->by_file[span.file]);

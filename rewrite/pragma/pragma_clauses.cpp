@@ -37,23 +37,21 @@ void collect_names(PragmaWords const &words, PragmaItem const &item, ItemKey con
 
 } // namespace
 
-bool has_words(llvm::StringRef clause) { return clause == "decisions" || clause == "loop"; }
-
 void add_clauses(PragmaFact &fact, Pragma const &pragma, PragmaWords const &words, Span const &span,
                  std::vector<PragmaIndex::Name> &names) {
   for (PragmaClause const &clause : pragma.clauses) {
     ClauseFact &clause_fact = fact.clauses.emplace_back();
-    clause_fact.name = words.tokens[clause.name].text;
+    clause_fact.clause = *find_clause(words.tokens[clause.name].text); // as the parser has found
     clause_fact.place = words.places[clause.name];
     clause_fact.argument = text_of(words.tokens, clause.arguments);
     for (PragmaItem const &item : clause.items) {
       clause_fact.items.push_back(item_fact(words.tokens, item));
       clause_fact.items.back().place = words.places[item.tokens.begin];
-      if (means_file(clause_fact.name, clause_fact.items.back())) {
+      if (means_file(clause_fact.clause, clause_fact.items.back())) {
         clause_fact.items.back().seen = true;
         continue;
       }
-      if (pragma.is_function && clause_fact.name != "call" && !has_words(clause_fact.name))
+      if (pragma.is_function && !info(clause_fact.clause).has(trait::SINGLE))
         collect_names(words, item, {span, fact.clauses.size() - 1, clause_fact.items.size() - 1}, names);
     }
   }

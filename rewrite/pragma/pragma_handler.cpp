@@ -54,7 +54,7 @@ public:
     auto const &pragma = std::get<Pragma>(parsed);
     collect(pragma, words, *span, introducer.Loc);
     PragmaFact const &fact = facts_.pragmas[*span];
-    if (!pragma.is_function && (fact.clause("decisions") || fact.clause("loop")))
+    if (!pragma.is_function && (fact.clause(Clause::decisions) || fact.clause(Clause::loop)))
       index_.statement_pragmas[*span] = introducer.Loc;
     if (pragma.is_function)
       index_.function_pragmas[*span] = introducer.Loc;
@@ -100,7 +100,7 @@ private:
       for (std::size_t i = 0; is_looked_up(pragma.clauses[c], lexed) && i < pragma.clauses[c].items.size(); ++i) {
         PragmaItem const &item = pragma.clauses[c].items[i];
         ClauseFact const &clause = facts_.pragmas[span].clauses[c];
-        if (means_file(clause.name, clause.items[i])) continue;
+        if (means_file(clause.clause, clause.items[i])) continue;
         SourceLocation const at = lexed[item.tokens.begin].getLocation();
         index_.statements[at.getRawEncoding()] = {span, c, i};
         open(preprocessor, stream, at);
@@ -130,7 +130,8 @@ private:
 
   static bool is_looked_up(PragmaClause const &clause, std::vector<Token> const &lexed) {
     IdentifierInfo const *name = lexed[clause.name].getIdentifierInfo();
-    return !name || !has_words(name->getName());
+    std::optional<Clause> const known = name ? find_clause(name->getName()) : std::nullopt;
+    return !known || !info(*known).has(trait::SETTING);
   }
 
   static void append(std::vector<Token> &stream, std::vector<Token> const &lexed, TokenRange range) {

@@ -65,9 +65,6 @@ struct PragmaWords {
 void add_clauses(PragmaFact &fact, Pragma const &pragma, PragmaWords const &words, Span const &span,
                  std::vector<PragmaIndex::Name> &names);
 
-// Are the arguments of this clause words of ours, rather than expressions?
-bool has_words(llvm::StringRef clause);
-
 std::unique_ptr<clang::PragmaHandler> make_pragma_handler(SourceMap const &map, Facts &facts, PragmaIndex &index);
 
 } // namespace symreal::rewrite

@@ -66,9 +66,7 @@ void note_declaration(ItemFact &item, ValueDecl const *declaration) {
 }
 
 // What is annotated as a whole: its numbers are inputs, parameters or outputs.
-bool takes_numbers(ClauseFact const &clause) {
-  return clause.name == "input" || clause.name == "parameter" || clause.name == "output";
-}
+bool takes_numbers(ClauseFact const &clause) { return info(clause.clause).has(trait::GIVEN | trait::RESULTS); }
 
 void note_layout(ClauseFact const &clause, ItemFact &item, ItemType const &type, ASTContext const &context,
                  Reals const &reals, Facts &facts) {
@@ -228,11 +226,11 @@ private:
         item.seen = item.carries_real = true; // one error is enough
         continue;
       }
-      std::string const &clause = pragma.clauses[name.item.clause].name;
-      if (clause == "input" || clause == "parameter" || clause == "output") named.push_back({name.text, declaration});
+      ClauseInfo const &clause = info(pragma.clauses[name.item.clause].clause);
+      if (clause.has(trait::GIVEN | trait::RESULTS)) named.push_back({name.text, declaration});
       // Outputs are read when the function returns, so what says where they are must still say so then.
       bool const locates = !name.is_base || item.section_on_base;
-      if (pragma.clauses[name.item.clause].name == "output" && locates && isa<ParmVarDecl>(declaration))
+      if (clause.has(trait::RESULTS) && locates && isa<ParmVarDecl>(declaration))
         refuse_changes(item, name.text, declaration, function);
       if (!name.is_base) continue;
       item.seen = true;
@@ -284,7 +282,7 @@ private:
     ItemFact *returned = nullptr;
     for (ClauseFact &clause : pragma.clauses)
       for (ItemFact &item : clause.items)
-        if (clause.name == "output" && item.is_return) {
+        if (clause.clause == Clause::output && item.is_return) {
           returned = &item;
           note_layout(clause, item, {function->getReturnType(), false}, function->getASTContext(), reals_, facts_);
         }

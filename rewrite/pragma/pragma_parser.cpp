@@ -1,8 +1,8 @@
 #include "rewrite/pragma/pragma_parser.h"
 
+#include "rewrite/facts/clause.h"
+
 #include <algorithm>
-#include <array>
-#include <string_view>
 
 namespace symreal::rewrite {
 namespace {
@@ -51,14 +51,11 @@ private:
   }
 
   void check_name(std::string const &name, bool is_function) const {
-    static constexpr std::array<std::string_view, 8> anywhere = {"input",  "parameter", "constant", "scratch",
-                                                                 "output", "range",     "table",    "decisions"};
-    if (std::find(anywhere.begin(), anywhere.end(), name) != anywhere.end()) return;
     if (name == "external") fail(at_, "external(...) begins a pragma of its own");
-    if (name == (is_function ? "call" : "generate") || (!is_function && name == "loop")) return;
-    std::string const kind = is_function ? "a function pragma" : "a pragma in a block";
-    if (name == "call" || name == "generate" || name == "loop") fail(at_, "'" + name + "' does not belong in " + kind);
-    fail(at_, "unknown clause '" + name + "'", DiagnosticId::pragma_unknown_clause);
+    std::optional<Clause> const clause = find_clause(name);
+    if (!clause) fail(at_, "unknown clause '" + name + "'", DiagnosticId::pragma_unknown_clause);
+    if ((info(*clause).where & (is_function ? trait::FUNCTION : trait::BLOCK)) == 0)
+      fail(at_, "'" + name + "' does not belong in " + (is_function ? "a function pragma" : "a pragma in a block"));
   }
 
   std::size_t matching(std::size_t open) const {

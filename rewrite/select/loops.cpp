@@ -126,7 +126,7 @@ void DecisionCollector::attach_pragma(Span const &span, SourceLocation place, Co
     return report(DiagnosticId::pragma_position, pragma.place,
                   "this pragma stands before a declaration; it belongs before a statement or, for a whole function, "
                   "before that");
-  if (pragma.clause("loop")) bound_loop(pragma, next, block);
+  if (pragma.clause(Clause::loop)) bound_loop(pragma, next, block);
 }
 
 std::set<VarDecl const *> DecisionCollector::counters(Stmt const *loop, CompoundStmt const *block) const {

@@ -9,10 +9,10 @@
 namespace symreal::rewrite {
 namespace {
 
-std::string annotation(std::string const &kind, ItemFact const &item) {
-  if (means_file(kind, item)) return "SYMREAL_FILE(" + place_arguments(item.label, item.place) + ")";
+std::string annotation(Clause clause, ItemFact const &item) {
+  if (means_file(clause, item)) return "SYMREAL_FILE(" + place_arguments(item.label, item.place) + ")";
   bool const is_object = item.sections.empty();
-  std::string macro = kind == "constant" || kind == "scratch" ? "SYMREAL_DECLARE" : "SYMREAL_OBJECT";
+  std::string macro = info(clause).has(trait::KEPT) ? "SYMREAL_DECLARE" : "SYMREAL_OBJECT";
   std::string layout;
   if (!item.layout.text.empty()) {
     macro = "SYMREAL_LAYOUT";
@@ -21,15 +21,14 @@ std::string annotation(std::string const &kind, ItemFact const &item) {
   if (!is_object) macro = macro == "SYMREAL_OBJECT" ? "SYMREAL_SECTION" : macro + "_SECTION";
   std::string extents;
   for (Section const &section : item.sections) extents += (extents.empty() ? "" : ", ") + section.length;
-  return macro + "(" + kind + ", " + place_arguments(item.label, item.place) + ", " +
+  return macro + "(" + name_of(clause) + ", " + place_arguments(item.label, item.place) + ", " +
          (is_object ? "" : "::symreal::symreal_extents(" + with_real(extents) + "), ") + layout +
          with_real(item.expression) + ")";
 }
 
 // The program's own copy of what a pointer to const points to takes its place before the kernel writes nodes there.
 std::string rebinding(ClauseFact const &clause, ItemFact const &item) {
-  bool const writes = clause.name == "input" || clause.name == "parameter";
-  if (!writes || item.base_kind != Base::pointer_to_const) return "";
+  if (!info(clause.clause).has(trait::GIVEN) || item.base_kind != Base::pointer_to_const) return "";
   if (is_pointee(item)) return "SYMREAL_REBIND(" + item.label.substr(1) + ", 0, 1) ";
   if (!item.section_on_base) return "";
   return "SYMREAL_REBIND(" + item.expression.substr(0, item.expression.find('[')) + ", " +
@@ -37,30 +36,30 @@ std::string rebinding(ClauseFact const &clause, ItemFact const &item) {
 }
 
 std::string clause_text(PragmaFact const &pragma, ClauseFact const &clause) {
-  if (clause.name == "generate")
+  if (clause.clause == Clause::generate)
     return "SYMREAL_GENERATE(" + clause.argument + ", " + quoted(clause.place.file) + ", " +
            std::to_string(clause.place.line) + ", " + std::to_string(clause.place.column) + ") ";
-  if (clause.name == "decisions")
+  if (clause.clause == Clause::decisions)
     return (pragma.is_function ? "SYMREAL_DECISIONS(" : "SYMREAL_REAL_DECISIONS(") + clause.argument + ") ";
-  if (clause.name == "loop") // the loop it names has its own text; a refused one is an error
+  if (clause.clause == Clause::loop) // the loop it names has its own text; a refused one is an error
     return (pragma.tests_late ? "SYMREAL_REAL_LATE_LOOP(" : "SYMREAL_REAL_LOOP(") + clause.argument + ", " +
            pragma.loop_targets.value_or("") + ") ";
-  if (clause.name == "range") return "SYMREAL_RANGE(" + with_real(clause.argument) + ") ";
+  if (clause.clause == Clause::range) return "SYMREAL_RANGE(" + with_real(clause.argument) + ") ";
   std::string text;
-  if (clause.name == "table") {
+  if (clause.clause == Clause::table) {
     for (ItemFact const &item : clause.items)
       text += "SYMREAL_TABLE(" + with_real(item.base) + ", " + with_real(item.sections[0].length) + ") ";
     return text;
   }
   for (ItemFact const &item : clause.items)
-    if (!item.is_return) text += rebinding(clause, item) + annotation(clause.name, item) + " ";
+    if (!item.is_return) text += rebinding(clause, item) + annotation(clause.clause, item) + " ";
   return text;
 }
 
 bool is_annotated(PragmaFact const &pragma, std::string const &name) {
   for (ClauseFact const &clause : pragma.clauses)
     for (ItemFact const &item : clause.items)
-      if (clause.name != "output" && item.label == name) return true;
+      if (clause.clause != Clause::output && item.label == name) return true;
   return false;
 }
 
@@ -76,7 +75,7 @@ bool is_pointee(ItemFact const &item) {
          std::all_of(item.label.begin() + 1, item.label.end(), is_word);
 }
 
-bool means_file(std::string const &clause, ItemFact const &item) { return clause == "scratch" && item.label == "file"; }
+bool means_file(Clause clause, ItemFact const &item) { return clause == Clause::scratch && item.label == "file"; }
 
 std::string layout_arguments(ObjectLayout const &layout) {
   std::string types;
@@ -100,11 +99,11 @@ std::string function_text(PragmaFact const &pragma) {
   std::string entry, exit, call;
   bool is_kernel = false;
   for (ClauseFact const &clause : pragma.clauses) {
-    is_kernel = is_kernel || clause.name != "decisions";
-    if (clause.name == "call")
+    is_kernel = is_kernel || !info(clause.clause).has(trait::SETTING);
+    if (clause.clause == Clause::call)
       call = ", " + clause.argument;
     else
-      (clause.name == "output" ? exit : entry) += clause_text(pragma, clause);
+      (info(clause.clause).has(trait::RESULTS) ? exit : entry) += clause_text(pragma, clause);
   }
   if (!is_kernel) return trimmed(entry);
   std::string text = "SYMREAL_FUNCTION(" + place_arguments(pragma.function[0].name, pragma.place) + call + ") " + entry;

@@ -15,7 +15,7 @@ std::string place_arguments(std::string const &label, Place const &place);
 bool is_pointee(ItemFact const &item);
 
 // `scratch(file)`: the static variables of the pragma's file. A variable of that name is meant by scratch((file)).
-bool means_file(std::string const &clause, ItemFact const &item);
+bool means_file(Clause clause, ItemFact const &item);
 
 // `"layout", (types)`: what the annotation macros of structures take besides.
 std::string layout_arguments(ObjectLayout const &layout);

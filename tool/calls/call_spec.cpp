@@ -1,15 +1,14 @@
 #include "tool/calls/call_spec.h"
 
+#include "rewrite/facts/clause.h"
+
 #include <algorithm>
-#include <array>
 #include <cctype>
 
 namespace symreal::tool {
 namespace {
 
 using rewrite::ConfiguredText;
-
-constexpr std::array<std::string_view, 4> words = {"input", "parameter", "constant", "scratch"};
 
 bool is_name(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
 
@@ -151,8 +150,9 @@ void read_value(Part const &part, CallSpec::Item &item) {
 CallSpec::Item read_argument(Part part) {
   CallSpec::Item item{
       .kind = "input", .text = {}, .base = {}, .path = {}, .sections = {}, .behind = {}, .value = {}, .range = {}};
-  for (std::string_view const word : words)
-    if (part.text.starts_with(word) && part.text.size() > word.size() && part.text[word.size()] == ' ') {
+  for (auto const &[clause, word, where, traits, key] : rewrite::clause_table())
+    if ((traits & (rewrite::trait::GIVEN | rewrite::trait::KEPT)) != 0 && part.text.starts_with(word) &&
+        part.text.size() > word.size() && part.text[word.size()] == ' ') {
       item.kind = word;
       part = part.from(word.size());
     }

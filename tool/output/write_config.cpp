@@ -1,5 +1,6 @@
 #include "tool/output/write_config.h"
 
+#include "rewrite/facts/clause.h"
 #include "support/files.h"
 #include "tool/configuration/yaml.h"
 
@@ -25,10 +26,9 @@ std::vector<std::string> split(std::string const &list) {
 
 Clauses clauses_of(Lacking const &lacking) {
   Clauses clauses;
-  for (auto const &[name, key] : {std::pair("input", "inputs"), std::pair("constant", "constants"),
-                                  std::pair("scratch", "scratch"), std::pair("output", "outputs")})
-    if (auto const found = lacking.clauses.find(name); found != lacking.clauses.end())
-      clauses.emplace_back(key, split(found->second));
+  for (rewrite::ClauseInfo const &row : rewrite::clause_table())
+    if (auto const found = lacking.clauses.find(std::string(row.name)); found != lacking.clauses.end())
+      clauses.emplace_back(row.key, split(found->second));
   return clauses;
 }
 
