@@ -33,9 +33,8 @@ int link(Words const &compiler, Words words) {
   if (done.outcome.ending == program::Ending::not_started)
     print(std::cerr, {DiagnosticId::compiler_missing, {}, "'" + words[0] + "' cannot be started"});
   for (std::string const &function : missing_marks(done.output))
-    print(std::cerr, {DiagnosticId::boundary_function,
-                      {},
-                      "'" + function + "' carries REAL, and nothing that was compiled in symbolic mode defines it"});
+    print(std::cerr,
+          {DiagnosticId::boundary_function, {}, "'" + function + "' uses double but is not defined in symbolic mode"});
   return done.outcome.ending == program::Ending::exited ? done.outcome.status : 1;
 }
 

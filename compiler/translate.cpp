@@ -130,7 +130,7 @@ bool all_rewritten(Words const &dependencies, Names const &names, std::string co
       print(std::cerr,
             {DiagnosticId::read_unchanged,
              {source},
-             "'" + file->display_path + "' is rewritten, but the compiler reads it as it was, as '" + one + "'"});
+             "'" + file->display_path + "' is rewritten, but the compiler reads the original, as '" + one + "'"});
       return false;
     }
   return true;

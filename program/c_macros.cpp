@@ -290,7 +290,7 @@ private:
         if (differ(in_c[k], found->second[k])) {
           if (!apart.insert(where.second).second && before != 0)
             fail(DiagnosticId::c_source, {files_.files[where.first].display_path, questions_.line(where)},
-                 "directives ask about '" + where.second + "', and C answers otherwise in one place than in another");
+                 "directives ask about '" + where.second + "', and C gives different answers at different places");
           break;
         }
     }

@@ -69,10 +69,9 @@ std::vector<Diagnostic> explain_met(Events const &events, Symbolizer &symbolizer
     all.push_back(explain(one, decided, symbolizer, texts));
     all.back().count = one.count;
   }
-  Phrase const carried{DiagnosticId::carried_decision, "by a pragma's word no output depends on ", ""};
+  Phrase const carried{DiagnosticId::carried_decision, "a pragma says that no output depends on ", ""};
   for (Decision const &one : events.carried) all.push_back(explain(one, carried, symbolizer, texts));
-  Phrase const settled{DiagnosticId::settled_condition, "",
-                       " is taken for constant: in mode finite every value is finite"};
+  Phrase const settled{DiagnosticId::settled_condition, "", " is constant: in mode finite every value is finite"};
   for (Decision const &one : events.settled) {
     all.push_back(explain(one, settled, symbolizer, texts));
     all.back().diagnostic.notes.clear();
@@ -83,7 +82,7 @@ std::vector<Diagnostic> explain_met(Events const &events, Symbolizer &symbolizer
 void explain_crash(Diagnostic &diagnostic, std::vector<std::uint64_t> const &addresses, Symbolizer &symbolizer) {
   Met met = locate(diagnostic.id, addresses, symbolizer);
   if (met.diagnostic.place.file.empty()) return;
-  std::vector<Note> notes = {{diagnostic.place, "this was waited for"}};
+  std::vector<Note> notes = {{diagnostic.place, "Symreal waited for this"}};
   if (diagnostic.place.file.empty()) notes.clear();
   diagnostic.place = met.diagnostic.place;
   diagnostic.message += "; it stood here";

@@ -69,7 +69,8 @@ BuildRequest build_request(FrontRequest const &request, rewrite::Result const &r
     std::string const real = rewrite::real_source(one);
     if (unreached.contains({real, one.flags})) continue;
     if (!known.insert(real).second)
-      fail(DiagnosticId::compile_commands, {one.source}, "this source is compiled twice, and a program is built of it");
+      fail(DiagnosticId::compile_commands, {one.source},
+           "the build compiles this source twice, and a program can contain it only once");
     (request.source.exclude.matches(real) ? build.unchanged : build.sources).push_back(one);
   }
   return build;
@@ -82,7 +83,7 @@ void note_unreached(rewrite::Result const &rewritten, std::size_t all, Talk cons
   std::string list;
   for (std::size_t k = 0; k < std::min(most, unreached.size()); ++k) list += (k ? ", " : "") + unreached[k].source;
   if (unreached.size() > most) list += fmt::format(" and {} more", unreached.size() - most);
-  talk.note(fmt::format("the program reaches nothing in {} of {} sources; these are left out, with what they would do "
+  talk.note(fmt::format("the program reaches nothing in {} of {} sources; they are left out, with what they would do "
                         "when it starts: {}",
                         unreached.size(), all, list));
 }

@@ -115,7 +115,7 @@ Diagnostic explain_missing(rewrite::Kernel const &kernel, bool begun, Outcome co
     break;
   case Ending::signalled:
     diagnostic.id = DiagnosticId::program_crashed;
-    diagnostic.message = fmt::format("the program was ended by signal {} ({}) before it reached {}", outcome.status,
+    diagnostic.message = fmt::format("signal {} ({}) ended the program before it reached {}", outcome.status,
                                      strsignal(outcome.status), waited_for);
     break;
   case Ending::exited:

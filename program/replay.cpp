@@ -120,11 +120,11 @@ void Replay::ask(replay::Command command, Sample const &sample) {
     fail(DiagnosticId::replay_failed, place_, what_ + "'s kernel does not end on a sample within the time limit");
   if (WIFSIGNALED(status))
     fail(DiagnosticId::replay_failed, place_,
-         fmt::format("{}'s kernel was ended by signal {} ({}) on a sample", what_, WTERMSIG(status),
-                     strsignal(WTERMSIG(status))));
+         fmt::format("signal {} ({}) ended {}'s kernel on a sample", WTERMSIG(status), strsignal(WTERMSIG(status)),
+                     what_));
   if (head->state != replay::State::complete)
     fail(DiagnosticId::replay_failed, place_,
-         "on a sample " + what_ + " met other annotations than it was recorded with");
+         "on a sample " + what_ + " reached other annotations than in the recorded run");
 }
 
 std::size_t Replay::calls() const { return server_->head->calls_done; }

@@ -45,7 +45,7 @@ Journal read_journal(std::string const &path) {
       journal.entries.push_back({one.at("path"), one.at("temporary"), one.at("old"), one.at("new")});
     return journal;
   } catch (Json::exception const &) {
-    fail(DiagnosticId::undo_refused, {path}, "this is no journal of an edit");
+    fail(DiagnosticId::undo_refused, {path}, "this file is not the journal of an edit");
   }
 }
 
@@ -118,7 +118,7 @@ public:
   }
 
   static void require_content(std::string const &path, std::string const &hash) {
-    if (file_hash(path) != hash) fail(DiagnosticId::changed_file, {path}, "this file was changed by somebody else");
+    if (file_hash(path) != hash) fail(DiagnosticId::changed_file, {path}, "another process changed this file");
   }
 
   // Nothing is left to undo.
@@ -164,7 +164,7 @@ void require_replaceable(Replacement const &one) {
   struct stat file{}, directory{};
   std::string const parent = fs::path(one.path).parent_path().string();
   if (stat(one.path.c_str(), &file) != 0 || stat(parent.c_str(), &directory) != 0)
-    fail(DiagnosticId::changed_file, {one.path}, "this file is gone");
+    fail(DiagnosticId::changed_file, {one.path}, "this file no longer exists");
   // Said by the permissions, also to those whom they do not bind.
   bool const read_only = (file.st_mode & 0222) == 0 || (directory.st_mode & 0222) == 0;
   if (read_only || access(one.path.c_str(), W_OK) != 0 || access(parent.c_str(), W_OK) != 0)

@@ -13,7 +13,7 @@ namespace symreal::tool {
 void refuse_flags(Session const &session) {
   if (!session.flags.empty())
     fail(DiagnosticId::option_without_effect, {},
-         "this subcommand compiles nothing; '" + session.flags.front() + "' after -- would do nothing");
+         "this subcommand compiles nothing, so '" + session.flags.front() + "' after -- has no effect");
 }
 
 static int run(int argc, char **argv) {
@@ -24,17 +24,11 @@ static int run(int argc, char **argv) {
   CLI::App app("Turns numeric C and C++ into optimised straight-line C and proves that it is the same.", "symreal");
   app.set_version_flag("--version", "symreal " + std::string(version));
   app.require_subcommand(1);
-  app.footer("What follows -- are the compiler flags of the sources, or the program of record.\n"
+  app.footer("After -- stand the compiler flags of the sources, or the program of record.\n"
              "Exit status: 0 clean, 1 error, 2 partly skipped, 3 verification failed, 4 output out of date.");
-  add_scan(app, session);
-  add_generate(app, session);
-  add_record(app, session);
-  add_verify(app, session);
-  add_rewrite(app, session);
-  add_undo(app, session);
-  add_opt(app, session);
-  add_explain(app, session);
-  add_cache(app, session);
+#define SUBCOMMAND(name) add_##name(app, session);
+#include "tool/commands/subcommands.def"
+#undef SUBCOMMAND
   try {
     app.parse(static_cast<int>(separator - argv), argv);
     return session.status;

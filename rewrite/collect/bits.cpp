@@ -130,7 +130,7 @@ void Collector::reinterpretation(ExplicitCastExpr const *cast) {
   bool const only_counts = is_bytes(after) && counting_casts_.contains(cast);
   if (was_double && !after->isVoidType() && !only_counts) view(cast, after->isInteger());
   if (is_double && !is_bytes(before))
-    report(DiagnosticId::reinterpretation, cast->getBeginLoc(), source.getAsString() + " is looked at as a REAL");
+    report(DiagnosticId::reinterpretation, cast->getBeginLoc(), source.getAsString() + " is read as a REAL");
 }
 
 // From void *, which may have been the address of a REAL, or from a structure that holds some, to a pointer to

@@ -41,7 +41,7 @@ void Collector::environment(Expr const *expression, char const *what, std::strin
   std::optional<Span> const span = map_.range({begin, end});
   if (!span)
     return report(DiagnosticId::split_expression, begin,
-                  "this expression is partly made by a macro: " + name + " in it is not looked at");
+                  "a macro makes a part of this expression: Symreal does not see " + name + " in it");
   facts_.wraps.insert(
       {*span, Use::environment, std::string(what) + ", " + quoted(name) + ", " + quoted(to_string(map_.place(begin)))});
 }

@@ -23,7 +23,7 @@ std::optional<Span> Collector::wrap_for(SourceLocation user, Expr const *express
   if (span)
     facts_.wraps.insert({*span, use, std::move(detail)});
   else
-    report(DiagnosticId::split_expression, begin, "this expression is partly made by a macro and needs a conversion");
+    report(DiagnosticId::split_expression, begin, "a macro makes a part of this expression, which needs a conversion");
   return span;
 }
 

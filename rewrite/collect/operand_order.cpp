@@ -151,9 +151,9 @@ private:
   }
 
   void refuse(SourceLocation location) {
-    add_diagnostic(facts_,
-                   {DiagnosticId::evaluation_order, map_.place(location),
-                    "one operand changes what the other reads, or both change the same", map_.expansions(location)});
+    add_diagnostic(facts_, {DiagnosticId::evaluation_order, map_.place(location),
+                            "one operand changes what the other reads, or both change the same object",
+                            map_.expansions(location)});
   }
   ASTContext const &context_;
   EffectAnalysis effects_;

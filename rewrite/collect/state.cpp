@@ -24,8 +24,7 @@ void Collector::note(Expr const *expression, Use use, Expr const *named) {
   if (!span && is_library_macro(begin, map_)) return; // library code, as in a template
   if (!span) {
     report(DiagnosticId::split_expression, begin,
-           "this expression is partly made by a macro: whether it uses hidden state is not looked at",
-           Severity::warning);
+           "a macro makes a part of this expression: cannot tell whether it uses hidden state", Severity::warning);
     return;
   }
   constexpr std::size_t longest = 60;
@@ -54,7 +53,7 @@ void Collector::integer(Expr const *expression, Use use) {
                            : span ? normalised(map_.text(*span, begin))
                                   : "this";
   report(DiagnosticId::integer_not_looked_at, is_declared_here ? member->getMemberDecl()->getLocation() : begin,
-         "whether '" + name + "' is hidden state is not looked at");
+         "cannot tell whether '" + name + "' is hidden state");
 }
 
 static bool is_pointer(Expr const *expression) {

@@ -82,7 +82,7 @@ void Collector::view(ExplicitCastExpr const *cast, bool of_integers) {
   Destination const to = cast->getType()->isPointerType() ? destination(cast, context_) : Destination{};
   if (to.is_kept)
     report(DiagnosticId::reinterpretation, cast->getBeginLoc(),
-           "the bytes of a REAL are looked at as " + cast->getType().getAsString() + ", by a pointer that is kept");
+           "the bytes of a REAL are read as " + cast->getType().getAsString() + ", by a pointer that is kept");
   else if (to.local && of_integers && !instance_)
     views_.insert(to.local);
   else

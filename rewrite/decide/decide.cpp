@@ -182,7 +182,7 @@ void add_boundaries(Facts const &facts, Result &result) {
     result.boundaries.push_back({use.name, mangled, use.parameters, use.declaration, use.place});
     result.diagnostics.push_back({DiagnosticId::boundary_function,
                                   use.declaration,
-                                  "'" + use.name + "' carries REAL, and none of the sources defines it",
+                                  "'" + use.name + "' uses double but is not defined in the given sources",
                                   {{use.place, "it is used here"}}});
     if (to_string(use.source) != to_string(use.place))
       result.diagnostics.back().notes.push_back({use.source, "which is reached from here"});

@@ -20,8 +20,8 @@ void check_item(ClauseFact const &clause, ItemFact const &item, Result &result) 
                           item.base_kind == Base::const_pointer_to_const;
   if (clause.clause == Clause::scratch) return; // whatever is left there, and wherever a pointer points to
   if (item.base_is_name && is_pointer && item.sections.empty())
-    return wrong("is a pointer, which does not say how much it points to: '*" + item.label + "' or '" + item.label +
-                 "[0:n]' does");
+    return wrong("is a pointer and needs an extent: '*" + item.label + "' for one object, or '" + item.label +
+                 "[0:n]'");
   if (clause.clause == Clause::constant && !item.carries_real && !item.holds_integer)
     return wrong("holds neither doubles nor integers: it is " + item.type);
   if (clause.clause != Clause::constant && !item.carries_real) return wrong("holds no double: it is " + item.type);
@@ -50,7 +50,7 @@ void warn_of_members(PragmaFact const &pragma, ItemFact const &item, Result &res
     result.diagnostics.push_back({DiagnosticId::members_left_out, item.place, "'" + item.label + "' " + message});
   };
   if (!pointers.empty()) warn("does not include what its members " + pointers + " point to");
-  if (!others.empty()) warn("has members that are no double and stay as they are: " + others);
+  if (!others.empty()) warn("has members that are not double and stay as they are: " + others);
 }
 
 void check_table(ItemFact const &item, Result &result) {
@@ -58,8 +58,7 @@ void check_table(ItemFact const &item, Result &result) {
                           item.base_kind == Base::const_pointer_to_const;
   bool const has_extent = item.sections.size() == 1 && item.sections[0].low == "0" && item.section_on_base;
   if (!is_pointer || !has_extent)
-    report(result, DiagnosticId::pragma_item, item.place,
-           "'" + item.label + "' is no table: table(pointer[0:n]) tells how much a pointer points to");
+    report(result, DiagnosticId::pragma_item, item.place, "table() needs a pointer and an extent, as in table(t[0:n])");
   else if (!item.carries_real)
     report(result, DiagnosticId::pragma_item, item.place, "'" + item.label + "' holds no double: it is " + item.type);
 }
@@ -87,10 +86,10 @@ void check_setting(PragmaFact const &pragma, ClauseFact const &clause, Result &r
                          argument.find_first_not_of('0') != std::string::npos;
   if (clause.clause == Clause::loop && !is_number)
     report(result, DiagnosticId::pragma_syntax, clause.place,
-           "loop(N) takes how often the loop runs at most, not '" + argument + "'");
+           "loop(N) takes the largest number of runs, not '" + argument + "'");
   if (!pragma.is_function && !only_settings(pragma))
     report(result, DiagnosticId::pragma_syntax, clause.place,
-           "'" + name_of(clause.clause) + "' is about the next statement and stands in a pragma of its own");
+           "'" + name_of(clause.clause) + "' applies to the next statement and needs a pragma of its own");
 }
 
 void check(PragmaFact const &pragma, Result &result) {
@@ -103,7 +102,7 @@ void check(PragmaFact const &pragma, Result &result) {
     check_returned_place(pragma, clause, result);
     for (ItemFact const &item : clause.items) {
       if (!pragma.is_function && !item.seen) {
-        report(result, DiagnosticId::pragma_position, pragma.place, "no statement can stand where this pragma stands");
+        report(result, DiagnosticId::pragma_position, pragma.place, "this pragma stands where no statement can stand");
         return;
       }
       if (info(clause.clause).has(trait::OBJECTS)) check_item(clause, item, result);

@@ -156,14 +156,14 @@ private:
     for (auto const *items : {&pragma.inputs, &pragma.outputs})
       for (ExternalPragma::Item const &item : *items)
         if (std::optional<unsigned> const index = index_of(function, item.name); !index) {
-          refuse(item.place, "'" + item.name + "' is no parameter of '" + pragma.function + "'",
+          refuse(item.place, "'" + item.name + "' is not a parameter of '" + pragma.function + "'",
                  DiagnosticId::pragma_undeclared_name);
           good = false;
         } else if (!function->getParamDecl(*index)->getType()->isPointerType()) {
-          refuse(item.place, "'" + item.name + "' is no array: only what a pointer points to needs a size");
+          refuse(item.place, "'" + item.name + "' is not an array: only what a pointer points to needs a size");
           good = false;
         } else if (items == &pragma.outputs && points_to_const(function->getParamDecl(*index)->getType())) {
-          refuse(item.place, "'" + item.name + "' points to const and is no output");
+          refuse(item.place, "'" + item.name + "' points to const and cannot be an output");
           good = false;
         }
     return good;

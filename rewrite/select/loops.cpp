@@ -148,7 +148,7 @@ std::set<VarDecl const *> DecisionCollector::counters(Stmt const *loop, Compound
 void DecisionCollector::bound_loop(PragmaFact &pragma, Stmt const *loop, CompoundStmt const *block) {
   auto const wrong = [&](std::string message, SourceLocation place = {}) {
     report(DiagnosticId::pragma_loop, pragma.place, std::move(message));
-    if (place.isValid()) facts_.diagnostics.back().notes = {{map_.place(place), "this is in the way"}};
+    if (place.isValid()) facts_.diagnostics.back().notes = {{map_.place(place), "this blocks it"}};
   };
   std::optional<LoopParts> const loop_parts = parts(loop);
   if (!loop_parts) return wrong("no loop follows this pragma");
@@ -228,7 +228,7 @@ void DecisionCollector::check_pragmas() {
   for (auto const &[span, place] : index_.statement_pragmas)
     if (attached_.count(span) == 0)
       report(DiagnosticId::pragma_position, facts_.pragmas[span].place,
-             "no statement can stand where this pragma stands");
+             "this pragma stands where no statement can stand");
 }
 
 } // namespace symreal::rewrite

@@ -18,7 +18,7 @@ std::size_t end_of_word(std::string const &text, std::size_t begin) {
 
 std::string choose_type_name(Request const &request, Facts const &facts, std::vector<Diagnostic> &diagnostics) {
   auto const refuse = [&](Place const &place, std::string const &name) {
-    diagnostics.push_back({DiagnosticId::reserved_name, place, "'" + name + "' is a name of the source already"});
+    diagnostics.push_back({DiagnosticId::reserved_name, place, "the sources already use the name '" + name + "'"});
   };
   bool usual_is_taken = false;
   for (auto const &[name, place] : facts.taken_names) {

@@ -198,7 +198,7 @@ void report_pragma_errors(std::vector<CompilerError> const &errors, Facts &facts
       if (error.message.find("undeclared") != std::string::npos)
         add(facts, DiagnosticId::pragma_undeclared_name, error.place, error.message);
       else if (error.message.rfind("expected", 0) == 0)
-        add(facts, DiagnosticId::pragma_position, pragma.place, "no statement can stand where this pragma stands");
+        add(facts, DiagnosticId::pragma_position, pragma.place, "this pragma stands where no statement can stand");
       else
         add(facts, DiagnosticId::pragma_item, error.place, error.message);
     }

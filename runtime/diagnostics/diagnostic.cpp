@@ -11,8 +11,8 @@ namespace symreal {
 
 std::vector<DiagnosticInfo> const &diagnostic_table() {
   static std::vector<DiagnosticInfo> const table = {
-#define DIAGNOSTIC(name, number, severity, summary, explanation, way_out)                                              \
-  {DiagnosticId::name, #name, Severity::severity, summary, explanation, way_out},
+#define DIAGNOSTIC(name, number, severity, summary, explanation, help)                                                 \
+  {DiagnosticId::name, #name, Severity::severity, summary, explanation, help},
 #include "diagnostics/diagnostics.def"
 #undef DIAGNOSTIC
   };
@@ -61,7 +61,7 @@ void print(std::ostream &out, Diagnostic const &diagnostic) {
       << code(diagnostic.id) << "]\n"
       << marked_line(diagnostic.place);
   for (Note const &note : diagnostic.notes) out << prefix(note.place) << ": note: " << note.message << "\n";
-  out << "  way out: " << info(diagnostic.id).way_out << "\n";
+  out << "  help: " << info(diagnostic.id).help << "\n";
 }
 
 DiagnosticError::DiagnosticError(Diagnostic diagnostic)

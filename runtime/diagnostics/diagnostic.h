@@ -13,7 +13,7 @@
 namespace symreal {
 
 enum class DiagnosticId {
-#define DIAGNOSTIC(name, number, severity, summary, explanation, way_out) name = number,
+#define DIAGNOSTIC(name, number, severity, summary, explanation, help) name = number,
 #include "diagnostics/diagnostics.def"
 #undef DIAGNOSTIC
 };
@@ -26,7 +26,7 @@ struct DiagnosticInfo {
   Severity severity; // the usual one
   std::string_view summary;
   std::string_view explanation;
-  std::string_view way_out;
+  std::string_view help;
 };
 
 // A place in the user's source. Line 0: the whole file; an empty file: no place is known.
@@ -59,7 +59,7 @@ DiagnosticInfo const *find_diagnostic(std::string_view code);
 // "SYM012"
 std::string code(DiagnosticId id);
 
-// file:line:col: error: text [SYM012], then a line per note, then the way out.
+// file:line:col: error: text [SYM012], then a line per note, then the help.
 void print(std::ostream &out, Diagnostic const &diagnostic);
 
 class DiagnosticError : public std::runtime_error {

@@ -35,10 +35,10 @@ ExternalValue read_value(Line &line) {
       value.type = line.string("the type of the integer");
     else if (known.kind != Kind::number)
       value.count = line.count("number of doubles");
-    if (value.count == 0) line.error("an object of no doubles is no parameter");
+    if (value.count == 0) line.error("an object without doubles cannot be a parameter");
     return value;
   }
-  line.error("'" + word + "' is no kind of parameter");
+  line.error("'" + word + "' is not a kind of parameter");
 }
 
 void write_value(std::ostream &out, ExternalValue const &value) {

@@ -63,7 +63,7 @@ public:
   double number(char const *what) {
     std::string const &text = word(what);
     auto value = parse_number(text);
-    if (!value) error("'" + text + "' is no number");
+    if (!value) error("'" + text + "' is not a number");
     return *value;
   }
   // at "file" line column, or nothing.
@@ -80,7 +80,7 @@ public:
       std::string const &text = word("extent");
       auto extent = parse_number(std::string_view(text).substr(1, text.size() - 2));
       if (text.back() != ']' || !extent || *extent < 0 || *extent != std::floor(*extent))
-        error("'" + text + "' is no extent");
+        error("'" + text + "' is not an extent");
       result.push_back(static_cast<std::size_t>(*extent));
     }
     return result;

@@ -25,7 +25,7 @@ public:
       if (!line.done()) line.error("'" + line.peek() + "' is unexpected here");
     }
     Line end("", {file_name, number, 0});
-    if (!headed_) end.error("the file is no graph: its first line must be 'symreal-graph 1'");
+    if (!headed_) end.error("the file is not a graph: its first line must be 'symreal-graph 1'");
     graph_.nodes = table_.release();
     if (located_) {
       locations_.resize(graph_.nodes.size(), no_location);
@@ -76,7 +76,7 @@ private:
     else if (head[0] == '%')
       read_node(line, head);
     else
-      line.error("'" + head + "' begins no line of a graph");
+      line.error("'" + head + "' does not begin a line of a graph");
   }
 
   static void read_object(Line &line, std::vector<Object> &objects, std::vector<double> *values) {
@@ -129,7 +129,7 @@ private:
   static Op read_operation(Line &line) {
     std::string name = line.word("an operation");
     auto op = find_operation(name);
-    if (!op) line.error("'" + name + "' is no operation");
+    if (!op) line.error("'" + name + "' is not an operation");
     return *op;
   }
 
@@ -165,7 +165,7 @@ private:
     if (line.done() || line.peek()[0] != '@') return no_location;
     std::string text = line.word("a location");
     auto id = parse_number(std::string_view(text).substr(1));
-    if (!id || *id < 0 || *id != std::floor(*id)) line.error("'" + text + "' is no location");
+    if (!id || *id < 0 || *id != std::floor(*id)) line.error("'" + text + "' is not a location");
     return static_cast<LocationId>(*id);
   }
 
@@ -196,7 +196,7 @@ private:
     std::uint32_t id = 0;
     auto [end, failed] = std::from_chars(text.data() + 1, text.data() + text.size(), id);
     if (failed != std::errc() || end != text.data() + text.size() || id >= named_.size())
-      line.error("'" + text + "' is no node above this line");
+      line.error("'" + text + "' is not a node above this line");
     return named_[id];
   }
 

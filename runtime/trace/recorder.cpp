@@ -179,7 +179,7 @@ private:
     if (!overlaps_.insert(object_.label).second) return;
     report({DiagnosticId::input_met_twice, object_.place,
             "output '" + object_.label + "' overlaps '" + input->second.first + "' (" +
-                to_string(input->second.second) + "), so the result would hold for calls with this overlap alone"});
+                to_string(input->second.second) + "), so the result would hold only for calls with this overlap"});
   }
 
   // Of the object that an annotation is about: `x` of "*this->x[0:2].y".
@@ -201,8 +201,9 @@ private:
     }
     if (kept_.size() > most) elements += ", ...";
     report({DiagnosticId::output_keeps_value, object_.place,
-            "output '" + object_.label + "' is not written by the kernel" + elements +
-                ", and holds what it held before (" + shortest(kept_[0].value) + (kept_.size() > 1 ? ", ...)" : ")")});
+            "the kernel does not write output '" + object_.label + "'" + elements +
+                ", which keeps what it held before (" + shortest(kept_[0].value) +
+                (kept_.size() > 1 ? ", ...)" : ")")});
   }
 
   // An element is an input or a parameter once.

@@ -14,5 +14,5 @@ double scale(Options const &options, double x) {
 
 int main() { std::printf("%g\n", scale({1}, 0.5)); }
 
-// CHECK: bit_field.cpp:6:12: warning: whether 'Options::twice' is hidden state is not looked at [SYM064]
+// CHECK: bit_field.cpp:6:12: warning: cannot tell whether 'Options::twice' is hidden state [SYM064]
 // CHECK-NOT: SYM064]

@@ -34,8 +34,8 @@ int main() {
   std::printf("%g\n", step(x, state, mass, list, 8));
 }
 
-// CHECK-DAG: changed_inputs.cpp:19:{{[0-9]+}}: error: input 'x[0:2]' is written by the kernel and is no output [SYM053]
-// CHECK-DAG: changed_inputs.cpp:24:3: error: 'state' is written by the kernel and is no output [SYM053]
-// CHECK-DAG: changed_inputs.cpp:19:{{[0-9]+}}: error: input 'list[0:2]' is written by the kernel and is no output [SYM053]
-// CHECK-DAG: changed_inputs.cpp:19:{{[0-9]+}}: error: input 'mass' is written by the kernel and is no output [SYM053]
-// CHECK: way out:
+// CHECK-DAG: changed_inputs.cpp:19:{{[0-9]+}}: error: the kernel writes input 'x[0:2]', which is not an output [SYM053]
+// CHECK-DAG: changed_inputs.cpp:24:3: error: the kernel writes 'state', which is not an output [SYM053]
+// CHECK-DAG: changed_inputs.cpp:19:{{[0-9]+}}: error: the kernel writes input 'list[0:2]', which is not an output [SYM053]
+// CHECK-DAG: changed_inputs.cpp:19:{{[0-9]+}}: error: the kernel writes input 'mass', which is not an output [SYM053]
+// CHECK: help:

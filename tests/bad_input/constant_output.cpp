@@ -14,4 +14,4 @@ int main() {
 }
 
 // CHECK: constant_output.cpp:12:{{[0-9]+}}: error: {{.*}}z{{.*}}[SYM{{[0-9]+}}]
-// CHECK: way out:
+// CHECK: help:

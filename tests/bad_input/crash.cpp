@@ -19,5 +19,5 @@ int main() {
 }
 
 // CHECK: crash.cpp:15:{{[0-9]+}}: error: {{.*}}; it stood here [SYM007]
-// CHECK: crash.cpp:13:{{[0-9]+}}: note: this was waited for
-// CHECK: way out:
+// CHECK: crash.cpp:13:{{[0-9]+}}: note: Symreal waited for this
+// CHECK: help:

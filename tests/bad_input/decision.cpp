@@ -21,4 +21,4 @@ int main() {
 
 // CHECK: decision.cpp:9:{{[0-9]+}}: error: {{.*}}[SYM{{[0-9]+}}]
 // CHECK: decision.cpp:11:{{[0-9]+}}: error: {{.*}}[SYM{{[0-9]+}}]
-// CHECK: way out:
+// CHECK: help:

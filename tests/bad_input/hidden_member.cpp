@@ -40,7 +40,7 @@ int main() {
 
 // CHECK: hidden_member.cpp:15:42: error: kernel 'drive' reads 'gain_' (2.5), which is neither input nor parameter [SYM017]
 // CHECK: hidden_member.cpp:31:{{[0-9]+}}: note: called from drive(Motor const&, Joint*, Joint const&, double)
-// CHECK: way out:
+// CHECK: help:
 // CHECK: hidden_member.cpp:16:32: error: kernel 'drive' reads 'joint_' (0.25, -1, 3), which are neither input
 // CHECK: hidden_member.cpp:25:38: error: kernel 'drive' reads 'limits[i]' (-2, 2), which are neither input
 // CHECK: hidden_member.cpp:32:{{[0-9]+}}: note: called from drive(

@@ -18,4 +18,4 @@ int main() {
 }
 
 // CHECK: hidden_state.cpp:8:{{[0-9]+}}: error: {{.*}}travelled{{.*}}[SYM{{[0-9]+}}]
-// CHECK: way out:
+// CHECK: help:

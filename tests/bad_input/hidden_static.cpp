@@ -17,4 +17,4 @@ int main() {
 }
 
 // CHECK: hidden_static.cpp:10:{{[0-9]+}}: error: {{.*}}previous{{.*}}[SYM{{[0-9]+}}]
-// CHECK: way out:
+// CHECK: help:

@@ -16,4 +16,4 @@ int main() {
 }
 
 // CHECK: input_twice.cpp:11:{{[0-9]+}}: error: {{.*}}x{{.*}}[SYM{{[0-9]+}}]
-// CHECK: way out:
+// CHECK: help:

@@ -32,7 +32,7 @@ double step(double x) {
 
 int main() { std::printf("%g %s %s %s\n", step(0.5), message, reinterpret_cast<char *>(seen), name.c_str()); }
 
-// CHECK-DAG: error: 'seen' (static, 16 bytes) is changed by the kernel in bytes 0 to 1 and is no output [SYM053]
-// CHECK-DAG: error: 'message' (static, 32 bytes) is changed by the kernel in bytes 0 to 3 and is no output [SYM053]
-// CHECK-DAG: error: 'name{{.*}}' (static, 32 bytes) is changed by the kernel in bytes {{.*}} and is no output [SYM053]
-// CHECK: way out:
+// CHECK-DAG: error: the kernel changes bytes 0 to 1 of 'seen' (static, 16 bytes), which is not an output [SYM053]
+// CHECK-DAG: error: the kernel changes bytes 0 to 3 of 'message' (static, 32 bytes), which is not an output [SYM053]
+// CHECK-DAG: error: the kernel changes bytes {{.*}} of 'name{{.*}}' (static, 32 bytes), which is not an output [SYM053]
+// CHECK: help:

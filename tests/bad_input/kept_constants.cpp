@@ -49,9 +49,9 @@ int main() {
   std::printf("%g\n", step(controller, 0.5, &flags));
 }
 
-// CHECK-DAG: kept_constants.cpp:12:8: error: 'last' is written by the kernel and is no output [SYM053]
-// CHECK-DAG: kept_constants.cpp:13:15: error: 'same' is written by the kernel and is no output [SYM053]
-// CHECK-DAG: kept_constants.cpp:25:31: error: 'flags->sw[k]' is written by the kernel and is no output [SYM053]
-// CHECK-DAG: kept_constants.cpp:38:3: error: 'p.mode' is written by the kernel and is no output [SYM053]
-// CHECK-DAG: kept_constants.cpp:40:5: error: 'p.i' is written by the kernel and is no output [SYM053]
-// CHECK: way out:
+// CHECK-DAG: kept_constants.cpp:12:8: error: the kernel writes 'last', which is not an output [SYM053]
+// CHECK-DAG: kept_constants.cpp:13:15: error: the kernel writes 'same', which is not an output [SYM053]
+// CHECK-DAG: kept_constants.cpp:25:31: error: the kernel writes 'flags->sw[k]', which is not an output [SYM053]
+// CHECK-DAG: kept_constants.cpp:38:3: error: the kernel writes 'p.mode', which is not an output [SYM053]
+// CHECK-DAG: kept_constants.cpp:40:5: error: the kernel writes 'p.i', which is not an output [SYM053]
+// CHECK: help:

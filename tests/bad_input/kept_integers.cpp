@@ -43,8 +43,8 @@ int main() {
   std::printf("%g\n", run(filter, 0.5, &status) + run(filter, 0.5, &status));
 }
 
-// CHECK-DAG: kept_integers.cpp:8:12: error: 'calls' is written by the kernel and is no output [SYM053]
-// CHECK-DAG: kept_integers.cpp:14:10: error: 'i_' is written by the kernel and is no output [SYM053]
-// CHECK-DAG: kept_integers.cpp:15:5: error: 'started_' is written by the kernel and is no output [SYM053]
-// CHECK-DAG: kept_integers.cpp:36:3: error: '*status' is written by the kernel and is no output [SYM053]
-// CHECK: way out:
+// CHECK-DAG: kept_integers.cpp:8:12: error: the kernel writes 'calls', which is not an output [SYM053]
+// CHECK-DAG: kept_integers.cpp:14:10: error: the kernel writes 'i_', which is not an output [SYM053]
+// CHECK-DAG: kept_integers.cpp:15:5: error: the kernel writes 'started_', which is not an output [SYM053]
+// CHECK-DAG: kept_integers.cpp:36:3: error: the kernel writes '*status', which is not an output [SYM053]
+// CHECK: help:

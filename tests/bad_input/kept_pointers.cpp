@@ -46,9 +46,9 @@ int main() {
   std::printf("%g\n", step(cursor, 0.5));
 }
 
-// CHECK-DAG: kept_pointers.cpp:33:3: error: 'law' is written by the kernel and is no output [SYM053]
-// CHECK-DAG: kept_pointers.cpp:35:3: error: 'current' is written by the kernel and is no output [SYM053]
-// CHECK-DAG: kept_pointers.cpp:36:3: error: 'previous' is written by the kernel and is no output [SYM053]
-// CHECK-DAG: kept_pointers.cpp:37:3: error: 'cursor.at' is written by the kernel and is no output [SYM053]
-// CHECK-DAG: kept_pointers.cpp:38:3: error: 'cursor.next' is written by the kernel and is no output [SYM053]
-// CHECK: way out:
+// CHECK-DAG: kept_pointers.cpp:33:3: error: the kernel writes 'law', which is not an output [SYM053]
+// CHECK-DAG: kept_pointers.cpp:35:3: error: the kernel writes 'current', which is not an output [SYM053]
+// CHECK-DAG: kept_pointers.cpp:36:3: error: the kernel writes 'previous', which is not an output [SYM053]
+// CHECK-DAG: kept_pointers.cpp:37:3: error: the kernel writes 'cursor.at', which is not an output [SYM053]
+// CHECK-DAG: kept_pointers.cpp:38:3: error: the kernel writes 'cursor.next', which is not an output [SYM053]
+// CHECK: help:

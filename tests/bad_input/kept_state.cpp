@@ -43,9 +43,9 @@ int main() {
   std::printf("%g\n", run(filter, 0.5, &shown));
 }
 
-// CHECK-DAG: kept_state.cpp:16:5: error: 'sum_' is written by the kernel and is no output [SYM053]
-// CHECK-DAG: kept_state.cpp:17:5: error: 'history_' is written by the kernel and is no output [SYM053]
-// CHECK-DAG: kept_state.cpp:18:5: error: '*last_' is written by the kernel and is no output [SYM053]
-// CHECK-DAG: kept_state.cpp:19:5: error: 'newest_' is written by the kernel and is no output [SYM053]
+// CHECK-DAG: kept_state.cpp:16:5: error: the kernel writes 'sum_', which is not an output [SYM053]
+// CHECK-DAG: kept_state.cpp:17:5: error: the kernel writes 'history_', which is not an output [SYM053]
+// CHECK-DAG: kept_state.cpp:18:5: error: the kernel writes '*last_', which is not an output [SYM053]
+// CHECK-DAG: kept_state.cpp:19:5: error: the kernel writes 'newest_', which is not an output [SYM053]
 // CHECK-NOT: 'shown'
 // CHECK-NOT: scratch_

@@ -14,4 +14,4 @@ int main() {
 }
 
 // CHECK: malformed_pragma.cpp:10:{{[0-9]+}}: error: {{.*}}[SYM{{[0-9]+}}]
-// CHECK: way out:
+// CHECK: help:

@@ -14,4 +14,4 @@ int main() {
 }
 
 // CHECK: error: {{.*}}no-such-compiler{{.*}}[SYM{{[0-9]+}}]
-// CHECK: way out:
+// CHECK: help:

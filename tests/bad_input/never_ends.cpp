@@ -15,4 +15,4 @@ int main() {
 }
 
 // CHECK: never_ends.cpp:11:{{[0-9]+}}: error: {{.*}}[SYM{{[0-9]+}}]
-// CHECK: way out:
+// CHECK: help:

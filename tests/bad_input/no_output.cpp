@@ -14,4 +14,4 @@ int main() {
 }
 
 // CHECK: no_output.cpp:12:{{[0-9]+}}: error: {{.*}}output{{.*}}[SYM{{[0-9]+}}]
-// CHECK: way out:
+// CHECK: help:

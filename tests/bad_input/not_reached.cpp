@@ -15,4 +15,4 @@ int main(int argc, char **) {
 }
 
 // CHECK: not_reached.cpp:11:{{[0-9]+}}: error: {{.*}}[SYM{{[0-9]+}}]
-// CHECK: way out:
+// CHECK: help:

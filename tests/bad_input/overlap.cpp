@@ -30,4 +30,4 @@ int main() {
   std::printf("%g %g %g\n", x[0], x[1], y[2]);
 }
 
-// CHECK: overlap.cpp:15:{{[0-9]+}}: error: output 'y[0:3]' overlaps 'x[0:3]' ({{.*}}overlap.cpp:15:{{[0-9]+}}), so the result would hold for calls with this overlap alone [SYM050]
+// CHECK: overlap.cpp:15:{{[0-9]+}}: error: output 'y[0:3]' overlaps 'x[0:3]' ({{.*}}overlap.cpp:15:{{[0-9]+}}), so the result would hold only for calls with this overlap [SYM050]

@@ -32,7 +32,7 @@ double strings(double x) {
   // CHECK: strings_read_back.cpp:[[@LINE+1]]:8: error: 'p[2]' is read, which holds the text of x [SYM143]
   y += p[2];
   char b[40];
-  // CHECK: strings_read_back.cpp:[[@LINE+1]]:21: error: what is used here is the length of the text of x [SYM143]
+  // CHECK: strings_read_back.cpp:[[@LINE+1]]:21: error: the length that is used here is that of the text of x [SYM143]
   char *const end = std::to_chars(b, b + sizeof b, x).ptr;
   int z = 0;
   // CHECK: strings_read_back.cpp:[[@LINE+1]]:19: error: 'b' is read, which holds the text of x [SYM143]

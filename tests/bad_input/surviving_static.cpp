@@ -26,5 +26,5 @@ int main() {
   std::printf("%g %g\n", y, z);
 }
 
-// CHECK-DAG: surviving_static.cpp:13:{{[0-9]+}}: error: '*place' is written by the kernel and is no output [SYM053]
+// CHECK-DAG: surviving_static.cpp:13:{{[0-9]+}}: error: the kernel writes '*place', which is not an output [SYM053]
 // CHECK-DAG: surviving_static.cpp:24:{{[0-9]+}}: error: a value of another kernel or thread is used in this kernel [SYM054]

@@ -14,4 +14,4 @@ int main() {
 }
 
 // CHECK: syntax_error.cpp:11:{{[0-9]+}}: error: {{.*}}expected ')'{{.*}}[SYM{{[0-9]+}}]
-// CHECK: way out:
+// CHECK: help:

@@ -1,6 +1,6 @@
 // What table(...) cannot be said of, and tables that cannot be recorded.
 // RUN: not %symreal generate %s -o %t.c -- -DOBJECT 2>&1 | FileCheck %s --check-prefix=OBJECT
-// OBJECT: table.cpp:[[#@LINE+10]]:{{[0-9]+}}: error: 't' is no table: table(pointer[0:n]) tells how much a pointer points to [SYM026]
+// OBJECT: table.cpp:[[#@LINE+10]]:{{[0-9]+}}: error: table() needs a pointer and an extent, as in table(t[0:n]) [SYM026]
 // RUN: not %symreal generate %s -o %t.c -- -DOUTSIDE 2>&1 | FileCheck %s --check-prefix=OUTSIDE
 // OUTSIDE: table.cpp:[[#@LINE+13]]:{{[0-9]+}}: error: 't' has 4 elements, and the index trunc(x) is 7 [SYM068]
 // Without its extent a pointer is no table: its element is decided.

@@ -35,12 +35,12 @@ double looked(double x)
 {
     char b[40], c[40];
     double y = x;
-    // LOOKED: text_read_back.c:[[@LINE+1]]:13: error: what is used here is the length of the text of x * x [SYM143]
+    // LOOKED: text_read_back.c:[[@LINE+1]]:13: error: the length that is used here is that of the text of x * x [SYM143]
     int n = sprintf(b, "%g", x * x);
     y += n;
     // LOOKED: text_read_back.c:[[@LINE+1]]:9: error: 'b[0]' is read, which holds the text of x * x [SYM143]
     if (b[0] == '-') y = -y;
-    // LOOKED: text_read_back.c:[[@LINE+1]]:10: error: what is used here is the length of the text of x [SYM143]
+    // LOOKED: text_read_back.c:[[@LINE+1]]:10: error: the length that is used here is that of the text of x [SYM143]
     y += snprintf(NULL, 0, "%g", x);
     strcpy(c, b);
     // LOOKED: text_read_back.c:[[@LINE+1]]:9: error: '*c' is read, which holds the text of x * x [SYM143]

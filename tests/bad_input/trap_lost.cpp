@@ -12,4 +12,4 @@ int main() {
 #pragma symreal output(y) generate("y.c")
 }
 // CHECK: trap_lost.cpp:[[@LINE-2]]:{{[0-9]+}}: error: kernel 'y' changes the floating-point environment {{.*}}[SYM069]
-// CHECK: way out:
+// CHECK: help:

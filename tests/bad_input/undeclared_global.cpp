@@ -17,4 +17,4 @@ int main() {
 }
 
 // CHECK: undeclared_global.cpp:8:{{[0-9]+}}: error: {{.*}}gain{{.*}}[SYM{{[0-9]+}}]
-// CHECK: way out:
+// CHECK: help:

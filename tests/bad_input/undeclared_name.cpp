@@ -14,4 +14,4 @@ int main() {
 }
 
 // CHECK: undeclared_name.cpp:10:{{[0-9]+}}: error: {{.*}}velocity{{.*}}[SYM{{[0-9]+}}]
-// CHECK: way out:
+// CHECK: help:

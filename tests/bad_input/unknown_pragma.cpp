@@ -14,4 +14,4 @@ int main() {
 }
 
 // CHECK: unknown_pragma.cpp:10:{{[0-9]+}}: error: {{.*}}inputs{{.*}}[SYM{{[0-9]+}}]
-// CHECK: way out:
+// CHECK: help:

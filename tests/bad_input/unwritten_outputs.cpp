@@ -54,11 +54,11 @@ int main() {
   std::printf("%g\n", y[0]);
 }
 
-// CHECK-DAG: unwritten_outputs.cpp:26:{{[0-9]+}}: error: output 'y[0:3]' is not written by the kernel in element 1, and holds what it held before (2) [SYM136]
-// CHECK-DAG: unwritten_outputs.cpp:26:{{[0-9]+}}: error: output 'out.never' is not written by the kernel, and holds what it held before (6) [SYM136]
-// CHECK-DAG: unwritten_outputs.cpp:30:10: error: 'y[2]' is an output, and what it held before (3) is part of a result [SYM136]
-// SELECT-DAG: unwritten_outputs.cpp:31:14: error: 'out.held' is an output, and what it held before (4) is part of a result [SYM136]
-// SELECT-DAG: unwritten_outputs.cpp:33:5: error: 'out.grown' is an output, and what it held before (5) is part of a result [SYM136]
-// CHECK-DAG: unwritten_outputs.cpp:43:5: error: 'out.looped' is an output, and what it held before (8) is part of a result [SYM136]
-// GUARD-DAG: unwritten_outputs.cpp:26:{{[0-9]+}}: error: output 'out.held' is not written by the kernel, and holds what it held before (4) [SYM136]
-// CHECK: way out:
+// CHECK-DAG: unwritten_outputs.cpp:26:{{[0-9]+}}: error: the kernel does not write output 'y[0:3]' in element 1, which keeps what it held before (2) [SYM136]
+// CHECK-DAG: unwritten_outputs.cpp:26:{{[0-9]+}}: error: the kernel does not write output 'out.never', which keeps what it held before (6) [SYM136]
+// CHECK-DAG: unwritten_outputs.cpp:30:10: error: a result depends on what output 'y[2]' held before (3) [SYM136]
+// SELECT-DAG: unwritten_outputs.cpp:31:14: error: a result depends on what output 'out.held' held before (4) [SYM136]
+// SELECT-DAG: unwritten_outputs.cpp:33:5: error: a result depends on what output 'out.grown' held before (5) [SYM136]
+// CHECK-DAG: unwritten_outputs.cpp:43:5: error: a result depends on what output 'out.looped' held before (8) [SYM136]
+// GUARD-DAG: unwritten_outputs.cpp:26:{{[0-9]+}}: error: the kernel does not write output 'out.held', which keeps what it held before (4) [SYM136]
+// CHECK: help:

@@ -20,7 +20,7 @@ int main() { std::printf("%g\n", compare(0.5, 2.0)); }
 
 // CHECK-DAG: equality.cpp:13:{{[0-9]+}}: error: the program decides on a symbolic value: x == y
 // CHECK-DAG: equality.cpp:14:{{[0-9]+}}: error: the program decides on a symbolic value: {{.*}} != {{.*}}
-// CHECK-DAG: equality.cpp:15:{{[0-9]+}}: remark: {{.*}} is taken for constant: in mode finite every value is finite [SYM059]
+// CHECK-DAG: equality.cpp:15:{{[0-9]+}}: remark: {{.*}} is constant: in mode finite every value is finite [SYM059]
 // GUARD: guard 1 {{ *}}equality.cpp:13:3: x == y is false
 // GUARD: guard 2 {{.*}} != 
 // STRICT: equality.cpp:15:{{[0-9]+}}: error: the program decides on a symbolic value

@@ -7,7 +7,7 @@
 #include <unistd.h>
 
 struct Rotation { double data[9]; };
-// CHECK-DAG: boundary.cpp:[[@LINE+1]]:10: error: 'multiply' carries REAL, and none of the sources defines it [SYM030]
+// CHECK-DAG: boundary.cpp:[[@LINE+1]]:10: error: 'multiply' uses double but is not defined in the given sources [SYM030]
 Rotation multiply(Rotation const &a, Rotation const &b);
 Rotation unused(Rotation const &a);
 inline Rotation also_unused(Rotation const &a) { return unused(a); }

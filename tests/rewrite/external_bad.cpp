@@ -31,13 +31,13 @@ double cpp(double x);
 // CHECK-DAG: external_bad.cpp:[[@LINE+2]]:26: error: parameter 'y' of 'strange' is float, and neither a number, an integer nor made of doubles
 // CHECK-DAG: external_bad.cpp:[[@LINE+1]]:26: error: parameter 'callback' of 'strange' is double (*)(double), which does not point to doubles
 #pragma symreal external(strange)
-// CHECK-DAG: external_bad.cpp:[[@LINE+1]]:47: error: 'z' is no parameter of 'sized' [SYM023]
+// CHECK-DAG: external_bad.cpp:[[@LINE+1]]:47: error: 'z' is not a parameter of 'sized' [SYM023]
 #pragma symreal external(sized) input(x[0:3], z[0:2])
-// CHECK-DAG: external_bad.cpp:[[@LINE+1]]:39: error: 'y' is no array
+// CHECK-DAG: external_bad.cpp:[[@LINE+1]]:39: error: 'y' is not an array
 #pragma symreal external(sized) input(y[0:3], x[0:1])
 // CHECK-DAG: external_bad.cpp:[[@LINE+1]]:26: error: parameter 'x' of 'sized' has the size 'y', which is neither a number nor an integer parameter
 #pragma symreal external(sized) input(x[0:y])
-// CHECK-DAG: external_bad.cpp:[[@LINE+1]]:40: error: 'x' points to const and is no output
+// CHECK-DAG: external_bad.cpp:[[@LINE+1]]:40: error: 'x' points to const and cannot be an output
 #pragma symreal external(sized) output(x[0:n])
 // CHECK-DAG: external_bad.cpp:[[@LINE+1]]:26: error: parameter 'm' of 'sized' is declared with another size than '4'
 #pragma symreal external(sized) input(x[0:n], m[0:2][0:4])

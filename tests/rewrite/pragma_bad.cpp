@@ -38,18 +38,18 @@ void f(double x) {
 //--- d.cpp
 void f(double x) {
   if (x > 0)
-// D: d.cpp:4:1: error: no statement can stand where this pragma stands [SYM024]
+// D: d.cpp:4:1: error: this pragma stands where no statement can stand [SYM024]
 #pragma symreal input(x) generate("d.c")
     x = 1;
 }
 //--- e.cpp
 double x;
-// E: e.cpp:3:1: error: no statement can stand where this pragma stands [SYM024]
+// E: e.cpp:3:1: error: this pragma stands where no statement can stand [SYM024]
 #pragma symreal input(x)
 //--- f.cpp
 void f(double) {
   double a,
-// F: f.cpp:4:1: error: no statement can stand where this pragma stands [SYM024]
+// F: f.cpp:4:1: error: this pragma stands where no statement can stand [SYM024]
 #pragma symreal generate("f.c")
   b;
 }
@@ -63,7 +63,7 @@ double f(double x) { return x; }
 #pragma symreal function input(x, z) output(return)
 double f(double x) { return x; }
 //--- i.cpp
-// I: i.cpp:2:32: error: 'x' is a pointer, which does not say how much it points to: '*x' or 'x[0:n]' does [SYM026]
+// I: i.cpp:2:32: error: 'x' is a pointer and needs an extent: '*x' for one object, or 'x[0:n]' [SYM026]
 #pragma symreal function input(x) output(return)
 double f(double *x) { return x[0]; }
 //--- j.cpp

@@ -10,7 +10,7 @@ double three(double x, int n) {
   // CHECK-DAG: bad.cpp:[[@LINE+1]]:1: error: this pragma stands before a declaration
 #pragma symreal decisions(guard)
   double y = x > 0 ? x : 1;
-  // CHECK-DAG: bad.cpp:[[@LINE+1]]:17: error: loop(N) takes how often the loop runs at most, not 'n' [SYM021]
+  // CHECK-DAG: bad.cpp:[[@LINE+1]]:17: error: loop(N) takes the largest number of runs, not 'n' [SYM021]
 #pragma symreal loop(n)
   while (y > 1) y /= 2;
   // CHECK-DAG: bad.cpp:[[@LINE+1]]:1: error: no exit of this loop depends on a REAL [SYM048]
@@ -30,13 +30,13 @@ double three(double x, int n) {
     // CHECK-DAG: bad.cpp:[[@LINE+1]]:1: error: this pragma stands within a statement [SYM024]
 #pragma symreal decisions(guard)
     y = 2;
-  // CHECK-DAG: bad.cpp:[[@LINE+1]]:38: error: 'decisions' is about the next statement and stands in a pragma of its own [SYM021]
+  // CHECK-DAG: bad.cpp:[[@LINE+1]]:38: error: 'decisions' applies to the next statement and needs a pragma of its own [SYM021]
 #pragma symreal input(x) range(1, 2) decisions(guard)
   y += x;
   return y + count;
   // CHECK-DAG: bad.cpp:[[@LINE+1]]:1: error: no statement follows this pragma [SYM024]
 #pragma symreal decisions(guard)
 }
-// CHECK-DAG: bad.cpp:[[@LINE+1]]:1: error: no statement can stand where this pragma stands [SYM024]
+// CHECK-DAG: bad.cpp:[[@LINE+1]]:1: error: this pragma stands where no statement can stand [SYM024]
 #pragma symreal decisions(guard)
 double four;

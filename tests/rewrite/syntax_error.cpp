@@ -4,4 +4,4 @@
 double f(double x) { return x }
 // CHECK: syntax_error.cpp:[[@LINE+1]]:{{[0-9]+}}: error: use of undeclared identifier 'y' [SYM020]
 double g(double x) { return y; }
-// CHECK: way out:
+// CHECK: help:

@@ -6,7 +6,7 @@
 // READ-NOT: SYM005
 // CHECK: obstacles
 // CHECK: SYM005
-// CHECK: what is in the way
+// CHECK: what blocks it
 // CHECK: compile.cpp:[[#@LINE+2]]:{{[0-9]+}}: the program does not compile in symbolic mode: invalid vector type for attribute 'vector_size' [SYM005]
 // BUILT: compile.cpp:[[#@LINE+1]]:{{[0-9]+}}: error: the program does not compile in symbolic mode: invalid vector type
 typedef double pair __attribute__((vector_size(16)));

@@ -9,7 +9,7 @@
 // CHECK: inactive
 // CHECK: 1  not compiled: #if 0; first at
 // CHECK: obstacles
-// CHECK-NEXT: 3  SYM041 a double that was not understood; first at
+// CHECK-NEXT: 3  SYM041 Symreal does not know what a double is part of; first at
 // RUN: %same %s -- -Wno-pragmas
 // CHECK: what stays
 #include <chrono>

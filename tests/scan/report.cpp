@@ -5,7 +5,7 @@
 // CHECK: other.cpp {{ *}}2 {{ *}}2 {{ *}}0 {{ *}}0 {{ *}}0 {{ *}}100%
 // CHECK: shared.h {{ *}}2 {{ *}}2 {{ *}}0 {{ *}}0 {{ *}}0 {{ *}}100%
 // CHECK: report.cpp {{ *}}9 {{ *}}9 {{ *}}0 {{ *}}0 {{ *}}0 {{ *}}100%
-// CHECK: 1  SYM030 a function that carries REAL is only in a compiled library; first at {{.*}}report.cpp
+// CHECK: 1  SYM030 a function that uses double is not defined in the sources; first at {{.*}}report.cpp
 // CHECK: decisions on REAL: 2, of which 1 can be a select
 // CHECK-NEXT: 1  if, because of 'return' before a call of 'puts'
 // CHECK: comparisons of REAL: 2; conversions of REAL: 1 to an integer, 0 to float or long double

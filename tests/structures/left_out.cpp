@@ -9,7 +9,7 @@ struct Model {
 };
 
 // CHECK: left_out.cpp:[[@LINE+3]]:32: warning: 'model' does not include what its members 'table' point to [SYM072]
-// CHECK: left_out.cpp:[[@LINE+2]]:32: warning: 'model' has members that are no double
+// CHECK: left_out.cpp:[[@LINE+2]]:32: warning: 'model' has members that are not double
 // CHECK-SAME: and stay as they are: 'gain' [SYM072]
 #pragma symreal function input(model, model.other[0 : 2]) output(return)
 double force(Model &model) { return model.mass * model.table[0] * model.gain - model.other[1]; }

@@ -7,7 +7,7 @@
    VALUE: call_refused.c:{{[0-9:]+}}: note: double power(const double *v, int n, double r)
    REDEFINE: %{call} = 'power(v, n=3, r) -> return'
    RUN: %{run}=POINTER
-   POINTER: --kernel:1:7: error: 'v' is a pointer, and nothing says how much it points to: write v[0:6]=0.5 with its number of elements, or v=0 for none [SYM018]
+   POINTER: --kernel:1:7: error: 'v' is a pointer and needs an extent: write v[0:6]=0.5 with its number of elements, or v=0 for none [SYM018]
    REDEFINE: %{call} = 'power(v[0:3], n=3) -> return'
    RUN: %{run}=NUMBER
    NUMBER: --kernel:1:29: error: 'r' is missing: write r=0.5 (an input), parameter r=0.5 or constant r=0.5 [SYM018]
@@ -16,10 +16,10 @@
    LIST: --kernel:1:7: error: 'v[0:3]' has 3 elements, and 2 values are given [SYM018]
    REDEFINE: %{call} = 'power(v[3], n=3, r) -> return'
    RUN: %{run}=SECTION
-   SECTION: --kernel:1:8: error: 'v[3]' says no range of elements: write v[3:1] for one element, [0:3] for that many [SYM018]
+   SECTION: --kernel:1:8: error: 'v[3]' gives no range of elements: write v[3:1] for one element, [0:3] for that many [SYM018]
    REDEFINE: %{call} = 'power(v[0:3], n=3, r)'
    RUN: %{run}=OUTPUTS
-   OUTPUTS: --kernel:1:22: error: what is wanted of 'power' is missing: add -> and its outputs, as in -> y[0:3], or -> return [SYM018]
+   OUTPUTS: --kernel:1:22: error: the outputs of 'power' are missing: add -> and the outputs, as in -> y[0:3], or -> return [SYM018]
    REDEFINE: %{call} = 'power(v[0:3], n=3, r -> return'
    RUN: %{run}=BRACKET
    BRACKET: --kernel:1:6: error: this '(' is not closed [SYM018]
@@ -34,7 +34,7 @@
    WORD: --kernel:1:7: error: use of undeclared identifier 'half' [SYM018]
    REDEFINE: %{call} = 'power(v[0:3], constant n=3, parameter r=1..2) -> return'
    RUN: %{run}=RANGE
-   RANGE: --kernel:1:41: error: a range is where the inputs of 'verify' lie; 'r' is no input [SYM018]
+   RANGE: --kernel:1:41: error: a range is where the inputs of 'verify' lie; 'r' is not an input [SYM018]
    Nothing was written.
    RUN: not ls %t.c
 */

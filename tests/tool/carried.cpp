@@ -16,7 +16,7 @@ struct Sample {
 
 #pragma symreal function decisions(carry)
 std::int64_t stamp(double seconds) {
-  // CHECK: carried.cpp:[[@LINE+1]]:{{[0-9]+}}: warning: by a pragma's word no output depends on the conversion of {{.*}} [SYM118]
+  // CHECK: carried.cpp:[[@LINE+1]]:{{[0-9]+}}: warning: a pragma says that no output depends on the conversion of {{.*}} [SYM118]
   return static_cast<std::int64_t>(seconds * 1e6);
 }
 

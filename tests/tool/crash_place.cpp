@@ -9,14 +9,14 @@
 
 static double const *volatile nothing = nullptr;
 
-// CHECK: crash_place.cpp:[[@LINE+2]]:{{[0-9]+}}: error: the program was ended by signal 11 (Segmentation fault) before it reached the end of kernel 'f'; it stood here [SYM007]
+// CHECK: crash_place.cpp:[[@LINE+2]]:{{[0-9]+}}: error: signal 11 (Segmentation fault) ended the program before it reached the end of kernel 'f'; it stood here [SYM007]
 // CHECK: crash_place.cpp:[[@LINE+13]]:{{[0-9]+}}: note: called from f(double)
 static double read(double x) { return x + *nothing; }
-// DEEP: crash_place.cpp:[[@LINE+1]]:{{[0-9]+}}: error: the program was ended by signal 11
+// DEEP: crash_place.cpp:[[@LINE+1]]:{{[0-9]+}}: error: signal 11 (Segmentation fault) ended the program
 static double deep(double x, char *page) { char more[4096]; std::memset(more, *page, sizeof more); return deep(x + 1, more) + more[7]; }
 
 static char const *how = "";
-// ABORT: crash_place.cpp:[[@LINE+6]]:{{[0-9]+}}: error: the program was ended by signal 6 (Aborted)
+// ABORT: crash_place.cpp:[[@LINE+6]]:{{[0-9]+}}: error: signal 6 (Aborted) ended the program
 #pragma symreal function input(x) output(return)
 double f(double x) {
   char page[1] = {0};

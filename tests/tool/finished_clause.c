@@ -24,7 +24,7 @@ int main(void)
     return f(1) == 0;
 }
 
-/* CHECK: 'work' is written by the kernel and is no output [SYM053]
+/* CHECK: the kernel writes 'work', which is not an output [SYM053]
    CHECK: finished_clause.c:11:1: note: all of them at once: #pragma symreal function ... constant(count, gain, order) scratch(count, work)
    CHECK-NOT: note: all of them
 */

@@ -2,8 +2,8 @@
 // still looked at.
 // RUN: %symreal generate %s -o %t.c --frozen=warn 2>&1 | FileCheck %s
 // RUN: %symreal generate %s -o %t.c --frozen=warn -- -fsanitize=address -DNO_ALLOCATOR 2>&1 | FileCheck %s
-// CHECK: warning: what the kernel reads through pointers and from members was not looked at{{.*}} [SYM065]
-// CHECK: way out:
+// CHECK: warning: Symreal did not look at what the kernel reads through pointers and from members{{.*}} [SYM065]
+// CHECK: help:
 // CHECK: warning: kernel 'scale' reads 'gain' (3), which is
 // CHECK: wrote
 #include <cstdio>

@@ -1,7 +1,7 @@
 // A sample on which the original crashes costs that sample its process, not the tool.
 // RUN: %symreal generate %s -o %t.c
 // RUN: not %symreal verify %s %t.c 2>&1 | FileCheck %s
-// CHECK: verify_crash.cpp:10:{{[0-9]+}}: error: the original's kernel was ended by signal {{[0-9]+}} {{.*}}[SYM093]
+// CHECK: verify_crash.cpp:10:{{[0-9]+}}: error: signal {{[0-9]+}} {{.*}} ended the original's kernel on a sample [SYM093]
 #include <cmath>
 #include <cstdlib>
 

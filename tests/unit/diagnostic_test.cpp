@@ -14,7 +14,7 @@ TEST(Diagnostics, EveryRowIsCompleteAndItsNumberUnique) {
     EXPECT_EQ(code(row.id).size(), 6u) << row.name;
     EXPECT_FALSE(row.summary.empty()) << row.name;
     EXPECT_FALSE(row.explanation.empty()) << row.name;
-    EXPECT_FALSE(row.way_out.empty()) << row.name;
+    EXPECT_FALSE(row.help.empty()) << row.name;
     EXPECT_EQ(find_diagnostic(code(row.id)), &row) << row.name;
   }
 }
@@ -22,6 +22,6 @@ TEST(Diagnostics, EveryRowIsCompleteAndItsNumberUnique) {
 TEST(Diagnostics, PrintedFormHasPlaceSeverityTextAndId) {
   std::ostringstream out;
   print(out, {DiagnosticId::bad_option, {"a.cpp", 3, 7}, "text", {{{"b.h", 1, 0}, "seen here"}}, Severity::warning});
-  EXPECT_EQ(out.str().substr(0, out.str().find("  way out")),
+  EXPECT_EQ(out.str().substr(0, out.str().find("  help")),
             "a.cpp:3:7: warning: text [SYM003]\nb.h:1: note: seen here\n");
 }

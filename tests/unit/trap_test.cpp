@@ -26,7 +26,7 @@ TEST_F(TrapDeathTest, LeaksAreReportedOnceAPlace) {
     for (int volatile times = 3; times > 0; times = times - 1) // one place: no compiler unrolls it
       REQUIRE(BINARY("maxsd", 1.0, y) == 1.0);
   };
-  EXPECT_IN_TRAP(body, "^[^\n]*computes with input 1 [^\n]*\n[^\n]*way out[^\n]*\ndone");
+  EXPECT_IN_TRAP(body, "^[^\n]*computes with input 1 [^\n]*\n[^\n]*help: [^\n]*\ndone");
 }
 
 TEST_F(TrapDeathTest, ComparisonsAndConversions) {

@@ -169,10 +169,9 @@ private:
                         });
     if (most.empty() && is_one) most = "1";
     if (most.empty() || is_number)
-      return problem(
-          place, fmt::format("'{0}' is a pointer, and nothing says how much it points to: write {0}[0:6]=0.5 with its "
-                             "number of elements, or {0}={1} for none",
-                             one.name, function_.is_c ? "0" : "nullptr"));
+      return problem(place, fmt::format("'{0}' is a pointer and needs an extent: write {0}[0:6]=0.5 with its "
+                                        "number of elements, or {0}={1} for none",
+                                        one.name, function_.is_c ? "0" : "nullptr"));
     if (!one.default_constructible)
       return problem(place, fmt::format("what '{}' points to cannot be made without arguments: write {}=EXPRESSION",
                                         one.name, one.name));
@@ -283,7 +282,7 @@ private:
   void fill_other(Item const &item) {
     if (!item.has_value()) return;
     if (function_.has_this)
-      return problem(item.text.place, "'" + item.base + "' is no argument of '" + function_.qualified +
+      return problem(item.text.place, "'" + item.base + "' is not an argument of '" + function_.qualified +
                                           "'; a member has the value that the object is made with");
     fill_elements(item, item.sections, false);
   }

@@ -54,7 +54,7 @@ template <class Visit> void each_outside(Part const &part, Visit visit) {
     } else if (c == ')' || c == ']' || c == '}') {
       constexpr std::string_view pairs = "()[]{}";
       if (open.empty() || pairs[pairs.find(part.text[open.back()]) + 1] != c)
-        refuse(part.from(i, i + 1).place, std::string("this '") + c + "' has no partner");
+        refuse(part.from(i, i + 1).place, std::string("this '") + c + "' has no counterpart");
       open.pop_back();
       if (open.empty()) visit(i);
     } else if (open.empty())
@@ -92,7 +92,7 @@ void read_item(Part const &part, CallSpec::Item &item) {
   item.text = {part.string(), part.place};
   std::size_t at = part.text.find_first_not_of("*&( ");
   if (at == part.text.npos || !is_name(part.text[at]) || std::isdigit(static_cast<unsigned char>(part.text[at])))
-    refuse(part.place, "'" + part.string() + "' is no item: an item is an argument, as in q[0:6] or state->x");
+    refuse(part.place, "'" + part.string() + "' is not an item: an item is an argument, as in q[0:6] or state->x");
   std::size_t end = at;
   while (end < part.text.size() && (is_name(part.text[end]) || part.text.substr(end, 2) == "::"))
     end += part.text[end] == ':' ? 2 : 1;
@@ -113,7 +113,7 @@ void read_item(Part const &part, CallSpec::Item &item) {
     }
     if (colon == part.text.npos) {
       std::string const inside = part.from(open + 1, close).string();
-      refuse(part.from(open, open + 1).place, "'" + part.string() + "' says no range of elements: write " + item.base +
+      refuse(part.from(open, open + 1).place, "'" + part.string() + "' gives no range of elements: write " + item.base +
                                                   "[" + inside + ":1] for one element, [0:" + inside +
                                                   "] for that many");
     }
@@ -140,7 +140,7 @@ void read_value(Part const &part, CallSpec::Item &item) {
     if (item.range->first.empty() || item.range->second.empty())
       refuse(part.place, "a range has two ends, as in -1..1");
     if (item.kind != "input")
-      refuse(part.place, "a range is where the inputs of 'verify' lie; '" + item.text.text + "' is no input");
+      refuse(part.place, "a range is where the inputs of 'verify' lie; '" + item.text.text + "' is not an input");
   } else if (item.is_list = part.text.front() == '{'; item.is_list)
     item.value = part.from(1, part.text.size() - 1).string();
   else
@@ -184,7 +184,8 @@ void read_callee(Part part, CallSpec &spec) {
   bool const is_plain = !part.text.empty() &&
                         std::all_of(part.text.begin(), part.text.end(), [](char c) { return is_name(c) || c == ':'; });
   if (!is_plain)
-    refuse(part.place, "'" + part.string() + "' is no function's name: write FUNCTION(ARGUMENTS) -> OUTPUTS, as in " +
+    refuse(part.place, "'" + part.string() +
+                           "' is not the name of a function: write FUNCTION(ARGUMENTS) -> OUTPUTS, as in " +
                            "f(x[0:3]=0.5, n=3) -> y[0:3]");
   spec.function = {part.string(), part.place};
 }
@@ -213,7 +214,7 @@ CallSpec parse_call_spec(ConfiguredText const &text) {
   if (!arguments.text.empty())
     for (Part const &one : split(arguments, ',')) spec.items.push_back(read_argument(one));
   if (arrow == all.text.npos)
-    refuse(spec.end, "what is wanted of '" + spec.function.text + "' is missing: add -> and its outputs, as in " +
+    refuse(spec.end, "the outputs of '" + spec.function.text + "' are missing: add -> and the outputs, as in " +
                          "-> y[0:3], or -> return");
   for (Part const &one : split(all.from(arrow + 2), ',')) {
     CallSpec::Item item{

@@ -24,14 +24,14 @@ std::string wrapped(std::string_view text) {
 void explain(DiagnosticInfo const &row) {
   std::cout << code(row.id) << ": " << row.summary << "\n\n"
             << wrapped(row.explanation) << "\n"
-            << wrapped("Way out: " + std::string(row.way_out) + ".");
+            << wrapped("Help: " + std::string(row.help) + ".");
 }
 
 void list_json() {
   nlohmann::ordered_json rows = nlohmann::ordered_json::array();
   for (DiagnosticInfo const &row : diagnostic_table())
     rows.push_back(
-        {{"id", code(row.id)}, {"summary", row.summary}, {"explanation", row.explanation}, {"way out", row.way_out}});
+        {{"id", code(row.id)}, {"summary", row.summary}, {"explanation", row.explanation}, {"help", row.help}});
   std::cout << rows.dump(1) << "\n";
 }
 
@@ -42,7 +42,7 @@ void list() {
 } // namespace
 
 void add_explain(CLI::App &app, Session &session) {
-  CLI::App *command = app.add_subcommand("explain", "Say what a diagnostic means and what to do; without id, list all");
+  CLI::App *command = app.add_subcommand("explain", "Explain a diagnostic; without an id, list all");
   auto wanted = std::make_shared<std::string>();
   auto json = std::make_shared<bool>(false);
   command->add_option("id", *wanted, "As in SYM012");

@@ -58,7 +58,7 @@ void require_sense(Options const &options) {
   (void)options.passes.floating_point();
   (void)options.passes.names();
   if (options.check && !options.depfile.empty())
-    fail(DiagnosticId::option_without_effect, {}, "--check writes nothing, so --depfile would do nothing");
+    fail(DiagnosticId::option_without_effect, {}, "--depfile has no effect with --check, which writes nothing");
 }
 
 // What can be known to fail before the work is done.
@@ -121,7 +121,7 @@ void show(std::vector<Product> const &products, program::Front const &front, Opt
 void write_config(ProjectOptions const &project, std::vector<Lacking> const &lacking, Console &console) {
   std::string const file = project.configuration_file(true);
   write_if_changed(file, with_clauses(file, lacking));
-  console.note("what is lacking stands in " + file + " now; say yourself whether it is meant, and run again");
+  console.note(file + " now has what the pragma lacks; check it, and run again");
 }
 
 int run(CLI::App &command, Options &options, Session &session) {
@@ -179,9 +179,10 @@ void add_generate(CLI::App &app, Session &session) {
                       "C and C++ sources of the program; with -p by default all of them");
   command->add_option("-o", options->output, "The generated file; with several kernels a directory")->type_name("FILE");
   command->add_option("--graph", options->graph_file, "Also write the recorded graph as text")->type_name("FILE");
-  command->add_option("--depfile", options->depfile, "Also write what the result was made from, as a rule of make")
+  command
+      ->add_option("--depfile", options->depfile, "Also write the files that the result depends on, as a rule of make")
       ->type_name("FILE");
-  command->add_flag("--check", options->check, "Write nothing: tell whether the files there are up to date");
+  command->add_flag("--check", options->check, "Write nothing; check whether the existing files are up to date");
   command->add_option("--lang", options->language, "Language of the result: c")->capture_default_str();
   options->passes.add_to(*command);
   options->emitter.add_to(*command);
@@ -189,12 +190,11 @@ void add_generate(CLI::App &app, Session &session) {
                     "Also emit a file that defines the function in place of the original");
   command
       ->add_option("--decisions", options->decisions,
-                   "What becomes of a decision on a symbolic value: error, guard or select")
+                   "What to do at a decision on a symbolic value: error, guard or select")
       ->capture_default_str();
   options->frozen.add_to(*command);
   options->source.add_to(*command);
-  command->add_flag("--write-config", options->write_config,
-                    "Where a kernel is refused for what its pragma lacks, put that into .symreal.yaml");
+  command->add_flag("--write-config", options->write_config, "If a pragma lacks clauses, add them to .symreal.yaml");
   command->add_flag("--stats", options->statistics, "Print more than the table: every object, every pass");
   command->add_flag("--json", options->json, "Print the table as JSON to standard output");
   command->callback([options, command, &session] { session.status = run(*command, *options, session); });

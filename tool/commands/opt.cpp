@@ -28,9 +28,9 @@ void require_sense(Options const &options) {
     fail(DiagnosticId::option_without_effect, {},
          "--prefix, --mainline, --trace-comments, --map and --check-values shape generated code: use --lang=c");
   if (options.emitter.mainline && options.output.empty())
-    fail(DiagnosticId::option_without_effect, {}, "--mainline makes a second file: name the first with -o");
+    fail(DiagnosticId::option_without_effect, {}, "--mainline writes a second file: name the first with -o");
   if (!emitter.map_file.empty() && options.output.empty())
-    fail(DiagnosticId::option_without_effect, {}, "--map makes a second file: name the first with -o");
+    fail(DiagnosticId::option_without_effect, {}, "--map writes a second file: name the first with -o");
   if (options.json && options.output.empty())
     fail(DiagnosticId::option_without_effect, {}, "--json prints to standard output: name the result's file with -o");
 }

@@ -27,7 +27,7 @@ int run(Options options, Session const &session) {
   require_one_of("--decisions", options.run.decisions, "error|guard|select");
   require_one_of("--fp", options.run.floating_point, "finite|strict|fast");
   options.frozen.require_sense();
-  if (session.flags.empty()) fail(DiagnosticId::bad_option, {}, "the program and its arguments stand after --");
+  if (session.flags.empty()) fail(DiagnosticId::bad_option, {}, "name the program and its arguments after --");
   options.run.arguments.assign(session.flags.begin() + 1, session.flags.end());
   options.run.places = true;
   Console console;
@@ -58,7 +58,7 @@ int run(Options options, Session const &session) {
 } // namespace
 
 void add_record(CLI::App &app, Session &session) {
-  CLI::App *command = app.add_subcommand("record", "Run a program that symreal-c++ built, after --; keep its graphs");
+  CLI::App *command = app.add_subcommand("record", "Run a program that symreal-c++ built; keep its graphs");
   auto options = std::make_shared<Options>();
   command->add_option("-o", options->directory, "Directory of the graphs, NAME.graph for each kernel")
       ->type_name("DIR")

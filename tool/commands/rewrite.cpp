@@ -38,7 +38,7 @@ void edit_in_place(rewrite::Result const &result) {
   std::cerr << replacements.size() << " files rewritten";
   if (!replacements.empty())
     std::cerr << "; compile them with" << words(rewrite::type_name_flags(result.type_name))
-              << ", take it back with: symreal undo " << directory;
+              << "; undo it with: symreal undo " << directory;
   std::cerr << "\n";
 }
 
@@ -82,8 +82,7 @@ Status report(rewrite::Result const &result) {
 void run(CLI::App &command, Options &options, Session &session) {
   options.project.configure(command, session.configured);
   if (options.diff + options.in_place + !options.out_root.empty() + !options.fixes.empty() != 1)
-    fail(DiagnosticId::bad_option, {},
-         "one of --diff, --out-root, --in-place and --export-fixes says where the rewritten text goes");
+    fail(DiagnosticId::bad_option, {}, "choose one of --diff, --out-root, --in-place and --export-fixes");
   // What is only looked at is shown as far as it goes.
   bool const only_shows = options.diff || !options.out_root.empty();
   rewrite::Request request = only_rewritten(options.project.complete(session.flags));
@@ -113,7 +112,7 @@ void add_rewrite(CLI::App &app, Session &session) {
   command->add_option("--out-root", options->out_root, "Write a mirror of the files below this directory")
       ->type_name("DIR");
   command->add_flag("--in-place", options->in_place,
-                    "Replace the files, all of them or none; symreal undo takes it back");
+                    "Replace the files, all of them or none; symreal undo restores them");
   command->add_option("--export-fixes", options->fixes, "Write the edits as YAML for clang-apply-replacements")
       ->type_name("FILE");
   command->callback([options, command, &session] { run(*command, *options, session); });

@@ -31,7 +31,7 @@ void compile(rewrite::Request const &request, Options const &options, rewrite::R
 void run(CLI::App &command, Options &options, Session &session) {
   options.project.configure(command, session.configured);
   if (options.list + options.json + options.sarif + !options.kernel.empty() > 1)
-    fail(DiagnosticId::bad_option, {}, "only one of --list, --json, --sarif and --kernel says what is printed");
+    fail(DiagnosticId::bad_option, {}, "choose only one of --list, --json, --sarif and --kernel");
   rewrite::Request request = only_rewritten(options.project.complete(session.flags));
   request.leave_out_broken = true;
   rewrite::Result result = rewrite::run(request);
@@ -51,19 +51,19 @@ void run(CLI::App &command, Options &options, Session &session) {
 } // namespace
 
 void add_scan(CLI::App &app, Session &session) {
-  CLI::App *command = app.add_subcommand("scan", "Tell what would be converted and what is in the way; writes nothing");
+  CLI::App *command = app.add_subcommand("scan", "Report what would be converted and what blocks it; writes nothing");
   auto options = std::make_shared<Options>();
   options->project.add_to(*command);
   command
       ->add_option("--kernel", options->kernel,
-                   "Tell of this function what it reaches: state that outlives a call, decisions, what is in the way")
+                   "Report what this function reaches: state that outlives a call, decisions, what blocks it")
       ->type_name("FUNCTION");
   command->add_flag("--compile", options->compile,
-                    "Also have a compiler parse each source in its symbolic form, and tell which it refuses");
+                    "Also have a compiler parse each source in its symbolic form, and report those that it rejects");
   command->add_option("--cxx", options->compiler, "That compiler")->capture_default_str();
   command->add_flag("--list", options->list, "Also list every place");
   command->add_flag("--json", options->json, "Print the report as JSON, every place included");
-  command->add_flag("--sarif", options->sarif, "Print what is in the way as SARIF 2.1.0");
+  command->add_flag("--sarif", options->sarif, "Print what blocks the conversion as SARIF 2.1.0");
   command->callback([options, command, &session] { run(*command, *options, session); });
 }
 

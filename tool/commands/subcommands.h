@@ -1,4 +1,5 @@
-// One subcommand a file. Each adds itself to the command line; its callback runs it and sets the exit status.
+// A subcommand is a file and a row of subcommands.def. It adds itself to the command line; its callback runs it and
+// sets the exit status.
 #pragma once
 
 #include "tool/options/options.h"
@@ -14,15 +15,9 @@ struct Session {
   ConfiguredOptions configured = {}; // options that the project's configuration gave
 };
 
-void add_scan(CLI::App &app, Session &session);
-void add_generate(CLI::App &app, Session &session);
-void add_record(CLI::App &app, Session &session);
-void add_verify(CLI::App &app, Session &session);
-void add_rewrite(CLI::App &app, Session &session);
-void add_undo(CLI::App &app, Session &session);
-void add_opt(CLI::App &app, Session &session);
-void add_explain(CLI::App &app, Session &session);
-void add_cache(CLI::App &app, Session &session);
+#define SUBCOMMAND(name) void add_##name(CLI::App &app, Session &session);
+#include "tool/commands/subcommands.def"
+#undef SUBCOMMAND
 
 // Compiler flags given to a subcommand that compiles nothing would do nothing.
 void refuse_flags(Session const &session);

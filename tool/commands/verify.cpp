@@ -68,7 +68,7 @@ bool has_wrapper(std::string const &generated, program::Recorded const &recorded
     if (!recorded.kernel.is_function || !fs::exists(path)) continue;
     if (!program::is_wrapper_of(read_file(path), recorded))
       fail(DiagnosticId::foreign_file, {path, 1, 1},
-           "this wrapper was not generated for kernel '" + recorded.kernel.name + "' as it is now");
+           "this wrapper was generated for another form of kernel '" + recorded.kernel.name + "'");
     return true;
   }
   return false;
@@ -135,7 +135,7 @@ void add_verify(CLI::App &app, Session &session) {
       ->add_option("--min-samples", verification.min_samples, "How many of them must satisfy the premises of the mode")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
-  command->add_option("--seed", verification.seed, "Begins the sequence of inputs")->capture_default_str();
+  command->add_option("--seed", verification.seed, "Where the sequence of inputs starts")->capture_default_str();
   options->tolerance = command->add_option("--tol", verification.tolerance, "Largest relative error in mode fast")
                            ->capture_default_str();
   command->add_flag("--json", options->json, "Print the result as JSON to standard output");

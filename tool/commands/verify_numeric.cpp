@@ -22,7 +22,7 @@ int verify_numeric(CLI::App const &command, NumericOptions const &options, Proje
                                               "-p",    "-j",     "--config", "--type-name", "--keep"};
   for (CLI::Option const *one : command.get_options())
     if (one->count() != 0 && known.count(one->get_name()) == 0 && session.configured.count(one->get_name()) == 0)
-      fail(DiagnosticId::option_without_effect, {}, one->get_name() + " is not for --numeric");
+      fail(DiagnosticId::option_without_effect, {}, one->get_name() + " has no effect with --numeric");
   rewrite::Request request = only_rewritten(project.complete(session.flags));
   request.leave_out_broken = true;
   std::vector<rewrite::Compilation> sources = rewrite::compilations_of(request);

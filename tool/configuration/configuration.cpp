@@ -34,7 +34,7 @@ CLI::Option *find_option(CLI::App &command, std::string const &name) {
 
 void refuse_unknown(Configuration::Option const &option, CLI::App &command) {
   if (has_own_key(option.name))
-    fail(DiagnosticId::configuration, option.place, "'" + option.name + "' is no option that stands here");
+    fail(DiagnosticId::configuration, option.place, "'" + option.name + "' cannot be set under 'options'");
   for (CLI::App *one : command.get_parent()->get_subcommands([](CLI::App *) { return true; }))
     if (find_option(*one, option.name)) return;
   fail(DiagnosticId::configuration, option.place, "no subcommand has an option '" + option.name + "'");
@@ -75,7 +75,7 @@ Configuration read_configuration(std::string const &file) {
     if (key.text == "roots")
       for (Yaml const &one : value.list()) {
         result.roots.push_back(below(one.text().text));
-        if (!fs::is_directory(result.roots.back())) one.fail("'" + one.text().text + "' is no directory");
+        if (!fs::is_directory(result.roots.back())) one.fail("'" + one.text().text + "' is not a directory");
       }
     else if (key.text == "exclude")
       for (Yaml const &one : value.list()) result.exclude.patterns.push_back(one.text().text);

@@ -40,7 +40,7 @@ void add_inputs(std::vector<ConfiguredClause> &clauses, ConfiguredText const &na
 ConfiguredText required_function(std::vector<Yaml::Entry> const &entries, Yaml const &node) {
   for (auto const &[key, value] : entries)
     if (key.text == "function") return value.text();
-  node.fail("'function' is missing: which one this is about");
+  node.fail("'function' is missing: name the function of this entry");
 }
 
 // Those that the configuration has for clauses.

@@ -38,15 +38,14 @@ Words options_of(CLI::App const &command) {
 
 std::string explain_option(std::string const &option, CLI::App const &command, CLI::App const &app) {
   if (command.get_name() == "verify" && has(*app.get_subcommand("generate"), option))
-    return fmt::format(
-        "verify takes no {}: the generated file knows with which it was made, and verify does as it says", option);
+    return fmt::format("verify does not take {}: it uses what the generated file was made with", option);
   Words others;
   for (CLI::App const *other : app.get_subcommands({}))
     if (has(*other, option)) others.push_back(other->get_name());
   if (!others.empty())
     return fmt::format("{} is an option of {}, not of {}", option, fmt::join(others, ", "), command.get_name());
   std::string const meant = nearest(option, options_of(command));
-  return fmt::format("{} is no option of {}{}", option, command.get_name(),
+  return fmt::format("{} is not an option of {}{}", option, command.get_name(),
                      meant.empty() ? "" : fmt::format("; did you mean {}?", meant));
 }
 
@@ -77,7 +76,7 @@ std::string explain_unknown(CLI::App const &app, Words const &words) {
   for (CLI::App const *one : app.get_subcommands({})) subcommands.push_back(one->get_name());
   if (std::find(subcommands.begin(), subcommands.end(), words.front()) == subcommands.end()) {
     std::string const meant = nearest(words.front(), subcommands);
-    return fmt::format("'{}' is no subcommand; {}", words.front(),
+    return fmt::format("'{}' is not a subcommand; {}", words.front(),
                        meant.empty() ? fmt::format("there are: {}", fmt::join(subcommands, ", "))
                                      : fmt::format("did you mean '{}'?", meant));
   }

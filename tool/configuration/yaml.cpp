@@ -43,7 +43,7 @@ std::vector<Yaml::Entry> Yaml::entries() const {
   for (auto const &one : node_) {
     Entry entry{Yaml(file_, one.first).text(), Yaml(file_, one.second)};
     if (!known.insert(entry.key.text).second)
-      symreal::fail(DiagnosticId::configuration, entry.key.place, "'" + entry.key.text + "' stands here twice");
+      symreal::fail(DiagnosticId::configuration, entry.key.place, "'" + entry.key.text + "' appears twice");
     entries.push_back(std::move(entry));
   }
   return entries;

@@ -53,9 +53,9 @@ FloatingPoint PassOptions::floating_point() const {
 std::vector<std::string> PassOptions::names() const { return parse_passes(passes); }
 
 void EmitterOptions::add_to(CLI::App &app) {
-  app.add_option("--prefix", prefix, "Begins every external name of the generated code: P gives P_compute");
+  app.add_option("--prefix", prefix, "Prefix of every external name of the generated code: P gives P_compute");
   app.add_flag("--mainline", mainline, "Also emit a program that runs the generated code");
-  app.add_flag("--trace-comments", trace_comments, "Each statement says which source lines it comes from");
+  app.add_flag("--trace-comments", trace_comments, "Each statement names the source lines that it comes from");
   app.add_option("--map", map_file, "Also write a map from generated lines to source lines, as JSON")
       ->type_name("FILE");
   app.add_flag("--check-values", check_values,

@@ -84,7 +84,7 @@ rewrite::Request ProjectOptions::complete(CompilerFlags const &flags) const {
   rewrite::Request complete = request;
   if (complete.jobs == 0) complete.jobs = std::max(1U, std::thread::hardware_concurrency());
   if (build.empty() && complete.sources.empty())
-    fail(DiagnosticId::bad_option, {}, "sources, or a directory with -p, say what is read");
+    fail(DiagnosticId::bad_option, {}, "name the sources, or a build directory with -p");
   complete.flags = flags;
   if (std::shared_ptr<program::CacheDirectory> kept = cache(); kept->exists()) complete.kept = std::move(kept);
   if (complete.reachable) {

@@ -76,9 +76,8 @@ bool check_files(std::vector<OutputFile> const &files) {
     if (exists && there == file.text) continue;
     current = false;
     std::cout << unified_diff(file.path, there, file.text) << std::flush;
-    print(std::cerr, {DiagnosticId::out_of_date,
-                      {file.path},
-                      exists ? "this file is not what the sources give now" : "this file is not there"});
+    print(std::cerr,
+          {DiagnosticId::out_of_date, {file.path}, exists ? "this file is out of date" : "this file does not exist"});
   }
   return current;
 }

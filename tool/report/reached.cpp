@@ -63,9 +63,9 @@ void print_reach(std::ostream &out, std::string const &function, rewrite::Reach 
     if (within(one.place)) line("conversions of values", to_string(one.place) + ": to " + one.type);
   for (Diagnostic const &one : result.diagnostics)
     if (within(one.place))
-      line("what is in the way", fmt::format("{}: {} [{}]", to_string(one.place), one.message, code(one.id)));
+      line("what blocks it", fmt::format("{}: {} [{}]", to_string(one.place), one.message, code(one.id)));
   for (Note const &one : reach.not_followed) line("not followed", to_string(one.place) + ": " + one.message);
-  for (std::string const &one : reach.undefined) line("called, and defined in none of the sources", one);
+  for (std::string const &one : reach.undefined) line("called, but not defined in the given sources", one);
 }
 
 } // namespace symreal::tool

@@ -115,7 +115,7 @@ void print_places(std::ostream &out, rewrite::Result const &result) {
                               : "cannot be a select because of " + one.reason + " at " + to_string(one.token));
   for (rewrite::Conversion const &one : result.conversions)
     fmt::print(out, "  {}: a REAL is converted to {}\n", to_string(one.place), one.type);
-  out << "what is in the way\n";
+  out << "what blocks it\n";
   for (Diagnostic const &one : result.diagnostics)
     fmt::print(out, "  {}: {} [{}]\n", to_string(one.place), one.message, code(one.id));
 }

@@ -78,7 +78,7 @@ Json rule(DiagnosticId id) {
           {"name", row.name},
           {"shortDescription", {{"text", row.summary}}},
           {"fullDescription", {{"text", row.explanation}}},
-          {"help", {{"text", row.way_out}}}};
+          {"help", {{"text", row.help}}}};
 }
 
 } // namespace

@@ -116,11 +116,11 @@ void print_guards(std::ostream &out, program::Verification const &verification) 
     if (verification.guards[k].failed == 0) never.push_back(k + 1);
   if (!never.empty())
     fmt::print(out,
-               "  no sample failed guard {}: the code was not tried beyond; range(low, high) on an input says "
+               "  no sample failed guard {}, so its other side was not tested; range(low, high) on an input says "
                "where samples are drawn\n",
                runs_of(never));
   if (verification.mode == FloatingPoint::fast && verification.guards_different != 0)
-    fmt::print(out, "  rounding decides {} samples otherwise\n", verification.guards_different);
+    fmt::print(out, "  rounding changes the decisions of {} samples\n", verification.guards_different);
 }
 
 std::string guard_difference(program::Verification const &verification) {
@@ -206,9 +206,9 @@ std::optional<Diagnostic> verification_failure(Graph const &graph, program::Veri
       diagnostic.notes.push_back(
           {{},
            fmt::format(
-               "on {} samples the graph as recorded, before any pass, differs from the original too: no pass is "
-               "at fault there, but what the recording has not seen (state that is no input, a decision that "
-               "was carried, code that was not rewritten)",
+               "on {} samples the recorded graph, before any pass, differs from the original too: the cause is not "
+               "a pass but what the recording did not see (state that is no input, a decision that was carried, "
+               "code that was not rewritten)",
                verification.graph_different)});
     return diagnostic;
   }
@@ -236,7 +236,7 @@ std::optional<Diagnostic> verification_failure(Graph const &graph, program::Veri
   if (verification.inside < std::min(options.min_samples, options.samples))
     return Diagnostic{DiagnosticId::too_few_samples,
                       {file},
-                      fmt::format("only {} samples lie within the premises of mode {}, {} are wanted",
+                      fmt::format("only {} samples lie within the premises of mode {}, and {} are required",
                                   verification.inside, to_string(verification.mode), options.min_samples)};
   return {};
 }

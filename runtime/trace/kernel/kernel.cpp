@@ -28,7 +28,7 @@ bool Kernel::begin_object(MakeSink make_sink, Kind kind, char const *label, Sour
     Place const at{place.file, place.line, place.column};
     if (kind == Kind::output) {
       report({DiagnosticId::annotation_outside_kernel, at,
-              "output '" + std::string(label) + "' is met before any input of its kernel"});
+              "the program reaches output '" + std::string(label) + "' before any input of its kernel"});
       give_up();
     }
     if (recorded_.contains(where(place))) {
@@ -69,7 +69,7 @@ void Kernel::end_region(char const *file_name, SourcePlace place) {
   if (phase_ == Phase::none) {
     report({DiagnosticId::annotation_outside_kernel,
             {place.file, place.line, place.column},
-            "generate is met before any input of its kernel"});
+            "the program reaches generate before any input of its kernel"});
     give_up();
   }
   phase_ = Phase::none;

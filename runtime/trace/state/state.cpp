@@ -249,7 +249,7 @@ void State::make_plain(RealNumber const *number) {
 void State::report_lost(Site const &site) {
   if (is_private(site) || !reported_.insert(site).second) return;
   report({DiagnosticId::state_not_output, written_place(site.place),
-          "'" + std::string(site.name) + "' is written by the kernel and is no output"});
+          "the kernel writes '" + std::string(site.name) + "', which is not an output"});
 }
 
 // Nothing that is left in this object is lost, nor in the blocks of the heap that can be reached from it: what owns
@@ -301,7 +301,7 @@ void State::judge_inputs() {
       report_lost(written->site);
     else if (reported_inputs_.insert(one.label).second)
       report({DiagnosticId::state_not_output, one.place,
-              "input '" + *one.label + "' is written by the kernel and is no output"});
+              "the kernel writes input '" + *one.label + "', which is not an output"});
   }
 }
 
@@ -325,8 +325,8 @@ void State::judge_integers() {
 void State::warn_overlooked() const {
   report({DiagnosticId::state_not_looked_for,
           {},
-          "what the kernel reads through pointers and from members was not looked at: the program has an allocator of "
-          "its own"});
+          "Symreal did not look at what the kernel reads through pointers and from members: the program has an "
+          "allocator of its own"});
 }
 
 // What was read keeps the value that it had then, unless it has changed.
@@ -349,8 +349,8 @@ void State::judge_reads(std::vector<Frozen> &frozen) {
     state.values.insert(state.values.end(), read.integers.begin(), read.integers.end());
     if (!kept.empty())
       report({DiagnosticId::output_keeps_value, state.place,
-              "'" + state.name + "' is an output, and what it held before (" + shortest(kept[0]) +
-                  (kept.size() > 1 ? ", ...)" : ")") + " is part of a result"});
+              "a result depends on what output '" + state.name + "' held before (" + shortest(kept[0]) +
+                  (kept.size() > 1 ? ", ...)" : ")")});
     Frozen members = state;
     members.values = std::move(read.members);
     members.is_member = true;

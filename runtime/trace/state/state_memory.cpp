@@ -58,8 +58,8 @@ void State::judge_memory(Place const &kernel) {
     if (named != names_.end() && reported_.contains(named->second.site)) continue;
     std::string const name = named == names_.end() ? readable(change.name) : std::string(named->second.site.name);
     report({DiagnosticId::state_not_output, named == names_.end() ? kernel : place_of(named->second.site),
-            "'" + name + "' (static, " + std::to_string(change.size) + " bytes) is changed by the kernel in bytes " +
-                std::to_string(change.first) + " to " + std::to_string(change.end - 1) + " and is no output"});
+            "the kernel changes bytes " + std::to_string(change.first) + " to " + std::to_string(change.end - 1) +
+                " of '" + name + "' (static, " + std::to_string(change.size) + " bytes), which is not an output"});
   }
 }
 

@@ -194,7 +194,7 @@ static RealNumber number(Shown value) { return RealNumber::from_bits(value.numbe
 
 static void length_used(Shown value, char const *used_at) {
   if (used_at)
-    TextMarks::current().report_read("what is used here is the length of the text of", number(value), used_at);
+    TextMarks::current().report_read("the length that is used here is that of the text of", number(value), used_at);
 }
 
 void made_text(char const *text, std::size_t size, Shown value, char const *used_at) noexcept {
