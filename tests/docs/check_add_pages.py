@@ -1,0 +1,82 @@
+"""The pages docs/add-*.md against the tables and the tree:
+
+   the files that a page lists are there, unless it says that they are new; they are as many as it says;
+   a row that it shows has the columns of the table's legend, and is the table's own if the table has one of that name.
+
+   check_add_pages.py REPOSITORY
+"""
+import pathlib
+import re
+import sys
+
+root = pathlib.Path(sys.argv[1]).resolve()
+wrong = []
+
+
+def arguments(text, begin):
+    """The arguments of the macro call whose '(' is at `begin`, separated by commas outside of strings and parentheses."""
+    result, depth, quoted, at = [""], 0, False, begin
+    while True:
+        letter = text[at]
+        if letter == '"' and text[at - 1] != "\\":
+            quoted = not quoted
+        if not quoted and letter in "([{":
+            depth += 1
+        if not quoted and letter in ")]}":
+            depth -= 1
+        if depth == 0:
+            return [" ".join(one.split()) for one in result]
+        if letter == "," and depth == 1 and not quoted:
+            result.append("")
+        elif at > begin:
+            result[-1] += letter
+        at += 1
+
+
+def rows(text, macro):
+    return [arguments(text, found.end() - 1) for found in re.finditer(rf"^{macro}\(", text, re.MULTILINE)]
+
+
+# By macro: the columns that the legend at the head of the table names, and the rows.
+tables = {}
+for path in sorted(root.glob("r*/**/*.def")) + sorted(root.glob("tool/**/*.def")):
+    text = path.read_text()
+    legend = re.search(r"^//.*?\b([A-Z][A-Z_]+)\(((?:\w+, )*\w+)\)", text, re.MULTILINE)
+    if legend:
+        tables[legend[1]] = (path.name, legend[2].split(", "), rows(text, legend[1]))
+
+pages = sorted(root.glob("docs/add-*.md"))
+shown = 0
+for page in pages:
+    text = page.read_text()
+    files = re.search(r"^\| File \| Change \|\n\|---\|---\|\n((?:\|.*\n)+)", text, re.MULTILINE)
+    count = re.search(r"^Files that change: (\d+)\.$", text, re.MULTILINE)
+    if not files or not count:
+        wrong.append(f"{page.name}: does not say which files change, or how many")
+        continue
+    listed = [line.split("|")[1:3] for line in files[1].splitlines()]
+    if len(listed) != int(count[1]):
+        wrong.append(f"{page.name}: says {count[1]} files and lists {len(listed)}")
+    for name, change in listed:
+        link = re.search(r"\[(.*?)\]\((.*?)\)", name)
+        if link and (page.parent / link[2]).resolve() != (root / link[1]):
+            wrong.append(f"{page.name}: {link[1]} is not where the link leads")
+        if link and not (root / link[1]).is_file():
+            wrong.append(f"{page.name}: {link[1]} does not exist")
+        if not link and "/" in name:
+            new = root / name.strip()
+            if "new: " not in change or new.exists() or not new.parent.is_dir():
+                wrong.append(f"{page.name}: {name.strip()} is not a new file of an existing folder")
+    for macro, columns in re.findall(r"`([A-Z][A-Z_]+)\(((?:\w+, )*\w+)\)`", text):
+        if macro not in tables or columns.split(", ") != tables[macro][1]:
+            wrong.append(f"{page.name}: no table has the columns {macro}({columns})")
+    for macro, (table, columns, known) in tables.items():
+        for row in rows(text, macro):
+            shown += 1
+            same = [one for one in known if one[0] == row[0]]
+            if len(row) != len(columns):
+                wrong.append(f"{page.name}: the row {row[0]} has {len(row)} columns, those of {table} have {len(columns)}")
+            elif same and row not in known:
+                wrong.append(f"{page.name}: {table} has another row {row[0]}")
+print(*wrong, f"{len(pages)} pages, {shown} rows, {len(wrong)} wrong", sep="\n")
+sys.exit(1 if wrong or not shown else 0)
