@@ -13,5 +13,5 @@ int main() {
   std::printf("%g %g\n", y, z);
 }
 
-// CHECK: constant_output.cpp:12:{{[0-9]+}}: error: {{.*}}z{{.*}}[SYM{{[0-9]+}}]
+// CHECK: constant_output.cpp:12:{{[0-9]+}}: error: {{.*}}z{{.*}}[SYM051]
 // CHECK: help:

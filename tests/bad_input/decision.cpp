@@ -19,6 +19,6 @@ int main() {
   std::printf("%g\n", y);
 }
 
-// CHECK: decision.cpp:9:{{[0-9]+}}: error: {{.*}}[SYM{{[0-9]+}}]
-// CHECK: decision.cpp:11:{{[0-9]+}}: error: {{.*}}[SYM{{[0-9]+}}]
+// CHECK: decision.cpp:9:{{[0-9]+}}: error: {{.*}}[SYM016]
+// CHECK: decision.cpp:11:{{[0-9]+}}: error: {{.*}}[SYM016]
 // CHECK: help:

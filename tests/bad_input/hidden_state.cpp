@@ -17,5 +17,5 @@ int main() {
   for (int i = 1; i <= 3; i++) std::printf("%g\n", travel(0.5 * i));
 }
 
-// CHECK: hidden_state.cpp:8:{{[0-9]+}}: error: {{.*}}travelled{{.*}}[SYM{{[0-9]+}}]
+// CHECK: hidden_state.cpp:8:{{[0-9]+}}: error: {{.*}}travelled{{.*}}[SYM053]
 // CHECK: help:

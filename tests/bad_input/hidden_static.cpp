@@ -16,5 +16,5 @@ int main() {
   for (int i = 1; i <= 3; i++) std::printf("%g\n", smooth(i));
 }
 
-// CHECK: hidden_static.cpp:10:{{[0-9]+}}: error: {{.*}}previous{{.*}}[SYM{{[0-9]+}}]
+// CHECK: hidden_static.cpp:10:{{[0-9]+}}: error: {{.*}}previous{{.*}}[SYM053]
 // CHECK: help:

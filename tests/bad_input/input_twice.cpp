@@ -15,5 +15,5 @@ int main() {
   std::printf("%g\n", y);
 }
 
-// CHECK: input_twice.cpp:11:{{[0-9]+}}: error: {{.*}}x{{.*}}[SYM{{[0-9]+}}]
+// CHECK: input_twice.cpp:11:{{[0-9]+}}: error: {{.*}}x{{.*}}[SYM050]
 // CHECK: help:

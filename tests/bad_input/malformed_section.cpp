@@ -13,5 +13,5 @@ int main() {
   std::printf("%g\n", y);
 }
 
-// CHECK: malformed_section.cpp:10:{{[0-9]+}}: error: {{.*}}[SYM{{[0-9]+}}]
+// CHECK: malformed_section.cpp:10:{{[0-9]+}}: error: {{.*}}[SYM021]
 // CHECK: help:

@@ -13,5 +13,5 @@ int main() {
   std::printf("%g\n", y);
 }
 
-// CHECK: error: {{.*}}no-such-compiler{{.*}}[SYM{{[0-9]+}}]
+// CHECK: error: {{.*}}no-such-compiler{{.*}}[SYM004]
 // CHECK: help:

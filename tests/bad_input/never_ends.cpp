@@ -14,5 +14,5 @@ int main() {
   std::printf("%g\n", y);
 }
 
-// CHECK: never_ends.cpp:11:{{[0-9]+}}: error: {{.*}}[SYM{{[0-9]+}}]
+// CHECK: never_ends.cpp:11:{{[0-9]+}}: error: {{.*}}[SYM008]
 // CHECK: help:

@@ -13,5 +13,5 @@ int main() {
   std::printf("%g\n", y);
 }
 
-// CHECK: no_output.cpp:12:{{[0-9]+}}: error: {{.*}}output{{.*}}[SYM{{[0-9]+}}]
+// CHECK: no_output.cpp:12:{{[0-9]+}}: error: {{.*}}output{{.*}}[SYM028]
 // CHECK: help:

@@ -14,5 +14,5 @@ int main(int argc, char **) {
   std::printf("%g\n", y);
 }
 
-// CHECK: not_reached.cpp:11:{{[0-9]+}}: error: {{.*}}[SYM{{[0-9]+}}]
+// CHECK: not_reached.cpp:11:{{[0-9]+}}: error: {{.*}}[SYM009]
 // CHECK: help:

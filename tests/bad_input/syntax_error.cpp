@@ -13,5 +13,5 @@ int main() {
   std::printf("%g\n", y);
 }
 
-// CHECK: syntax_error.cpp:11:{{[0-9]+}}: error: {{.*}}expected ')'{{.*}}[SYM{{[0-9]+}}]
+// CHECK: syntax_error.cpp:11:{{[0-9]+}}: error: {{.*}}expected ')'{{.*}}[SYM020]
 // CHECK: help:

@@ -16,5 +16,5 @@ int main() {
   std::printf("%g\n", amplify(0.5));
 }
 
-// CHECK: undeclared_global.cpp:8:{{[0-9]+}}: error: {{.*}}gain{{.*}}[SYM{{[0-9]+}}]
+// CHECK: undeclared_global.cpp:8:{{[0-9]+}}: error: {{.*}}gain{{.*}}[SYM017]
 // CHECK: help:

@@ -13,5 +13,5 @@ int main() {
   std::printf("%g\n", y);
 }
 
-// CHECK: undeclared_name.cpp:10:{{[0-9]+}}: error: {{.*}}velocity{{.*}}[SYM{{[0-9]+}}]
+// CHECK: undeclared_name.cpp:10:{{[0-9]+}}: error: {{.*}}velocity{{.*}}[SYM023]
 // CHECK: help:

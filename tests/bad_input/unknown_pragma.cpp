@@ -13,5 +13,5 @@ int main() {
   std::printf("%g\n", y);
 }
 
-// CHECK: unknown_pragma.cpp:10:{{[0-9]+}}: error: {{.*}}inputs{{.*}}[SYM{{[0-9]+}}]
+// CHECK: unknown_pragma.cpp:10:{{[0-9]+}}: error: {{.*}}inputs{{.*}}[SYM022]
 // CHECK: help:

@@ -13,5 +13,5 @@ int main() {
   std::printf("%g\n", y);
 }
 
-// CHECK: error: {{.*}}no-such-directory{{.*}}[SYM{{[0-9]+}}]
+// CHECK: error: {{.*}}no-such-directory{{.*}}[SYM001]
 // CHECK: help:

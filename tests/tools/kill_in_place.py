@@ -52,6 +52,8 @@ def check(which, first, last, at):
     assert all(now[name] in (old[name], new[name]) for name in old), "half-written"
     next_run = (["scan", *sources], ["undo"])[at % 2]
     after = run(work, *next_run)
+    if "[SYM104]" in after.stderr:
+        told.append(at)
     if next_run == ["undo"]:  # taken back or undone; nothing to undo where nothing had happened yet
         assert content(work) == old, (at, after)
     else:
@@ -63,6 +65,7 @@ def check(which, first, last, at):
     return True
 
 
+told = []  # the steps after which the next run said that it had something to complete or to take back
 steps = 1
 while fresh() and check(rewrite, old, new, steps):
     steps += 1
@@ -74,4 +77,5 @@ while True:
         break
     undo_steps += 1
 print(f"killed at {steps - 1} steps of a rewrite and {undo_steps - 1} of an undo")
+print("told after", len(told), "of them [SYM104]" if told else "")
 assert steps > 15 and undo_steps > 10
