@@ -23,8 +23,37 @@ struct CompilerError {
   std::string message;
   Place place;
   std::optional<Span> token;
-  std::vector<Note> notes; // macros and instantiations that led there, what else the compiler says to it
+  std::vector<Note> notes;             // macros and instantiations that led there, what else the compiler says to it
+  unsigned id = 0;                     // Clang's
+  std::vector<std::string> names = {}; // and options that it is about
 };
+
+// The arguments of Clang's message that are words of the source or of the command line.
+std::vector<std::string> names_in(clang::Diagnostic const &info) {
+  std::vector<std::string> names;
+  for (unsigned i = 0; i < info.getNumArgs(); ++i) switch (info.getArgKind(i)) {
+    case DiagnosticsEngine::ak_std_string: names.push_back(info.getArgStdStr(i)); break;
+    case DiagnosticsEngine::ak_c_string: names.emplace_back(info.getArgCStr(i)); break;
+    case DiagnosticsEngine::ak_identifierinfo: names.push_back(info.getArgIdentifier(i)->getName().str()); break;
+    case DiagnosticsEngine::ak_declarationname:
+      names.push_back(DeclarationName::getFromOpaqueInteger(info.getRawArg(i)).getAsString());
+      break;
+    case DiagnosticsEngine::ak_nameddecl:
+      names.push_back(reinterpret_cast<NamedDecl const *>(info.getRawArg(i))->getNameAsString());
+      break;
+    default: break;
+    }
+  return names;
+}
+
+bool is_undeclared(unsigned id) {
+  return id == diag::err_undeclared_var_use || id == diag::err_undeclared_var_use_suggest ||
+         id == diag::err_undeclared_use || id == diag::err_undeclared_use_suggest;
+}
+
+bool is_of_parser(unsigned id) {
+  return DiagnosticIDs::getCategoryNameFromID(DiagnosticIDs::getCategoryNumberForDiag(id)) == "Parse Issue";
+}
 
 class ErrorCollector : public DiagnosticConsumer {
 public:
@@ -36,7 +65,7 @@ public:
     if (level == DiagnosticsEngine::Note && follows_error_) return note(info);
     follows_error_ = level >= DiagnosticsEngine::Error;
     if (!follows_error_) return;
-    CompilerError error{text(info), {}, {}, {}};
+    CompilerError error{text(info), {}, {}, {}, info.getID(), names_in(info)};
     if (info.hasSourceManager() && info.getLocation().isValid()) {
       SourceMap const map(info.getSourceManager(), language_, scope_);
       error.place = map.place(info.getLocation());
@@ -195,9 +224,9 @@ void report_pragma_errors(std::vector<CompilerError> const &errors, Facts &facts
     if (!error.token) continue;
     for (auto const &[span, pragma] : facts.pragmas) {
       if (span.file != error.token->file || error.token->begin < span.begin || span.end <= error.token->begin) continue;
-      if (error.message.find("undeclared") != std::string::npos)
+      if (is_undeclared(error.id))
         add(facts, DiagnosticId::pragma_undeclared_name, error.place, error.message);
-      else if (error.message.rfind("expected", 0) == 0)
+      else if (is_of_parser(error.id))
         add(facts, DiagnosticId::pragma_position, pragma.place, "this pragma stands where no statement can stand");
       else
         add(facts, DiagnosticId::pragma_item, error.place, error.message);
@@ -211,16 +240,11 @@ bool leave_out_options(std::vector<CompilerError> const &errors, std::vector<std
   std::size_t const before = flags.size();
   for (CompilerError const &error : errors) {
     if (error.place.line != 0) continue;
-    llvm::StringRef rest = error.message;
-    while (!(rest = rest.split('\'').second).empty()) {
-      auto const [name, next] = rest.split('\'');
-      rest = next;
-      std::erase_if(flags, [&, quoted = name](llvm::StringRef flag) {
-        bool const is_value = flag.starts_with("-") && flag.split('=').second == quoted && !quoted.empty();
-        return is_value ||
-               (quoted.starts_with("-") && (flag == quoted || (quoted.ends_with("=") && flag.starts_with(quoted))));
+    for (llvm::StringRef name : error.names)
+      std::erase_if(flags, [name](llvm::StringRef flag) {
+        bool const is_value = flag.starts_with("-") && flag.split('=').second == name && !name.empty();
+        return is_value || (name.starts_with("-") && (flag == name || (name.ends_with("=") && flag.starts_with(name))));
       });
-    }
   }
   return flags.size() != before;
 }
@@ -230,9 +254,8 @@ bool leave_out_options(std::vector<CompilerError> const &errors, std::vector<std
 bool forget_builtins(std::vector<CompilerError> const &errors, std::vector<std::string> &flags) {
   std::size_t const before = flags.size();
   for (CompilerError const &error : errors) {
-    llvm::StringRef name = error.message;
-    if (!name.consume_front("redefinition of '") || !name.consume_back("' as different kind of symbol")) continue;
-    std::string const flag = "-fno-builtin-" + name.str();
+    if (error.id != diag::err_redefinition_different_kind || error.names.empty()) continue;
+    std::string const flag = "-fno-builtin-" + error.names.front();
     if (std::find(flags.begin(), flags.end(), flag) == flags.end()) flags.push_back(flag);
   }
   return flags.size() != before;
@@ -255,15 +278,16 @@ Parsed parse(Compilation compilation, FileSystem const &disk, Settings const &se
     if (leave_out_options(parsed.errors, compilation.flags) || forget_builtins(parsed.errors, compilation.flags))
       continue;
     if (!done && parsed.errors.empty())
-      parsed.errors.push_back({"the source cannot be parsed", {compilation.source}, {}, {}});
+      parsed.errors.push_back({"the source cannot be parsed", {compilation.source}, {}, {}, 0, {}});
     return parsed;
   }
 }
 
 bool names_real(std::vector<CompilerError> const &errors, std::string const &type_name) {
   return std::any_of(errors.begin(), errors.end(), [&](CompilerError const &error) {
-    return error.message.find("'REAL") != std::string::npos || error.message.find("'SYMREAL_") != std::string::npos ||
-           (!type_name.empty() && error.message.find("'" + type_name + "'") != std::string::npos);
+    return std::any_of(error.names.begin(), error.names.end(), [&](std::string const &name) {
+      return name.starts_with("REAL") || name.starts_with("SYMREAL_") || (!type_name.empty() && name == type_name);
+    });
   });
 }
 
