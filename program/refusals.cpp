@@ -21,7 +21,7 @@ void explain_refusals(std::vector<Diagnostic> &diagnostics, std::vector<rewrite:
   for (Diagnostic &diagnostic : diagnostics) {
     if (diagnostic.id != DiagnosticId::symbolic_decision) continue;
     if (rewrite::Refusal const *refusal = find(diagnostic.place, refusals))
-      diagnostic.notes.insert(diagnostic.notes.begin(), {refusal->token, "not selectable: " + refusal->reason});
+      diagnostic.notes.insert(diagnostic.notes.begin(), {refusal->token, "not selectable: " + words(refusal->reason)});
   }
 }
 

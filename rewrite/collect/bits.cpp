@@ -2,18 +2,16 @@
 // bytes of its value; where only the run can tell, it is asked.
 #include "rewrite/collect/collector.h"
 #include "rewrite/model/byte_functions.h"
+#include "rewrite/model/library.h"
 #include "rewrite/text/pragma_text.h"
 
 namespace symreal::rewrite {
 using namespace clang;
 
 bool moves_bytes(FunctionDecl const *function) {
-  static llvm::StringSet<> const names = {"memcpy", "memmove",         "memset", "memcmp",  "bzero",
-                                          "free",   "realloc",         "qsort",  "bsearch", "calloc",
-                                          "swab",   "operator delete", "fread",  "fwrite"};
   llvm::StringRef name = function->getDeclName().isIdentifier() ? function->getName() : "operator delete";
   if (name.consume_front("__builtin_")) name.consume_back("_chk");
-  return names.contains(name);
+  return (library::function(name) & library::MOVES_BYTES) != 0;
 }
 
 // The address of an object goes to a function outside the roots that takes any.

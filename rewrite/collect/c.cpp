@@ -1,5 +1,6 @@
 // What C allows and C++ does not, beyond what a cast can make good.
 #include "rewrite/collect/collector.h"
+#include "rewrite/model/library.h"
 #include "rewrite/source/keyword_names.h"
 #include "rewrite/text/pragma_text.h"
 
@@ -87,8 +88,8 @@ void Collector::c_call(CallExpr const *call) {
            "a function that is declared without parameters is called with arguments");
 }
 
-// A mathematical function of C takes a double, and abs an int: C++ has others besides, for what stands there. A builtin
-// is of C, and becomes the function of C++.
+// A mathematical function of C takes a double, and abs an int: C++ has others besides, for what stands there. A
+// builtin is of C, and becomes the function of C++.
 void Collector::c_arguments(CallExpr const *call) {
   FunctionDecl const *function = call->getDirectCallee();
   if (!function || !function->getIdentifier()) return;
@@ -131,11 +132,9 @@ void Collector::c_choice(ConditionalOperator const *choice) {
 
 // What takes a pointer to const in C++ gives one.
 void Collector::c_search(CallExpr const *call) {
-  static llvm::StringSet<> const searches = {"memchr", "strchr",  "strrchr", "strstr",  "strpbrk",
-                                             "wcschr", "wcsrchr", "wcsstr",  "wcspbrk", "wmemchr"};
   FunctionDecl const *function = call->getDirectCallee();
   if (map_.language().CPlusPlus || !function || reals_.in_roots(function) || !function->getIdentifier()) return;
-  if (!searches.contains(function->getName())) return;
+  if ((library::function(function->getName()) & library::SEARCHES) == 0) return;
   Expr const *searched = call->getArg(0);
   QualType const pointee = as_pointer(searched)->getType()->getPointeeType();
   bool const is_literal = isa<StringLiteral>(searched->IgnoreParenImpCasts()); // whose characters are const in C++ only

@@ -1,22 +1,12 @@
 // errno, and the flags and modes of floating-point arithmetic: what a kernel may ask or tell beside its numbers.
 #include "rewrite/collect/collector.h"
+#include "rewrite/model/library.h"
 #include "rewrite/text/pragma_text.h"
 
 namespace symreal::rewrite {
 using namespace clang;
 
 namespace {
-
-// What the function does with the floating-point environment; empty for any other function.
-llvm::StringRef effect(llvm::StringRef function) {
-  static llvm::StringMap<char const *> const known = {
-#define FUNCTION(name, what) {#name, what},
-#include "rewrite/collect/environment.def"
-#undef FUNCTION
-  };
-  auto const found = known.find(function);
-  return found == known.end() ? "" : found->second;
-}
 
 // `errno` is what a function of the C library points to.
 bool is_error_number(Expr const *expression) {
@@ -25,8 +15,7 @@ bool is_error_number(Expr const *expression) {
   auto const *call = dyn_cast<CallExpr>(target->getSubExpr()->IgnoreParenImpCasts());
   FunctionDecl const *function = call ? call->getDirectCallee() : nullptr;
   if (!function || !function->getDeclName().isIdentifier()) return false;
-  static llvm::StringSet<> const names = {"__errno_location", "__error", "__errno", "_errno", "___errno"};
-  return names.contains(function->getName());
+  return (library::function(function->getName()) & library::ERROR_NUMBER) != 0;
 }
 
 } // namespace
@@ -50,7 +39,7 @@ void Collector::environment_of_call(CallExpr const *call) {
   FunctionDecl const *function = call->getDirectCallee();
   if (!function || !function->getDeclName().isIdentifier() || reals_.in_roots(function)) return;
   std::string const name = function->getName().str();
-  if (llvm::StringRef const what = effect(name); !what.empty())
+  if (llvm::StringRef const what = library::environment_effect(name); !what.empty())
     environment(call, "environment", name + ", which " + what.str());
 }
 

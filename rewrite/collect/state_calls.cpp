@@ -1,6 +1,7 @@
 // Whole objects that may outlive a kernel and that are given to code that is not rewritten: what it reads and changes
 // there is noted where they are given.
 #include "rewrite/collect/collector.h"
+#include "rewrite/model/library.h"
 
 namespace symreal::rewrite {
 using namespace clang;
@@ -34,8 +35,7 @@ Effect effect(CXXMethodDecl const *method) {
 
 // Functions of <algorithm> and <numeric> that only write to the range they are given.
 bool only_writes(FunctionDecl const *function) {
-  static llvm::StringSet<> const names = {"fill", "fill_n", "iota", "generate", "generate_n", "uninitialized_fill"};
-  return function->isInStdNamespace() && names.contains(name_of(function));
+  return function->isInStdNamespace() && (library::function(name_of(function)) & library::ONLY_WRITES) != 0;
 }
 
 // v.begin() or a pointer's own container, as the argument of such a function.

@@ -35,7 +35,7 @@ void refuse_quoted(Facts const &facts, DecisionFact &fact) {
   for (Alteration const &one : fact.alterations) {
     if (!meets(facts.quoted, one.span)) continue;
     Place const place = place_in(facts.files.at(one.span.file), one.span.begin);
-    fact.refusals.push_back({place, place.line, "an argument that a macro turns into text", place});
+    fact.refusals.push_back({place, place.line, {ReasonId::quoted}, place});
     return;
   }
 }

@@ -29,7 +29,7 @@ void add_refusals(std::vector<Refusal> &refusals, std::vector<Refusal> const &ot
 void merge_decision(DecisionFact &decision, DecisionFact &&other) {
   if (!decision.alterations.empty() && !other.alterations.empty() && decision.alterations != other.alterations)
     for (Refusal refusal : other.uses) {
-      refusal.reason = "that it reads differently in another source";
+      refusal.reason = {ReasonId::differs_elsewhere};
       add_refusals(decision.refusals, {refusal});
     }
   add_refusals(decision.refusals, other.refusals);

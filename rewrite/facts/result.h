@@ -1,6 +1,7 @@
 // What the rewriter gives: the rewritten files, and what it learned about the program that they make.
 #pragma once
 
+#include "rewrite/facts/reason.h"
 #include "rewrite/facts/signature.h"
 #include "rewrite/request/request.h"
 
@@ -110,7 +111,7 @@ struct DecidingText {
 struct Refusal {
   Place condition;        // where the condition begins
   unsigned last_line = 0; // of the condition
-  std::string reason;     // "because of ..."
+  Reason reason;          // "because of ..."
   Place token;            // what is in the way
 };
 
@@ -119,7 +120,7 @@ struct Decision {
   Place place;
   std::string kind; // if, ?:, for, while, do
   bool selectable;
-  std::string reason = {};
+  Reason reason = {};
   Place token = {};
 };
 

@@ -1,5 +1,6 @@
 #include "rewrite/model/conditions.h"
 
+#include "rewrite/model/library.h"
 #include "rewrite/source/walk.h"
 
 namespace symreal::rewrite {
@@ -111,10 +112,8 @@ bool asks_of_real(CallExpr const *call, Reals const &reals) {
   llvm::StringRef name = function->getName();
   name.consume_front("__builtin_");
   name.consume_front("__");
-  static llvm::StringSet<> const comparisons = {"isgreater",   "isgreaterequal", "isless",
-                                                "islessequal", "islessgreater",  "isunordered"};
   if (!name.starts_with("isnan") && !name.starts_with("isinf") && !name.starts_with("isfinite") &&
-      !comparisons.contains(name))
+      (library::function(name) & library::COMPARES) == 0)
     return false;
   return llvm::any_of(call->arguments(),
                       [&](Expr const *argument) { return reals.is_real(argument->IgnoreParenImpCasts()); });
@@ -168,13 +167,12 @@ Conditions::Kind Conditions::visit(Expr const *expression, Condition &result) co
   if (auto const *unary = dyn_cast<UnaryOperator>(expression); unary && unary->getOpcode() == UO_LNot) {
     Kind const kind = visit(unary->getSubExpr(), result);
     if (kind == Kind::truth_of_real && !result.blocker)
-      result.blocker = {unary->getOperatorLoc(), "'!' of a number; write `x == 0`"};
+      result.blocker = {unary->getOperatorLoc(), {ReasonId::not_of_number}};
     return kind;
   }
   if (!mentions_comparison(expression)) return Kind::plain;
   result.is_real = true;
-  if (!result.blocker)
-    result.blocker = {expression->getExprLoc(), "a condition that is more than comparisons joined by &&, || and !"};
+  if (!result.blocker) result.blocker = {expression->getExprLoc(), {ReasonId::more_than_comparisons}};
   return Kind::plain;
 }
 
@@ -184,25 +182,23 @@ Conditions::Kind Conditions::visit_joint(BinaryOperator const *joint, Condition 
   if (a == Kind::plain && b == Kind::plain) return Kind::plain;
   Kind const joined = a == Kind::real && b == Kind::real ? Kind::real : Kind::mixed;
   std::string const name = "'" + joint->getOpcodeStr().str() + "'";
-  auto const block = [&](std::string reason) {
+  auto const block = [&](Reason reason) {
     if (!result.blocker) result.blocker = {joint->getOperatorLoc(), std::move(reason)};
     return joined;
   };
-  if (a == Kind::truth_of_real || b == Kind::truth_of_real)
-    return block(name + " of a number that stands for a truth value; compare it with 0");
+  if (a == Kind::truth_of_real || b == Kind::truth_of_real) return block({ReasonId::joined_number, name});
   for (Expr const *operand : {left, right})
-    if (!binds_tighter(operand) || !is_truth_value(bare(operand)))
-      return block(name + " of something that is no comparison");
+    if (!binds_tighter(operand) || !is_truth_value(bare(operand))) return block({ReasonId::joined_other, name});
   Harmless harmless(reals_, a == Kind::real);
   harmless.TraverseStmt(const_cast<Expr *>(right));
-  if (!harmless.ok) return block("the right side of " + name + ", which must not be evaluated early");
+  if (!harmless.ok) return block({ReasonId::right_side, name});
   std::optional<Span> const token = map_.token(joint->getOperatorLoc());
-  if (!token) return block(name + " made by a macro");
+  if (!token) return block({ReasonId::joint_by_macro, name});
   // `&` and `|` bind tighter than the `&&` and `||` that stay in a plain operand.
   for (auto const &[operand, kind] : {std::pair(left, a), std::pair(right, b)}) {
     if (kind != Kind::plain || !is_bare_joint(operand)) continue;
     std::optional<Span> const whole = map_.range(operand->getSourceRange());
-    if (!whole) return block(name + " of truth values that a macro joins");
+    if (!whole) return block({ReasonId::joined_by_macro, name});
     result.joints.push_back({*whole, "SYMREAL_REAL_PLAIN(", ")"});
   }
   result.joints.push_back({*token, joint->getOpcode() == BO_LAnd ? "SYMREAL_REAL_AND" : "SYMREAL_REAL_OR", "", true});

@@ -14,7 +14,7 @@ namespace symreal::rewrite {
 // What is in the way of a select, at its token.
 struct Blocker {
   clang::SourceLocation location;
-  std::string reason;
+  Reason reason;
 };
 
 // Comparisons of REALs, joined by &&, || and !, possibly with plain truth values.

@@ -1,6 +1,7 @@
 // Walks the syntax tree within the roots and knows of each part what it stands in.
 #pragma once
 
+#include "rewrite/model/library.h"
 #include "rewrite/model/reals.h"
 #include "rewrite/source/clang.h"
 #include "rewrite/source/source_map.h"
@@ -134,13 +135,11 @@ protected:
 
 private:
   static bool is_allocation(clang::FunctionDecl const *function) {
-    static llvm::StringSet<> const names = {"malloc",        "calloc",         "realloc",  "free",
-                                            "aligned_alloc", "posix_memalign", "memalign", "reallocarray"};
     clang::OverloadedOperatorKind const kind = function->getOverloadedOperator();
     if (kind == clang::OO_New || kind == clang::OO_Delete || kind == clang::OO_Array_New ||
         kind == clang::OO_Array_Delete)
       return true;
-    return function->isExternC() && names.contains(function->getName());
+    return function->isExternC() && (library::function(function->getName()) & library::ALLOCATES) != 0;
   }
 };
 

@@ -1,5 +1,6 @@
 #include "rewrite/model/integer_state.h"
 
+#include "rewrite/model/library.h"
 #include "rewrite/source/walk.h"
 
 namespace symreal::rewrite {
@@ -62,9 +63,8 @@ private:
 };
 
 bool is_container(ClassTemplateSpecializationDecl const *record) {
-  static llvm::StringSet<> const names = {"vector", "array", "valarray", "deque",    "list",
-                                          "map",    "pair",  "tuple",    "optional", "unordered_map"};
-  return record->isInStdNamespace() && record->getIdentifier() && names.contains(record->getName());
+  return record->isInStdNamespace() && record->getIdentifier() &&
+         (library::class_in("std", record->getName()) & library::OWNS_INTEGERS) != 0;
 }
 
 bool is_text(QualType type) {

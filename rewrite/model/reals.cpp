@@ -1,6 +1,7 @@
 #include "rewrite/model/reals.h"
 
 #include "ops/operation.h"
+#include "rewrite/model/library.h"
 #include "rewrite/source/walk.h"
 
 namespace symreal::rewrite {
@@ -85,11 +86,7 @@ bool Reals::is_passive_class(QualType type) {
 bool Reals::is_math_name(llvm::StringRef name) {
   // The calls of the operation table, under both their names, and what the runtime builds from them.
   static llvm::StringSet<> const names = [] {
-    llvm::StringSet<> known = {"fpclassify",  "frexp",  "ilogb",       "isfinite",      "isgreater", "isgreaterequal",
-                               "isinf",       "isless", "islessequal", "islessgreater", "isnan",     "isnormal",
-                               "isunordered", "ldexp",  "llrint",      "llround",       "logb",      "lrint",
-                               "lround",      "modf",   "nearbyint",   "nextafter",     "remquo",    "scalbn",
-                               "signbit",     "sincos"};
+    llvm::StringSet<> known;
     for (OperationInfo const &operation : operations())
       if (operation.form == Form::call)
         for (std::string_view call : {operation.name, operation.c}) known.insert(llvm::StringRef(call));
@@ -97,7 +94,7 @@ bool Reals::is_math_name(llvm::StringRef name) {
   }();
   name.consume_front("__builtin_");
   if (name.starts_with("__")) name = name.drop_front(2).take_until([](char c) { return c == '_'; }); // __isnan of glibc
-  return names.contains(name) || name == "isinf_sign";
+  return names.contains(name) || (library::function(name) & library::MATH) != 0 || name == "isinf_sign";
 }
 
 bool Reals::is_declared_math(FunctionDecl const *function) {

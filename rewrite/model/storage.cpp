@@ -1,5 +1,7 @@
 #include "rewrite/model/storage.h"
 
+#include "rewrite/model/library.h"
+
 namespace symreal::rewrite {
 using namespace clang;
 
@@ -13,6 +15,12 @@ llvm::StringRef name_in(QualType type, llvm::StringRef space) {
   return scope && scope->getName() == space ? record->getName() : llvm::StringRef();
 }
 
+bool has(QualType type, unsigned wanted) {
+  for (llvm::StringRef scope : {"std", "Eigen"})
+    if ((library::class_in(scope, name_in(type, scope)) & wanted) != 0) return true;
+  return false;
+}
+
 // The object that a call is made on, if it is a member's.
 Expr const *object_of(CallExpr const *call) {
   if (auto const *member = dyn_cast<CXXMemberCallExpr>(call)) return member->getImplicitObjectArgument();
@@ -22,8 +30,8 @@ Expr const *object_of(CallExpr const *call) {
 
 // Does the function return one of its arguments?
 bool selects_argument(FunctionDecl const *function) {
-  static llvm::StringSet<> const names = {"max", "min", "clamp", "move", "forward", "as_const"};
-  return function->isInStdNamespace() && function->getDeclName().isIdentifier() && names.contains(function->getName());
+  return function->isInStdNamespace() && function->getDeclName().isIdentifier() &&
+         (library::function(function->getName()) & library::GIVES_ARGUMENT) != 0;
 }
 
 } // namespace
@@ -42,21 +50,10 @@ Expr const *spelled_expression(Expr const *expression) {
   }
 }
 
-bool Storage::is_view(QualType type) {
-  static llvm::StringSet<> const eigen = {"Map",       "Ref",          "Block",        "VectorBlock",
-                                          "Transpose", "Diagonal",     "Reshaped",     "IndexedView",
-                                          "Reverse",   "ArrayWrapper", "MatrixWrapper"};
-  return eigen.contains(name_in(type, "Eigen")) || name_in(type, "std") == "span";
-}
+bool Storage::is_view(QualType type) { return has(type, library::VIEW); }
 
 // A container of a library that holds its elements itself.
-bool Storage::owns_elements(QualType type) const {
-  static llvm::StringSet<> const eigen = {"Matrix",      "Array",     "Quaternion",     "Transform",
-                                          "Translation", "AngleAxis", "DiagonalMatrix", "Rotation2D"};
-  static llvm::StringSet<> const standard = {"vector", "array", "valarray", "deque",         "list",
-                                             "map",    "pair",  "tuple",    "unordered_map", "complex"};
-  return eigen.contains(name_in(type, "Eigen")) || standard.contains(name_in(type, "std"));
-}
+bool Storage::owns_elements(QualType type) const { return has(type, library::OWNS_ELEMENTS); }
 
 Expr const *Storage::base(Expr const *expression) {
   while (true) {

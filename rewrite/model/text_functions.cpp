@@ -1,5 +1,7 @@
 #include "rewrite/model/text_functions.h"
 
+#include "rewrite/model/library.h"
+
 namespace symreal::rewrite {
 using namespace clang;
 
@@ -31,34 +33,24 @@ bool is_file(QualType type) {
 } // namespace
 
 TextUse text_use(FunctionDecl const *function) {
-  static llvm::StringMap<TextUse> const known = {
-#define MEMORY(name) {#name, TextUse::memory},
-#define OUTSIDE(name) {#name, TextUse::outside},
-#define READER(name) {#name, TextUse::reader},
-#include "rewrite/model/text_functions.def"
-  };
   if (isa<CXXMethodDecl>(function)) return TextUse::none;
   llvm::StringRef name = name_of(function);
   name.consume_front("__builtin_");
-  auto const found = known.find(name);
-  return found == known.end() ? TextUse::none : found->second;
+  unsigned const traits = library::function(name);
+  if ((traits & library::TEXT_TO_MEMORY) != 0) return TextUse::memory;
+  if ((traits & library::TEXT_TO_FILE) != 0) return TextUse::outside;
+  return (traits & library::READS_TEXT) != 0 ? TextUse::reader : TextUse::none;
 }
 
 bool reads_its_text(CXXMethodDecl const *method) {
-  static llvm::StringSet<> const names = {
-#define MEMBER(name) #name,
-#include "rewrite/model/text_functions.def"
-  };
-  return names.contains(name_of(method)) &&
+  return (library::method(name_of(method)) & library::READS_ITS_TEXT) != 0 &&
          is_standard(method->getParent(), {"basic_string", "basic_string_view", "basic_istream", "basic_ostream"});
 }
 
 bool compares_keys(CXXMethodDecl const *method) {
-  static llvm::StringSet<> const names = {
-#define KEYED(name) #name,
-#include "rewrite/model/text_functions.def"
-  };
-  if (!names.contains(name_of(method)) && method->getOverloadedOperator() != OO_Subscript) return false;
+  if ((library::method(name_of(method)) & library::COMPARES_KEYS) == 0 &&
+      method->getOverloadedOperator() != OO_Subscript)
+    return false;
   return is_standard(method->getParent(), {"map", "multimap", "set", "multiset", "unordered_map", "unordered_multimap",
                                            "unordered_set", "unordered_multiset"});
 }

@@ -1,4 +1,4 @@
-// What functions of the library do with text (text_functions.def).
+// What functions of the library do with text (library.def).
 #pragma once
 
 #include "rewrite/source/clang.h"

@@ -1,3 +1,4 @@
+#include "rewrite/model/library.h"
 #include "rewrite/select/arm_walker.h"
 
 namespace symreal::rewrite {
@@ -5,7 +6,7 @@ using namespace clang;
 
 void ArmWalker::expression(Expr const *expression) {
   if (!expression || blocked()) return;
-  if (expression->getType().isVolatileQualified()) return block(expression->getExprLoc(), "a volatile object");
+  if (expression->getType().isVolatileQualified()) return block(expression->getExprLoc(), {ReasonId::volatile_object});
   switch (expression->getStmtClass()) {
   case Stmt::CallExprClass:
   case Stmt::CXXMemberCallExprClass:
@@ -22,15 +23,15 @@ void ArmWalker::expression(Expr const *expression) {
   }
   case Stmt::CXXDefaultArgExprClass: return this->expression(cast<CXXDefaultArgExpr>(expression)->getExpr());
   case Stmt::CXXDefaultInitExprClass: return this->expression(cast<CXXDefaultInitExpr>(expression)->getExpr());
-  case Stmt::CXXThrowExprClass: return block(expression->getExprLoc(), "'throw'");
-  case Stmt::CXXNewExprClass: return block(expression->getExprLoc(), "'new'");
-  case Stmt::CXXDeleteExprClass: return block(expression->getExprLoc(), "'delete'");
-  case Stmt::LambdaExprClass: return block(expression->getExprLoc(), "a lambda");
-  case Stmt::StmtExprClass: return block(expression->getExprLoc(), "a statement expression");
-  case Stmt::VAArgExprClass: return block(expression->getExprLoc(), "va_arg");
+  case Stmt::CXXThrowExprClass: return block(expression->getExprLoc(), {ReasonId::throws});
+  case Stmt::CXXNewExprClass: return block(expression->getExprLoc(), {ReasonId::makes_new});
+  case Stmt::CXXDeleteExprClass: return block(expression->getExprLoc(), {ReasonId::deletes});
+  case Stmt::LambdaExprClass: return block(expression->getExprLoc(), {ReasonId::lambda});
+  case Stmt::StmtExprClass: return block(expression->getExprLoc(), {ReasonId::statement_expression});
+  case Stmt::VAArgExprClass: return block(expression->getExprLoc(), {ReasonId::variable_arguments});
   case Stmt::UnaryExprOrTypeTraitExprClass:
   case Stmt::CXXNoexceptExprClass: return; // not evaluated
-  case Stmt::CXXBindTemporaryExprClass: return block(expression->getExprLoc(), "an object with a destructor");
+  case Stmt::CXXBindTemporaryExprClass: return block(expression->getExprLoc(), {ReasonId::destructor});
   // What computes nothing but from its parts.
   case Stmt::ParenExprClass:
   case Stmt::ImplicitCastExprClass:
@@ -67,8 +68,7 @@ void ArmWalker::expression(Expr const *expression) {
     for (Stmt const *part : expression->children())
       if (auto const *inner = dyn_cast_or_null<Expr>(part)) this->expression(inner);
     return;
-  default:
-    return block(expression->getExprLoc(), std::string("an expression of the kind ") + expression->getStmtClassName());
+  default: return block(expression->getExprLoc(), {ReasonId::expression_kind, expression->getStmtClassName()});
   }
 }
 
@@ -90,7 +90,7 @@ void ArmWalker::math_call(CallExpr const *call) {
     else if (address && address->getOpcode() == UO_AddrOf)
       assignment(address->getSubExpr());
     else
-      block(argument->getExprLoc(), "a pointer through which a number is written");
+      block(argument->getExprLoc(), {ReasonId::written_through_pointer});
   }
 }
 
@@ -122,10 +122,10 @@ bool ArmWalker::library_call(CallExpr const *call, FunctionDecl const *function)
   OverloadedOperatorKind const op = function->getOverloadedOperator();
   bool const assigns = numbers && (op == OO_Equal || op == OO_PlusEqual || op == OO_MinusEqual || op == OO_StarEqual ||
                                    op == OO_SlashEqual);
-  static llvm::StringSet<> const views = {"x", "y", "z", "w", "front", "back", "size", "begin", "end", "data"};
-  bool const looks = op == OO_Subscript || (op == OO_Call && numbers) ||
-                     (function->getDeclName().isIdentifier() && views.contains(function->getName())) ||
-                     (numbers && (!method || method->isConst() || method->isStatic()));
+  bool const looks =
+      op == OO_Subscript || (op == OO_Call && numbers) ||
+      (function->getDeclName().isIdentifier() && (library::method(function->getName()) & library::VIEWS) != 0) ||
+      (numbers && (!method || method->isConst() || method->isStatic()));
   if (!assigns && !looks) return false;
   if (auto const *member = dyn_cast<CXXMemberCallExpr>(call)) expression(member->getImplicitObjectArgument());
   for (unsigned i = 0; i < call->getNumArgs(); ++i)
@@ -136,7 +136,7 @@ bool ArmWalker::library_call(CallExpr const *call, FunctionDecl const *function)
 
 void ArmWalker::call(CallExpr const *call) {
   FunctionDecl const *function = call->getDirectCallee();
-  if (!function) return block(call->getExprLoc(), "a call through a pointer");
+  if (!function) return block(call->getExprLoc(), {ReasonId::call_by_pointer});
   if (analysis_.reals_.is_math(function)) return math_call(call);
   if (library_call(call, function)) return;
   // The assignment that the compiler wrote: member by member.
@@ -148,7 +148,7 @@ void ArmWalker::call(CallExpr const *call) {
   if (auto const *member = dyn_cast<CXXMemberCallExpr>(call)) expression(member->getImplicitObjectArgument());
   for (Expr const *argument : call->arguments()) expression(argument);
   if (blocked()) return;
-  if (std::optional<std::string> const why = analysis_.call_of(function)) block(call->getExprLoc(), *why);
+  if (std::optional<Reason> const why = analysis_.call_of(function)) block(call->getExprLoc(), *why);
 }
 
 void ArmWalker::construction(CXXConstructExpr const *construction) {
@@ -156,7 +156,7 @@ void ArmWalker::construction(CXXConstructExpr const *construction) {
   CXXConstructorDecl const *constructor = construction->getConstructor();
   if (blocked() || constructor->isTrivial() || constructor->isDefaulted() || is_number_array(constructor->getParent()))
     return;
-  if (std::optional<std::string> const why = analysis_.call_of(constructor)) block(construction->getExprLoc(), *why);
+  if (std::optional<Reason> const why = analysis_.call_of(constructor)) block(construction->getExprLoc(), *why);
 }
 
 } // namespace symreal::rewrite

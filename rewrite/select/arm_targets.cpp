@@ -124,12 +124,12 @@ bool ArmWalker::index_is_fixed(Expr const *target) {
     } else if (Expr const *whole = whole_of(at)) {
       next = whole;
     } else {
-      block(at->getExprLoc(), "an assignment to what " + words(at) + " leads to");
+      block(at->getExprLoc(), {ReasonId::assigned_through_pointer, words(at)});
       return false;
     }
     for (Expr const *index : indices) {
       if (analysis_.conditions_.mentions_real(index)) {
-        block(index->getExprLoc(), "an index that depends on a REAL");
+        block(index->getExprLoc(), {ReasonId::real_index});
         return false;
       }
       expression(index);
@@ -152,17 +152,16 @@ void ArmWalker::assignment(Expr const *target) {
     return;
   }
   SourceLocation const place = target->getExprLoc();
-  if (target->getType().isVolatileQualified()) return block(place, "an assignment to a volatile object");
-  if (scope_ == Scope::body) return block(place, "an assignment to " + words(target) + ", which is not its own");
+  if (target->getType().isVolatileQualified()) return block(place, {ReasonId::assigned_volatile});
+  if (scope_ == Scope::body) return block(place, {ReasonId::assigned_not_own, words(target)});
   VarDecl const *variable = home(target);
-  if (variable && own_.count(variable) != 0)
-    return block(place, "an assignment through " + words(target) + ", a reference of the arm");
+  if (variable && own_.count(variable) != 0) return block(place, {ReasonId::assigned_reference, words(target)});
   auto const *reference = dyn_cast<DeclRefExpr>(target);
   auto const *integer = reference ? dyn_cast<VarDecl>(reference->getDecl()) : nullptr;
   if (integer && analysis_.reals_.is_symbolic_integer(integer)) return add_target(target);
   if (Reals::is_double(target->getType()) ? !analysis_.reals_.is_real(target)
                                           : !only_reals(target->getType(), analysis_.reals_))
-    return block(place, "an assignment to " + words(target) + ", which is no REAL");
+    return block(place, {ReasonId::assigned_no_real, words(target)});
   if (index_is_fixed(target)) add_target(target);
 }
 
@@ -171,11 +170,11 @@ void ArmWalker::add_target(Expr const *target) {
   if (mentions_own(target)) {
     Expr const *whole = without_own_indices(target);
     if (!whole || !only_reals(whole->getType(), analysis_.reals_))
-      return block(place, "an assignment to " + words(target) + ", which depends on a variable of the arm");
+      return block(place, {ReasonId::assigned_by_own, words(target)});
     target = whole;
   }
   std::optional<Span> const span = analysis_.map_.range_in(allowed_.frame, target->getSourceRange());
-  if (!span) return block(place, "an assignment to what another macro spells");
+  if (!span) return block(place, {ReasonId::assigned_by_macro});
   std::string const text = with_real(normalised(analysis_.map_.text_in(allowed_.frame, *span)));
   for (std::string const &known : result.targets)
     if (known == text) return;

@@ -5,7 +5,7 @@
 namespace symreal::rewrite {
 using namespace clang;
 
-void ArmWalker::block(SourceLocation location, std::string reason) {
+void ArmWalker::block(SourceLocation location, Reason reason) {
   if (!blocked()) result.blocker = {location, std::move(reason)};
 }
 
@@ -48,7 +48,7 @@ void ArmWalker::statement(Stmt const *statement, bool is_last) {
   case Stmt::SwitchStmtClass: {
     auto const *choice = cast<SwitchStmt>(statement);
     if (choice->getInit() || choice->getConditionVariable())
-      return block(choice->getBeginLoc(), "a declaration in 'switch'");
+      return block(choice->getBeginLoc(), {ReasonId::declaration_in_switch});
     expression(choice->getCond());
     ++loops_; // a `break` ends it
     this->statement(choice->getBody(), false);
@@ -59,29 +59,26 @@ void ArmWalker::statement(Stmt const *statement, bool is_last) {
   case Stmt::DefaultStmtClass: return this->statement(cast<SwitchCase>(statement)->getSubStmt(), is_last);
   case Stmt::ReturnStmtClass: {
     auto const *value = cast<ReturnStmt>(statement)->getRetValue();
-    if (scope_ == Scope::arm && !allowed_.returns) return block(statement->getBeginLoc(), "'return'");
-    if (scope_ == Scope::arm && !is_last)
-      return block(statement->getBeginLoc(), "a 'return' that is not the last statement of its arm");
+    if (scope_ == Scope::arm && !allowed_.returns) return block(statement->getBeginLoc(), {ReasonId::returns});
+    if (scope_ == Scope::arm && !is_last) return block(statement->getBeginLoc(), {ReasonId::early_return});
     result.returns = true;
     if (value) expression(value);
     return;
   }
-  case Stmt::BreakStmtClass:
-    return jump(statement, "'break'; #pragma symreal loop(N) before the loop makes it an exit");
-  case Stmt::ContinueStmtClass: return jump(statement, "'continue'");
+  case Stmt::BreakStmtClass: return jump(statement, {ReasonId::breaks});
+  case Stmt::ContinueStmtClass: return jump(statement, {ReasonId::continues});
   case Stmt::GotoStmtClass:
-  case Stmt::IndirectGotoStmtClass: return block(statement->getBeginLoc(), "'goto'");
-  case Stmt::LabelStmtClass: return block(statement->getBeginLoc(), "a label");
+  case Stmt::IndirectGotoStmtClass: return block(statement->getBeginLoc(), {ReasonId::jumps});
+  case Stmt::LabelStmtClass: return block(statement->getBeginLoc(), {ReasonId::label});
   case Stmt::GCCAsmStmtClass:
-  case Stmt::MSAsmStmtClass: return block(statement->getBeginLoc(), "assembly");
-  case Stmt::CXXTryStmtClass: return block(statement->getBeginLoc(), "'try'");
-  default:
-    return block(statement->getBeginLoc(), std::string("a statement of the kind ") + statement->getStmtClassName());
+  case Stmt::MSAsmStmtClass: return block(statement->getBeginLoc(), {ReasonId::assembly});
+  case Stmt::CXXTryStmtClass: return block(statement->getBeginLoc(), {ReasonId::tries});
+  default: return block(statement->getBeginLoc(), {ReasonId::statement_kind, statement->getStmtClassName()});
   }
 }
 
-void ArmWalker::jump(Stmt const *jump, char const *name) {
-  if (loops_ == 0) block(jump->getBeginLoc(), name);
+void ArmWalker::jump(Stmt const *jump, Reason reason) {
+  if (loops_ == 0) block(jump->getBeginLoc(), std::move(reason));
 }
 
 void ArmWalker::declaration(DeclStmt const *statement) {
@@ -90,25 +87,25 @@ void ArmWalker::declaration(DeclStmt const *statement) {
 }
 
 void ArmWalker::variable(VarDecl const *variable) {
-  if (variable->getType().isVolatileQualified()) return block(variable->getLocation(), "a volatile variable");
+  if (variable->getType().isVolatileQualified()) return block(variable->getLocation(), {ReasonId::volatile_variable});
   if (variable->isStaticLocal()) {
     if (!variable->isConstexpr() && !analysis_.reals_.is_passive(variable) && !variable->getType().isConstQualified())
-      block(variable->getLocation(), "a static variable");
+      block(variable->getLocation(), {ReasonId::static_variable});
     return;
   }
   if (variable->hasLocalStorage()) own(variable);
   if (variable->needsDestruction(variable->getASTContext()) != QualType::DK_none)
-    return block(variable->getLocation(), "an object with a destructor");
+    return block(variable->getLocation(), {ReasonId::destructor});
   if (variable->getInit()) expression(variable->getInit());
 }
 
 void ArmWalker::loop(Stmt const *loop, Expr const *condition, Stmt const *body) {
   bool const bounded = analysis_.bounded_loops.count(loop) != 0;
   if (condition && !bounded && analysis_.conditions_.mentions_comparison(condition))
-    return block(loop->getBeginLoc(), "a loop that ends on a REAL");
+    return block(loop->getBeginLoc(), {ReasonId::loop_on_real});
   bool always = false;
   bool const never_ends = !condition || (condition->EvaluateAsBooleanCondition(always, analysis_.context()) && always);
-  if (scope_ == Scope::body && never_ends && !bounded) block(loop->getBeginLoc(), "a loop that only a jump ends");
+  if (scope_ == Scope::body && never_ends && !bounded) block(loop->getBeginLoc(), {ReasonId::endless_loop});
   if (condition) expression(condition);
   ++loops_;
   statement(body, false);
@@ -200,22 +197,22 @@ std::optional<Blocker> ArmAnalysis::body(FunctionDecl const *function, Part part
   return std::move(walker.result.blocker);
 }
 
-std::optional<std::string> ArmAnalysis::call_of(FunctionDecl const *function) {
+std::optional<Reason> ArmAnalysis::call_of(FunctionDecl const *function) {
   std::string const name = "'" + function->getNameAsString() + "'";
   FunctionDecl const *definition = nullptr;
   if (auto const *method = dyn_cast<CXXMethodDecl>(function);
       method && method->isVirtual() && !method->hasAttr<FinalAttr>())
-    return "a virtual call of " + name;
+    return Reason{ReasonId::virtual_call, name};
   if (function->isDefaulted() && function->isTrivial()) return std::nullopt;
-  if (!function->hasBody(definition)) return "a call of " + name + ", whose body is not seen here";
-  std::string const itself = "a call of " + name + ", which calls itself";
+  if (!function->hasBody(definition)) return Reason{ReasonId::unseen_call, name};
+  Reason const itself{ReasonId::recursive_call, name};
   auto const [at, is_new] = known_.try_emplace(definition, itself);
   if (!is_new) return at->second;
-  std::optional<std::string> why;
+  std::optional<Reason> why;
   if (std::optional<Blocker> const blocker = body(definition))
-    why = blocker->reason == itself ? itself
-                                    : "a call of " + name + ", which has " + blocker->reason + " (" +
-                                          to_string(map_.place(blocker->location)) + ")";
+    why = blocker->reason == itself
+              ? itself
+              : Reason{ReasonId::call_with, name, {blocker->reason}, map_.place(blocker->location)};
   known_[definition] = why;
   return why;
 }

@@ -28,13 +28,13 @@ public:
 
 private:
   bool blocked() const { return result.blocker.has_value(); }
-  void block(clang::SourceLocation location, std::string reason);
+  void block(clang::SourceLocation location, Reason reason);
 
   void declaration(clang::DeclStmt const *statement);
   void variable(clang::VarDecl const *variable);
   void loop(clang::Stmt const *loop, clang::Expr const *condition, clang::Stmt const *body);
   void choice(clang::IfStmt const *choice, bool is_last);
-  void jump(clang::Stmt const *jump, char const *name);
+  void jump(clang::Stmt const *jump, Reason reason);
 
   void call(clang::CallExpr const *call);
   bool library_call(clang::CallExpr const *call, clang::FunctionDecl const *function);

@@ -47,7 +47,7 @@ public:
 private:
   friend class ArmWalker;
   // Why a call of the function blocks; nothing if it does not.
-  std::optional<std::string> call_of(clang::FunctionDecl const *function);
+  std::optional<Reason> call_of(clang::FunctionDecl const *function);
 
   clang::ASTContext const &context() const { return context_; }
 
@@ -55,7 +55,7 @@ private:
   SourceMap const &map_;
   Reals const &reals_;
   Conditions const &conditions_;
-  std::map<clang::FunctionDecl const *, std::optional<std::string>> known_;
+  std::map<clang::FunctionDecl const *, std::optional<Reason>> known_;
 };
 
 // Does the type consist of REALs alone, in memory of its own?

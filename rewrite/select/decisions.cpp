@@ -70,8 +70,8 @@ void DecisionCollector::note(Site const &site, Blocker const &blocker, std::vect
 void DecisionCollector::accept(Site const &site, std::vector<Alteration> alterations, std::optional<Span> needs) {
   DecisionFact &fact = facts_.decisions[site.key];
   if (!fact.alterations.empty() && fact.alterations != alterations)
-    return refuse(site, {site.condition.getBegin(), "that it reads differently in another instantiation or source"});
-  note(site, {site.condition.getBegin(), ""}, fact.uses);
+    return refuse(site, {site.condition.getBegin(), {ReasonId::differs_here}});
+  note(site, {site.condition.getBegin(), {ReasonId::unsaid}}, fact.uses);
   fact.alterations = std::move(alterations);
   fact.needs = std::move(needs);
 }
@@ -92,7 +92,7 @@ bool has_directive(std::string const &text) {
 std::optional<Span> DecisionCollector::condition_span(Site const &site, Condition const &condition) {
   SourceLocation const begin = site.condition.getBegin();
   if (function_->isConstexpr() && lambdas_ == 0) {
-    refuse(site, {function_->getLocation(), "a constexpr function"});
+    refuse(site, {function_->getLocation(), {ReasonId::constexpr_function}});
     return std::nullopt;
   }
   if (condition.blocker) {
@@ -101,16 +101,16 @@ std::optional<Span> DecisionCollector::condition_span(Site const &site, Conditio
   }
   std::optional<Span> const span = map_.range_in(site.frame, site.condition);
   if (!span) {
-    refuse(site, {begin, "a condition that another macro spells"});
+    refuse(site, {begin, {ReasonId::condition_spelled_by_macro}});
     return std::nullopt;
   }
   if (has_directive(map_.text_in(site.frame, *span))) {
-    refuse(site, {begin, "a directive within the condition"});
+    refuse(site, {begin, {ReasonId::directive_in_condition}});
     return std::nullopt;
   }
   for (Alteration const &joint : condition.joints)
     if (joint.span.file != span->file || joint.span.begin < span->begin || joint.span.end > span->end) {
-      refuse(site, {begin, "a condition that another macro joins"});
+      refuse(site, {begin, {ReasonId::condition_joined_by_macro}});
       return std::nullopt;
     }
   return span;
@@ -133,7 +133,7 @@ void DecisionCollector::choose_statement(IfStmt const *choice) {
   std::optional<Site> const at = site(choice->getIfLoc(), choice->getCond());
   if (!at) return;
   if (choice->getInit() || choice->getConditionVariable())
-    return refuse(*at, {choice->getIfLoc(), "a declaration in the condition"});
+    return refuse(*at, {choice->getIfLoc(), {ReasonId::declaration_in_condition}});
   std::optional<Span> const span = condition_span(*at, condition);
   if (!span) return;
   Allowed allowed{.frame = at->frame};
@@ -151,7 +151,7 @@ void DecisionCollector::choose_statement(IfStmt const *choice) {
   for (std::string const &target : arms.targets) head += "(" + target + ")";
   std::optional<Alteration> const opening =
       replacing(at->frame, {choice->getIfLoc(), choice->getLParenLoc()}, head + ", ");
-  if (!opening) return refuse(*at, {choice->getIfLoc(), "an 'if' that is spelled in parts"});
+  if (!opening) return refuse(*at, {choice->getIfLoc(), {ReasonId::if_in_parts}});
   std::vector<Alteration> alterations = condition.joints;
   alterations.push_back(*opening);
   accept(*at, std::move(alterations), needs);
@@ -209,20 +209,19 @@ void DecisionCollector::choose_value(ConditionalOperator const *choice) {
   if (!condition.is_real && yes == no) {
     // The macro's text may be changed for other uses.
     if (in_macro && is_lvalue_used(choice) && !choice->isTypeDependent())
-      refuse(*at, {choice->getQuestionLoc(), "a use of its macro where the result is an object"});
+      refuse(*at, {choice->getQuestionLoc(), {ReasonId::choice_of_objects}});
     return;
   }
   if (!becomes_number(choice) && !yes && !no)
-    return refuse(*at, {choice->getQuestionLoc(), "a '?:' that is no number but " + choice->getType().getAsString()});
-  if (is_lvalue_used(choice))
-    return refuse(*at, {choice->getQuestionLoc(), "a '?:' that stands for an object, not for its value"});
+    return refuse(*at, {choice->getQuestionLoc(), {ReasonId::choice_of_type, choice->getType().getAsString()}});
+  if (is_lvalue_used(choice)) return refuse(*at, {choice->getQuestionLoc(), {ReasonId::choice_as_object}});
   std::optional<Span> const span = condition_span(*at, condition);
   if (!span) return;
   Allowed const allowed{.frame = at->frame};
   Arms const arms = analysis_.arms({choice->getTrueExpr(), choice->getFalseExpr()}, allowed);
   if (arms.blocker) return refuse(*at, *arms.blocker);
   if (!arms.targets.empty())
-    return refuse(*at, {choice->getQuestionLoc(), "an assignment to '" + arms.targets[0] + "' within '?:'"});
+    return refuse(*at, {choice->getQuestionLoc(), {ReasonId::assignment_in_choice, "'" + arms.targets[0] + "'"}});
   std::optional<Span> const whole = map_.range_in(at->frame, choice->getSourceRange());
   std::optional<Alteration> const question =
       replacing(at->frame, {choice->getQuestionLoc(), choice->getQuestionLoc()}, "SYMREAL_REAL_THEN");
@@ -230,7 +229,7 @@ void DecisionCollector::choose_value(ConditionalOperator const *choice) {
       replacing(at->frame, {choice->getColonLoc(), choice->getColonLoc()}, "SYMREAL_REAL_ELSE");
   if (!whole || !question || !colon || whole->begin > span->begin || span->end > question->span.begin ||
       question->span.end > colon->span.begin || colon->span.end >= whole->end)
-    return refuse(*at, {choice->getQuestionLoc(), "a '?:' that a macro spells in part"});
+    return refuse(*at, {choice->getQuestionLoc(), {ReasonId::choice_in_parts}});
   std::vector<Alteration> alterations = condition.joints;
   alterations.push_back({*span, "SYMREAL_REAL_COND(", ")"});
   alterations.push_back(*question);
@@ -244,8 +243,7 @@ void DecisionCollector::check_use_of_macro(ConditionalOperator const *choice) {
   std::optional<Span> const key = map_.token(choice->getQuestionLoc());
   if (!key) return;
   note({*key, map_.frame(choice->getQuestionLoc()), choice->getCond()->getSourceRange()},
-       {choice->getQuestionLoc(), "a use of its macro outside of functions or in a constant expression"},
-       facts_.decisions[*key].misuses);
+       {choice->getQuestionLoc(), {ReasonId::used_outside}}, facts_.decisions[*key].misuses);
 }
 
 } // namespace symreal::rewrite

@@ -85,7 +85,7 @@ void DecisionCollector::report(DiagnosticId id, Place const &place, std::string 
 void DecisionCollector::free_loop(Stmt const *loop, Expr const *condition) {
   if (!condition || analysis_.bounded_loops.count(loop) != 0 || !conditions_.classify(condition).is_real) return;
   if (std::optional<Site> const at = site(loop->getBeginLoc(), condition))
-    refuse(*at, {loop->getBeginLoc(), "a loop; #pragma symreal loop(N) bounds how often it runs"});
+    refuse(*at, {loop->getBeginLoc(), {ReasonId::unbounded_loop}});
 }
 
 void DecisionCollector::attach_pragmas(Stmt const *statement) {
@@ -163,7 +163,7 @@ void DecisionCollector::bound_loop(PragmaFact &pragma, Stmt const *loop, Compoun
   if (!map_.sources().getSLocEntry(at.frame).isFile()) return wrong("the loop is made by a macro");
   Condition const condition = conditions_.classify(part.condition);
   if (condition.blocker)
-    return wrong("the loop's condition has " + condition.blocker->reason, condition.blocker->location);
+    return wrong("the loop's condition has " + words(condition.blocker->reason), condition.blocker->location);
 
   bool has_exit = condition.is_real;
   std::vector<Alteration> alterations = condition.joints;
@@ -175,7 +175,7 @@ void DecisionCollector::bound_loop(PragmaFact &pragma, Stmt const *loop, Compoun
     if (!choice || !is_break(choice)) continue;
     Condition const exit = conditions_.classify(choice->getCond());
     if (!exit.is_real) continue;
-    if (exit.blocker) return wrong("the exit's condition has " + exit.blocker->reason, exit.blocker->location);
+    if (exit.blocker) return wrong("the exit's condition has " + words(exit.blocker->reason), exit.blocker->location);
     std::optional<Alteration> const opening =
         replacing(at.frame, {choice->getIfLoc(), choice->getLParenLoc()}, "SYMREAL_REAL_BREAK(");
     if (!opening) return wrong("an exit of the loop is spelled by a macro in part", choice->getIfLoc());
@@ -191,7 +191,7 @@ void DecisionCollector::bound_loop(PragmaFact &pragma, Stmt const *loop, Compoun
   std::vector<Stmt const *> all = {part.init, part.condition, part.increment};
   all.insert(all.end(), statements.begin(), statements.end());
   Arms const arms = analysis_.arms(all, allowed);
-  if (arms.blocker) return wrong("the loop has " + arms.blocker->reason, arms.blocker->location);
+  if (arms.blocker) return wrong("the loop has " + words(arms.blocker->reason), arms.blocker->location);
   std::optional<Span> const span =
       part.condition ? map_.range_in(at.frame, part.condition->getSourceRange()) : empty_condition(cast<ForStmt>(loop));
   if (!span) return wrong("the loop's condition is spelled by a macro in part");

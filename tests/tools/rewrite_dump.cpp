@@ -86,7 +86,7 @@ int main(int argc, char **argv) {
     }
     for (rewrite::Refusal const &one : result.refusals)
       if (refusals)
-        std::cout << to_string(one.condition) << " to line " << one.last_line << ": " << one.reason << " at "
+        std::cout << to_string(one.condition) << " to line " << one.last_line << ": " << words(one.reason) << " at "
                   << to_string(one.token) << "\n";
     if (refusals) return 0;
     for (rewrite::File const &file : result.files)

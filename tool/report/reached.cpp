@@ -58,7 +58,7 @@ void print_reach(std::ostream &out, std::string const &function, rewrite::Reach 
     if (within(one.place))
       line("decisions on values",
            fmt::format("{}: {} {}", to_string(one.place), one.kind,
-                       one.selectable ? "can be a select" : "cannot be a select because of " + one.reason));
+                       one.selectable ? "can be a select" : "cannot be a select because of " + words(one.reason)));
   for (rewrite::Conversion const &one : result.conversions)
     if (within(one.place)) line("conversions of values", to_string(one.place) + ": to " + one.type);
   for (Diagnostic const &one : result.diagnostics)

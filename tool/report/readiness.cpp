@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <fmt/ostream.h>
-#include <regex>
 
 namespace symreal::tool {
 namespace {
@@ -21,15 +20,6 @@ struct Group {
     words = said;
   }
 };
-
-// A reason without the names and places in it, and however many calls deep it is.
-std::string kind_of(std::string const &reason) {
-  static std::regex const name(" (of|to) '[A-Za-z_*(][^']*'"), place(R"( \([^()]*:\d+:\d+\))"),
-      calls("(, which has a call of '\\.\\.\\.')+");
-  std::string kind = std::regex_replace(reason, name, " $1 '...'");
-  kind = std::regex_replace(kind, place, "");
-  return std::regex_replace(kind, calls, ", which has a call of '...'");
-}
 
 std::string percent(Tally const &tally) {
   if (tally.compiled() == 0) return "-";
@@ -87,7 +77,7 @@ void print_dependence(std::ostream &out, rewrite::Result const &result) {
   std::map<std::string, Group> refused;
   for (rewrite::Decision const &one : result.decisions)
     if (std::string const begin = one.kind + ", because of "; !one.selectable)
-      refused[begin + kind_of(one.reason)].add(one.place, begin + one.reason);
+      refused[begin + kind(one.reason)].add(one.place, begin + words(one.reason));
   std::vector<std::pair<std::string, Group>> sorted(refused.begin(), refused.end());
   std::stable_sort(sorted.begin(), sorted.end(),
                    [](auto const &left, auto const &right) { return left.second.count > right.second.count; });
@@ -101,18 +91,18 @@ void print_dependence(std::ostream &out, rewrite::Result const &result) {
 }
 
 void print_places(std::ostream &out, rewrite::Result const &result) {
-  static constexpr std::array<char const *, 5> words = {"converted", "converted", "passive", "diagnosed", "inactive"};
+  static constexpr std::array<char const *, 5> fates = {"converted", "converted", "passive", "diagnosed", "inactive"};
   out << "what stays\n";
   for (rewrite::File const &file : result.files)
     for (rewrite::Spelling const &one : file.ledger)
       if (one.fate != Fate::converted)
         fmt::print(out, "  {}: {} is {}: {}\n", to_string(one.place), one.type,
-                   words[static_cast<std::size_t>(one.fate)], reason(one));
+                   fates[static_cast<std::size_t>(one.fate)], reason(one));
   out << "what depends on values\n";
   for (rewrite::Decision const &one : result.decisions)
     fmt::print(out, "  {}: {} {}\n", to_string(one.place), one.kind,
                one.selectable ? "can be a select"
-                              : "cannot be a select because of " + one.reason + " at " + to_string(one.token));
+                              : "cannot be a select because of " + words(one.reason) + " at " + to_string(one.token));
   for (rewrite::Conversion const &one : result.conversions)
     fmt::print(out, "  {}: a REAL is converted to {}\n", to_string(one.place), one.type);
   out << "what blocks it\n";

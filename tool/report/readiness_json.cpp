@@ -100,7 +100,7 @@ Json readiness_json(rewrite::Request const &request, rewrite::Result const &resu
                          {"message", one.message}});
   for (rewrite::Decision const &one : result.decisions) {
     Json json = {{"kind", one.kind}, {"place", to_json(one.place)}, {"selectable", one.selectable}};
-    if (!one.selectable) json.update({{"reason", one.reason}, {"because_of", to_json(one.token)}});
+    if (!one.selectable) json.update({{"reason", words(one.reason)}, {"because_of", to_json(one.token)}});
     decisions.push_back(std::move(json));
   }
   for (rewrite::Conversion const &one : result.conversions)
@@ -122,7 +122,7 @@ Json sarif(rewrite::Result const &result) {
   for (rewrite::Decision const &one : result.decisions)
     add(DiagnosticId::symbolic_decision, one.selectable ? "note" : "warning", one.place,
         "'" + one.kind + "' decides on a REAL; it " +
-            (one.selectable ? "can be a select" : "cannot be a select because of " + one.reason));
+            (one.selectable ? "can be a select" : "cannot be a select because of " + words(one.reason)));
   for (rewrite::Conversion const &one : result.conversions)
     add(DiagnosticId::symbolic_decision, "warning", one.place, "a REAL is converted to " + one.type);
   for (DiagnosticId id : used) rules.push_back(rule(id));

@@ -1,0 +1,34 @@
+// What is known of the functions and classes of libraries: the table in library.def. Names are without scopes; who asks
+// looks at the scope.
+#pragma once
+
+#include "rewrite/source/clang.h"
+
+namespace symreal::rewrite::library {
+
+enum Function : unsigned {
+  ALLOCATES = 1 << 0,
+  MOVES_BYTES = 1 << 1,
+  SEARCHES = 1 << 2,
+  TEXT_TO_MEMORY = 1 << 3,
+  TEXT_TO_FILE = 1 << 4,
+  READS_TEXT = 1 << 5,
+  GIVES_ARGUMENT = 1 << 6,
+  ONLY_WRITES = 1 << 7,
+  MATH = 1 << 8,
+  COMPARES = 1 << 9,
+  ERROR_NUMBER = 1 << 10,
+  ENVIRONMENT = 1 << 11,
+};
+enum Method : unsigned { READS_ITS_TEXT = 1, COMPARES_KEYS = 2, VIEWS = 4 };
+enum Class : unsigned { OWNS_ELEMENTS = 1, OWNS_INTEGERS = 2, VIEW = 4 };
+
+// The traits in the row of this name; 0 where there is none.
+unsigned function(llvm::StringRef name);
+unsigned method(llvm::StringRef name);
+unsigned class_in(llvm::StringRef scope, llvm::StringRef name);
+
+// What a function does with the floating-point environment; empty for any other function.
+llvm::StringRef environment_effect(llvm::StringRef function);
+
+} // namespace symreal::rewrite::library
