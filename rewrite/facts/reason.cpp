@@ -34,9 +34,8 @@ std::string kind(Reason const &reason) {
   std::string text = filled(reason, "'...'");
   if (reason.because.empty()) return text;
   Reason const *next = &reason.because.front();
-  if (reason.id == ReasonId::call_with) // of the calls within only the last
-    while (next->id == ReasonId::call_with && next->because.front().id == ReasonId::call_with)
-      next = &next->because.front();
+  if (reason.id == ReasonId::call_with)
+    while (next->id == ReasonId::call_with) next = &next->because.front();
   return text + " " + kind(*next);
 }
 
