@@ -34,6 +34,8 @@
 namespace symreal {
 
 void write_graph(std::ostream &out, Graph const &graph);
+// The k of %k per node; no_node for a constant, which has no line.
+std::vector<NodeId> line_numbers(Graph const &graph);
 
 // Reads one graph and validates it; throws graph_syntax with the place of the first line that does not fit. Duplicate
 // nodes are kept, so that a pass can be tested on them.

@@ -54,6 +54,14 @@ static void write_location(std::ostream &out, std::size_t id, Location const &lo
   out << '\n';
 }
 
+std::vector<NodeId> line_numbers(Graph const &graph) {
+  std::vector<NodeId> number(graph.nodes.size(), no_node);
+  NodeId next = 0;
+  for (std::size_t id = 0; id < graph.nodes.size(); ++id)
+    if (!graph.nodes[id].is_constant()) number[id] = next++;
+  return number;
+}
+
 void write_graph(std::ostream &out, Graph const &graph) {
   out << "symreal-graph 1\nkernel " << quoted(graph.kernel) << '\n';
   if (graph.decisions != "error") out << "decisions " << graph.decisions << '\n';
@@ -75,9 +83,7 @@ void write_graph(std::ostream &out, Graph const &graph) {
   for (OperationInfo const &operation : operations())
     if (std::size_t count = graph.executed[operation.op]) out << "executed " << operation.name << ' ' << count << '\n';
 
-  // Constants have no line, so nodes are numbered as they are written.
-  std::vector<NodeId> number(graph.nodes.size(), no_node);
-  NodeId next = 0;
+  std::vector<NodeId> const number = line_numbers(graph);
   auto spell = [&](NodeId id) {
     Node const &node = graph.nodes[id];
     return node.is_constant() ? shortest(node.value()) : "%" + std::to_string(number[id]);
@@ -85,7 +91,6 @@ void write_graph(std::ostream &out, Graph const &graph) {
   for (std::size_t id = 0; id < graph.nodes.size(); ++id) {
     Node const &node = graph.nodes[id];
     if (node.is_constant()) continue;
-    number[id] = next++;
     out << '%' << number[id] << " = ";
     if (is_leaf(node.op)) {
       out << (node.op == Op::input ? "input " : "parameter ") << node.slot() << '\n';

@@ -71,9 +71,9 @@ public:
       give_variables_to_conditions(placement, variables);
       variables = choose_variables();
     }
-    FunctionBody body{std::move(variables), {}, Regions(graph_.nodes.size()), {}, results_, wanted_returns()};
+    FunctionBody body{std::move(variables), {}, {}, {}, results_, wanted_returns()};
     order(graph_, is_read_, placement, body);
-    body.regions = std::move(placement.regions);
+    body.regions = tabulate(placement.regions, graph_.nodes.size(), body.region);
     place_checks(body);
     return body;
   }
@@ -178,11 +178,15 @@ private:
 
 } // namespace
 
+std::vector<std::uint32_t> constant_slots(Graph const &graph, std::vector<NodeId> const &stored) {
+  std::vector<std::uint32_t> slots(graph.nodes.size(), no_slot);
+  for (std::size_t slot = 0; slot < stored.size(); ++slot) slots[stored[slot]] = static_cast<std::uint32_t>(slot);
+  return slots;
+}
+
 Schedule schedule(Graph const &graph, Nesting nesting) {
   std::vector<NodeId> stored = graph.precomputed, conditions, roots = graph.results;
-  std::vector<std::uint32_t> constant_slot(graph.nodes.size(), no_slot);
-  for (std::size_t slot = 0; slot < stored.size(); ++slot)
-    constant_slot[stored[slot]] = static_cast<std::uint32_t>(slot);
+  std::vector<std::uint32_t> constant_slot = constant_slots(graph, stored);
   for (Guard const &guard : graph.guards) conditions.push_back(guard.condition);
   roots.insert(roots.end(), conditions.begin(), conditions.end());
   if (graph.last_effect != no_node) roots.push_back(graph.last_effect);

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "graph/graph.h"
-#include "schedule/regions.h"
+#include "schedule/region_table.h"
 
 #include <set>
 #include <vector>
@@ -22,7 +22,7 @@ struct Check {
 struct FunctionBody {
   std::vector<NodeId> variables;
   std::vector<RegionId> region; // per variable
-  Regions regions;
+  RegionTable regions;
   std::vector<Check> checks;
   std::vector<NodeId> results;
   std::set<NodeId> wanted_returns; // the calls of external functions whose returned value is read
@@ -36,6 +36,9 @@ struct Schedule {
   std::vector<std::uint32_t> constant_slot; // per node: where preprocess stores it for compute, or no_slot
   std::size_t constant_count = 0;
 };
+
+// What `constants` holds for compute: per node its slot, the last one that stores it, or no_slot.
+std::vector<std::uint32_t> constant_slots(Graph const &graph, std::vector<NodeId> const &stored);
 
 // Whether expressions nest, or every operation is a statement of its own.
 enum class Nesting { bounded, none };
