@@ -1,6 +1,8 @@
 #include "program/generated_code.h"
 
 #include "emit/c/externals.h"
+#include "emit/cpp/parts.h"
+#include "emit/language/banner.h"
 #include "graph/complex_function.h"
 #include "program/process.h"
 #include "support/files.h"
@@ -10,14 +12,13 @@
 #include <bit>
 #include <cstring>
 #include <dlfcn.h>
+#include <filesystem>
 #include <fmt/format.h>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
 namespace symreal::program {
 namespace {
-
-constexpr std::string_view opening = "/* symreal ";
 
 [[noreturn]] void refuse(std::string const &path, std::string const &why) {
   fail(DiagnosticId::foreign_file, {path, 1, 1}, why);
@@ -27,15 +28,17 @@ constexpr std::string_view opening = "/* symreal ";
 
 bool is_generated(std::string const &path) {
   std::ifstream file(path, std::ios::binary);
-  std::string start(opening.size(), '\0');
-  return file.read(start.data(), static_cast<std::streamsize>(start.size())) && start == opening;
+  std::string start(64, '\0');
+  file.read(start.data(), static_cast<std::streamsize>(start.size()));
+  return !banner_of(start).empty();
 }
+
+bool is_generated_cpp(std::string const &path) { return std::filesystem::path(path).extension() == ".cpp"; }
 
 Banner read_banner(std::string const &path) {
   std::string text = read_file(path);
-  std::string_view line = std::string_view(text).substr(0, text.find('\n'));
-  if (!line.starts_with(opening)) refuse(path, "the file does not begin with the line that symreal writes");
-  line.remove_prefix(opening.size());
+  std::string_view const line = banner_of(text);
+  if (line.empty()) refuse(path, "the file does not begin with the line that symreal writes");
   auto json = nlohmann::json::parse(line, nullptr, false);
   try {
     auto mode = parse_floating_point(json.at("mode").get<std::string>());
@@ -58,39 +61,76 @@ Banner read_banner(std::string const &path) {
   }
 }
 
+// Functions in a namespace cannot be looked up by name in an object: they get others.
+static std::string with_c_names(std::string const &path, Banner const &banner) {
+  bool const guarded = banner.guards != 0;
+  std::string text =
+      fmt::format("#include \"{0}\"\n\nextern \"C\" {{\n"
+                  "void symreal_preprocess(double const *parameters, double *constants) {{\n"
+                  "  {1}::preprocess(parameters, constants);\n}}\n"
+                  "{2} symreal_compute(double const *input, double const *constants, double *output) {{\n"
+                  "  {3}{1}::compute(input, constants, output);\n}}\n",
+                  std::filesystem::absolute(path).string(), cpp_namespace(banner.kernel, banner.prefix),
+                  guarded ? "int" : "void", guarded ? "return " : "");
+  if (guarded)
+    text += fmt::format("char const *symreal_guard_text(int guard) {{ return {}::guard_text(guard); }}\n",
+                        cpp_namespace(banner.kernel, banner.prefix));
+  return text + "}\n";
+}
+
 GeneratedCode::GeneratedCode(std::string const &path, Banner const &banner, Graph const &graph, CodeBuild const &build,
                              Workspace const &workspace)
     : banner_(banner),
       object_(workspace.file(build.object)),
       needs_program_(std::any_of(graph.externals.begin(), graph.externals.end(),
                                  [](External const &external) { return !find_complex_function(external); })) {
-  std::vector<std::string> command = {build.compiler, "-std=c99", "-w", "-shared", "-fPIC"};
+  compile(path, graph, build, workspace);
+  load(path);
+}
+
+void GeneratedCode::compile(std::string const &path, Graph const &graph, CodeBuild const &build,
+                            Workspace const &workspace) {
+  bool const is_cpp = is_generated_cpp(path);
+  std::string const &compiler = is_cpp ? build.cxx_compiler : build.compiler;
+  std::vector<std::string> command = {compiler, "-w", "-shared", "-fPIC"};
+  if (!is_cpp) command.push_back("-std=c99");
   command.insert(command.end(), build.flags.begin(), build.flags.end());
-  command.push_back(path);
+  if (is_cpp) { // whatever standard the project has
+    std::string const named = workspace.file("generated_names.cpp");
+    write_if_changed(named, with_c_names(path, banner_));
+    command.insert(command.end(), {"-std=c++17", named});
+    prefix_ = "symreal_";
+  } else {
+    command.push_back(path);
+    prefix_ = banner_.prefix.empty() ? "" : banner_.prefix + "_";
+  }
   if (needs_program_) { // the functions are looked for when they are called, which here none is
-    std::string const calls = workspace.file("external_calls.c");
-    write_if_changed(calls, c_external_calls(graph));
+    std::string const calls = workspace.file(is_cpp ? "external_calls.cpp" : "external_calls.c");
+    std::string const text = c_external_calls(graph);
+    write_if_changed(calls, is_cpp ? "extern \"C\" {\n" + text + "}\n" : text);
     command.insert(command.end(), {calls, "-Wl,-z,lazy"});
   }
   command.insert(command.end(), {"-o", object_, "-lm"});
   Captured compiled = capture({.arguments = command, .environment = {"LC_ALL=C", "GCC_COLORS="}});
   if (compiled.outcome.ending == Ending::not_started)
     fail(DiagnosticId::compiler_missing, {},
-         "the compiler '" + build.compiler + "' cannot be run: " + std::string(std::strerror(compiled.outcome.status)));
+         "the compiler '" + compiler + "' cannot be run: " + std::string(std::strerror(compiled.outcome.status)));
   if (!compiled.outcome.success())
     fail(DiagnosticId::generated_code_broken, {path}, "the file does not compile",
          {{{}, compiled.output.substr(0, compiled.output.find("\n\n"))}});
-  std::string prefix = banner.prefix.empty() ? "" : banner.prefix + "_";
+}
+
+void GeneratedCode::load(std::string const &path) {
   library_ = dlopen(object_.c_str(), (needs_program_ ? RTLD_LAZY : RTLD_NOW) | RTLD_LOCAL);
   if (!library_) fail(DiagnosticId::generated_code_broken, {path}, dlerror());
-  preprocess_ = std::bit_cast<Preprocess>(dlsym(library_, (prefix + "preprocess").c_str()));
-  compute_ = dlsym(library_, (prefix + "compute").c_str());
+  preprocess_ = std::bit_cast<Preprocess>(dlsym(library_, (prefix_ + "preprocess").c_str()));
+  compute_ = dlsym(library_, (prefix_ + "compute").c_str());
   if (!preprocess_ || !compute_)
     fail(DiagnosticId::generated_code_broken, {path},
-         fmt::format("the file does not define {0}preprocess and {0}compute", prefix));
-  guard_text_ = std::bit_cast<GuardText>(dlsym(library_, (prefix + "guard_text").c_str()));
-  if (banner.guards != 0 && !guard_text_)
-    fail(DiagnosticId::generated_code_broken, {path}, fmt::format("the file does not define {}guard_text", prefix));
+         fmt::format("the file does not define {0}preprocess and {0}compute", prefix_));
+  guard_text_ = std::bit_cast<GuardText>(dlsym(library_, (prefix_ + "guard_text").c_str()));
+  if (banner_.guards != 0 && !guard_text_)
+    fail(DiagnosticId::generated_code_broken, {path}, fmt::format("the file does not define {}guard_text", prefix_));
 }
 
 GeneratedCode::~GeneratedCode() {

@@ -1,4 +1,4 @@
-// A generated C file, compiled and loaded, so that it can be called.
+// A generated file in C or C++, compiled and loaded, so that it can be called.
 #pragma once
 
 #include "diagnostics/diagnostic.h"
@@ -22,6 +22,8 @@ struct Banner {
 };
 // Does the file begin as a generated one?
 bool is_generated(std::string const &path);
+// Is a generated file, by its name, C++ and not C?
+bool is_generated_cpp(std::string const &path);
 // Throws foreign_file for a file that this version of the tool did not generate.
 Banner read_banner(std::string const &path);
 
@@ -31,7 +33,7 @@ inline constexpr std::array documented_flags = {"-O2", "-ffp-contract=off", "-fn
 
 // By what it is compiled, and to which file of the workspace.
 struct CodeBuild {
-  std::string compiler = "cc";
+  std::string compiler = "cc", cxx_compiler = "c++";
   std::span<char const *const> flags = documented_flags;
   char const *object = "generated.so";
 };
@@ -55,19 +57,23 @@ public:
   Banner const &banner() const { return banner_; }
   bool needs_program() const { return needs_program_; }
   std::string const &object() const { return object_; }
+  std::string const &prefix() const { return prefix_; } // of the names in the object
   Result run(std::span<double const> inputs, std::span<double const> parameters);
 
   // What the file says of guard `number`.
   std::string guard_text(std::size_t number) const;
 
 private:
+  void compile(std::string const &path, Graph const &graph, CodeBuild const &build, Workspace const &workspace);
+  void load(std::string const &path);
+
   using Preprocess = void (*)(double const *, double *);
   using Compute = void (*)(double const *, double const *, double *);
   using GuardedCompute = int (*)(double const *, double const *, double *);
   using GuardText = char const *(*)(int);
 
   Banner banner_;
-  std::string object_;
+  std::string object_, prefix_;
   bool needs_program_;
   void *library_ = nullptr;
   Preprocess preprocess_ = nullptr;

@@ -94,8 +94,7 @@ Replay::Replay(std::string what, std::string const &executable, RunOptions const
     std::ostringstream graph_text;
     write_graph(graph_text, graph);
     write_if_changed(text, graph_text.str());
-    std::string const prefix = code->banner().prefix.empty() ? "" : code->banner().prefix + "_";
-    command.environment = {"SYMREAL_REPLAY_CODE=" + code->object(), "SYMREAL_REPLAY_PREFIX=" + prefix,
+    command.environment = {"SYMREAL_REPLAY_CODE=" + code->object(), "SYMREAL_REPLAY_PREFIX=" + code->prefix(),
                            "SYMREAL_REPLAY_GRAPH=" + text};
   }
   server_->start(command, file, begun_as);

@@ -100,7 +100,8 @@ private:
   void compile_with_own_flags(Front const &front, std::string const &path) {
     std::vector<char const *> words;
     for (std::string const &flag : front.own_flags) words.push_back(flag.c_str());
-    own_code_.emplace(path, banner_, graph_, CodeBuild{front.build.c_compiler, words, "generated-own-flags.so"},
+    own_code_.emplace(path, banner_, graph_,
+                      CodeBuild{front.build.c_compiler, front.build.compiler, words, "generated-own-flags.so"},
                       *front.workspace);
     result_.own_code_ulp.resize(graph_.output_count());
   }

@@ -1,16 +1,23 @@
 #include "emit/emit.h"
 
-#include "emit/c/parts.h"
-#include "emit/origins/origins.h"
+#include "emit/print/requirements.h"
+#include "emit/print/source.h"
 
 namespace symreal {
 
-std::vector<EmittedFile> emit_c(Graph const &graph, EmitOptions const &options) {
-  Schedule const plan = schedule(graph, options.check_values ? Nesting::none : Nesting::bounded);
-  std::vector<EmittedFile> files = {{options.base_name + ".c", c_source(plan, options)},
-                                    {options.base_name + ".h", c_header(plan, options)}};
-  files[0].origins = resolve_markers(files[0].text, graph, options.trace_comments);
-  if (options.mainline) files.push_back({options.base_name + "_main.c", c_mainline(plan, options)});
+std::vector<EmittedFile> emit(Graph const &graph, Language const &language, EmitOptions const &options) {
+  return emit(schedule(graph, options.check_values ? Nesting::none : Nesting::bounded), language, options);
+}
+
+std::vector<EmittedFile> emit(Schedule const &plan, Language const &language, EmitOptions const &options) {
+  require_expressible(*plan.graph, language, options);
+  Emission emission{plan, language, options};
+  std::vector<EmittedFile> files = {print_source(emission)};
+  auto const add = [&](Companion const &companion) {
+    files.push_back({options.base_name + std::string(companion.suffix), companion.text(emission)});
+  };
+  for (Companion const &companion : language.files.companions) add(companion);
+  if (options.mainline) add(language.files.mainline);
   return files;
 }
 

@@ -1,14 +1,17 @@
-// Graph to C99: a source with preprocess() and compute(), a header, and on request a runnable main.
+// Graph to source text in a language: what languages.def lists.
 #pragma once
 
-#include "emit/print/emitted.h"
+#include "emit/language/emitted.h"
+#include "emit/languages/languages.h"
 
-#include <string>
 #include <vector>
 
 namespace symreal {
 
-// The generated functions, with `prefix_` before their names if a prefix is given:
+struct Schedule;
+
+// The source first, then what stands beside it, and on request a program that runs it. In C these are the functions,
+// with `prefix_` before their names if a prefix is given,
 //   void preprocess(double const *parameters, double *constants);
 //   void compute(double const *input, double const *constants, double *output);
 // All inputs are read before an output is written, so the arrays may overlap. Nothing is allocated, no state is kept.
@@ -16,6 +19,8 @@ namespace symreal {
 // there also are
 //   enum { guard_count = n };
 //   char const *guard_text(int guard);
-std::vector<EmittedFile> emit_c(Graph const &graph, EmitOptions const &options);
+// Throws bad_option where the language cannot say what the graph needs.
+std::vector<EmittedFile> emit(Graph const &graph, Language const &language, EmitOptions const &options);
+std::vector<EmittedFile> emit(Schedule const &plan, Language const &language, EmitOptions const &options);
 
 } // namespace symreal

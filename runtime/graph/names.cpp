@@ -1,25 +1,121 @@
 #include "graph/names.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <set>
 #include <string_view>
 
 namespace symreal {
 
-bool is_keyword(std::string_view word) {
-  static std::set<std::string_view> const words = {
-      "and",       "auto",     "bool",   "break",    "case",    "catch",   "char",      "class",  "const",
-      "continue",  "default",  "delete", "do",       "double",  "else",    "enum",      "export", "extern",
-      "false",     "float",    "for",    "friend",   "goto",    "if",      "inline",    "int",    "long",
-      "namespace", "new",      "not",    "operator", "or",      "private", "protected", "public", "register",
-      "restrict",  "return",   "short",  "signed",   "sizeof",  "static",  "struct",    "switch", "template",
-      "this",      "throw",    "true",   "try",      "typedef", "union",   "unsigned",  "using",  "virtual",
-      "void",      "volatile", "while",  "xor"};
-  return words.contains(word);
+static constexpr auto c_keywords = std::to_array<std::string_view>({
+    "alignas",
+    "alignof",
+    "and",
+    "and_eq",
+    "asm",
+    "auto",
+    "bitand",
+    "bitor",
+    "bool",
+    "break",
+    "case",
+    "catch",
+    "char",
+    "char16_t",
+    "char32_t",
+    "char8_t",
+    "class",
+    "co_await",
+    "co_return",
+    "co_yield",
+    "compl",
+    "concept",
+    "const",
+    "const_cast",
+    "consteval",
+    "constexpr",
+    "constinit",
+    "continue",
+    "decltype",
+    "default",
+    "delete",
+    "do",
+    "double",
+    "dynamic_cast",
+    "else",
+    "enum",
+    "explicit",
+    "export",
+    "extern",
+    "false",
+    "float",
+    "for",
+    "friend",
+    "goto",
+    "if",
+    "inline",
+    "int",
+    "long",
+    "mutable",
+    "namespace",
+    "new",
+    "noexcept",
+    "not",
+    "not_eq",
+    "nullptr",
+    "operator",
+    "or",
+    "or_eq",
+    "private",
+    "protected",
+    "public",
+    "register",
+    "reinterpret_cast",
+    "requires",
+    "restrict",
+    "return",
+    "short",
+    "signed",
+    "sizeof",
+    "static",
+    "static_assert",
+    "static_cast",
+    "struct",
+    "switch",
+    "template",
+    "this",
+    "thread_local",
+    "throw",
+    "true",
+    "try",
+    "typedef",
+    "typeid",
+    "typename",
+    "union",
+    "unsigned",
+    "using",
+    "virtual",
+    "void",
+    "volatile",
+    "wchar_t",
+    "while",
+    "xor",
+    "xor_eq",
+});
+static_assert(std::ranges::is_sorted(c_keywords));
+constinit NameRules const c_names = {c_keywords};
+
+std::string NameRules::key(std::string_view name) const {
+  std::string key(name);
+  if (ignores_case)
+    for (char &c : key) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return key;
 }
 
-static std::string identifier(std::string const &label) {
+bool NameRules::is_keyword(std::string_view word) const { return std::ranges::binary_search(keywords, key(word)); }
+
+std::string identifier(std::string const &label, NameRules const &rules) {
   std::string name;
   int brackets = 0;
   for (char c : label) {
@@ -32,35 +128,36 @@ static std::string identifier(std::string const &label) {
     if (c == ']') --brackets;
   }
   while (!name.empty() && name.back() == '_') name.pop_back();
-  if (name.empty() || std::isdigit(static_cast<unsigned char>(name[0])) || is_keyword(name)) name = "value_" + name;
+  if (name.empty() || std::isdigit(static_cast<unsigned char>(name[0])) || rules.is_keyword(name))
+    name = "value_" + name;
   while (name.back() == '_') name.pop_back();
   return name;
 }
 
 // Made different from each other.
-static std::vector<std::string> numbered(std::vector<std::string> names) {
+static std::vector<std::string> numbered(std::vector<std::string> names, NameRules const &rules) {
   std::set<std::string> taken;
   for (std::string &name : names) {
     std::string const base = name;
-    for (int copy = 2; !taken.insert(name).second; ++copy) name = base + "_" + std::to_string(copy);
+    for (int copy = 2; !taken.insert(rules.key(name)).second; ++copy) name = base + "_" + std::to_string(copy);
   }
   return names;
 }
 
-std::vector<std::string> identifiers(std::vector<Object> const &objects) {
+std::vector<std::string> identifiers(std::vector<Object> const &objects, NameRules const &rules) {
   std::vector<std::string> names;
-  for (Object const &object : objects) names.push_back(identifier(object.label));
-  return numbered(std::move(names));
+  for (Object const &object : objects) names.push_back(identifier(object.label, rules));
+  return numbered(std::move(names), rules);
 }
 
-std::vector<std::string> identifiers(std::vector<Member> const &members) {
+std::vector<std::string> identifiers(std::vector<Member> const &members, NameRules const &rules) {
   std::vector<std::string> names;
   for (Member const &member : members) {
     bool const is_plain = std::all_of(member.name.begin(), member.name.end(),
                                       [](unsigned char c) { return std::isalnum(c) || c == '_'; });
-    names.push_back(is_plain && !is_keyword(member.name) ? member.name : identifier(member.name));
+    names.push_back(is_plain && !rules.is_keyword(member.name) ? member.name : identifier(member.name, rules));
   }
-  return numbered(std::move(names));
+  return numbered(std::move(names), rules);
 }
 
 static std::string element_name(std::string const &name, std::vector<std::size_t> const &extents,

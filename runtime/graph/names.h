@@ -1,23 +1,36 @@
-// C identifiers for annotated objects.
+// Identifiers for annotated objects.
 #pragma once
 
 #include "graph/graph.h"
 
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace symreal {
 
-// One identifier per object, in order: the label without its array sections, other characters turned into '_', made
-// different from each other and from C's and C++'s keywords. "c[0:3][0]" becomes c, "arm.q" arm_q.
-std::vector<std::string> identifiers(std::vector<Object> const &objects);
+// What a language says of names: the words that are none, in ascending order, and whether Ab and aB are one.
+struct NameRules {
+  std::span<std::string_view const> keywords;
+  bool ignores_case = false;
 
-// A member keeps its name where C and C++ have it.
-std::vector<std::string> identifiers(std::vector<Member> const &members);
+  bool is_keyword(std::string_view word) const;
+  // Equal for names that are one.
+  std::string key(std::string_view name) const;
+};
+// The keywords of C99 and of C++: generated headers are for both.
+extern NameRules const c_names;
 
-// Of C99 or C++: generated headers are for both.
-bool is_keyword(std::string_view word);
+// A label without its array sections, other characters turned into '_', and no keyword: "c[0:3][0]" becomes c, "arm.q"
+// arm_q.
+std::string identifier(std::string const &label, NameRules const &rules = c_names);
+
+// One per object, in order, made different from each other.
+std::vector<std::string> identifiers(std::vector<Object> const &objects, NameRules const &rules = c_names);
+
+// A member keeps its name where the language has it.
+std::vector<std::string> identifiers(std::vector<Member> const &members, NameRules const &rules = c_names);
 
 // "q[2]", "m[1][0]", "x", "bodies[1].mass": how a person calls one element of an object.
 std::string element_name(std::string const &identifier, Object const &object, std::uint32_t element);

@@ -7,8 +7,6 @@
 
 namespace symreal {
 
-static constexpr std::size_t most_statements = 500;
-
 namespace {
 
 class Cutter {
@@ -20,7 +18,7 @@ public:
         chunk_(body.regions.value_count(), no_slot),
         last_reader_(body.regions.value_count(), 0) {}
 
-  Chunks cut() {
+  Chunks cut(std::size_t most_statements) {
     Chunks chunks{{}, std::vector<std::uint32_t>(chunk_.size(), no_slot), 0};
     std::size_t const count = body_.variables.size();
     for (std::size_t statement = 0; statement < count; statement += most_statements) chunks.begin.push_back(statement);
@@ -90,8 +88,8 @@ std::size_t Chunks::of_check(Check const &check) const {
   return static_cast<std::size_t>(after - begin.begin()) - 1;
 }
 
-Chunks cut(Schedule const &plan, FunctionBody const &body, bool in_compute) {
-  return Cutter(plan, body, in_compute).cut();
+Chunks cut(Schedule const &plan, FunctionBody const &body, bool in_compute, std::size_t most_statements) {
+  return Cutter(plan, body, in_compute).cut(most_statements);
 }
 
 } // namespace symreal

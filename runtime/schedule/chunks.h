@@ -18,7 +18,7 @@ struct Chunks {
   std::size_t of_check(Check const &check) const;
 };
 
-// The results are read after the last chunk.
-Chunks cut(Schedule const &plan, FunctionBody const &body, bool in_compute);
+// The results are read after the last chunk. No chunk has more than so many statements.
+Chunks cut(Schedule const &plan, FunctionBody const &body, bool in_compute, std::size_t most_statements);
 
 } // namespace symreal

@@ -1,4 +1,4 @@
-// Emitted C, compiled with every warning an error and loaded.
+// Emitted C or C++, compiled with every warning an error and loaded.
 #pragma once
 
 #include "emit/emit.h"
@@ -12,15 +12,21 @@ namespace symreal {
 
 class Compiled {
 public:
-  Compiled(Graph const &graph, std::string const &compiler) : guarded_(!graph.guards.empty()) {
-    for (EmittedFile const &file : emit_c(graph, {.base_name = "k", .mainline = true}))
+  // `graph`: of a kernel "k". `compiler`: of C; in C++ the one of its family.
+  Compiled(Graph const &graph, std::string compiler, std::string const &language = "c")
+      : guarded_(!graph.guards.empty()),
+        is_cpp_(language == "cpp") {
+    for (EmittedFile const &file : emit(graph, *find_language(language), {.base_name = "k", .mainline = true}))
       std::ofstream(workspace_.file(file.name)) << file.text;
-    std::string flags = " -std=c99 -O1 -ffp-contract=off -fno-builtin -Wall -Wextra -Wconversion -pedantic -Werror ";
+    std::string flags = is_cpp_ ? " -std=c++17" : " -std=c99 -pedantic";
+    flags += " -O1 -ffp-contract=off -fno-builtin -Wall -Wextra -Wconversion -Werror ";
     // clang computes what it takes to be harmless before it is known to be needed, unless told that flags matter.
     if (compiler.starts_with("clang")) flags += "-ffp-exception-behavior=maytrap ";
-    std::string const path = workspace_.path();
-    EXPECT_EQ(std::system((compiler + flags + "-fPIC -shared " + path + "/k.c -o " + path + "/k.so -lm").c_str()), 0);
-    EXPECT_EQ(std::system((compiler + flags + "-fsyntax-only " + path + "/k_main.c").c_str()), 0);
+    if (is_cpp_) compiler = compiler == "gcc" ? "g++" : "clang++-19";
+    std::string const path = workspace_.path(), end = is_cpp_ ? ".cpp" : ".c";
+    std::string const build = compiler + flags + "-fPIC -shared " + path + "/k" + end + " -o " + path + "/k.so -lm";
+    EXPECT_EQ(std::system(build.c_str()), 0);
+    EXPECT_EQ(std::system((compiler + flags + "-fsyntax-only " + path + "/k_main" + end).c_str()), 0);
     library_ = dlopen((path + "/k.so").c_str(), RTLD_NOW | RTLD_LOCAL);
     EXPECT_NE(library_, nullptr) << dlerror();
   }
@@ -34,11 +40,12 @@ public:
   }
   // The guard that does not hold, or 0.
   int run(std::vector<double> const &input, std::vector<double> &output) const {
+    char const *const name = is_cpp_ ? "_ZN1k7computeEPKdS1_Pd" : "compute"; // k::compute
     if (guarded_) {
-      auto compute = reinterpret_cast<int (*)(double const *, double const *, double *)>(dlsym(library_, "compute"));
+      auto compute = reinterpret_cast<int (*)(double const *, double const *, double *)>(dlsym(library_, name));
       return compute(input.data(), nullptr, output.data());
     }
-    auto compute = reinterpret_cast<void (*)(double const *, double const *, double *)>(dlsym(library_, "compute"));
+    auto compute = reinterpret_cast<void (*)(double const *, double const *, double *)>(dlsym(library_, name));
     compute(input.data(), nullptr, output.data());
     return 0;
   }
@@ -46,7 +53,7 @@ public:
 private:
   program::Workspace workspace_{false};
   void *library_ = nullptr;
-  bool guarded_;
+  bool guarded_, is_cpp_;
 };
 
 } // namespace symreal

@@ -1,7 +1,6 @@
 #include "emit/emit.h"
 
 #include "compiled_graph.h"
-#include "emit/print/expression.h"
 #include "graph/evaluate.h"
 #include "graph/graph_text.h"
 #include "operation_samples.h"
@@ -31,28 +30,37 @@ Graph graph_of_all() {
                     "test");
 }
 
-TEST(Emit, EveryOperationComputesTheReferenceInC) {
+// A compiler of C, and the language of which its family compiles what is emitted.
+class Emit : public testing::TestWithParam<std::tuple<char const *, char const *>> {
+protected:
+  Compiled compile(Graph const &graph) const { return {graph, std::get<0>(GetParam()), std::get<1>(GetParam())}; }
+};
+INSTANTIATE_TEST_SUITE_P(Languages, Emit,
+                         testing::Combine(testing::Values("gcc", "clang-19"), testing::Values("c", "cpp")),
+                         [](auto const &info) {
+                           return std::string(std::get<0>(info.param)).substr(0, 3) + "_" + std::get<1>(info.param);
+                         });
+
+TEST_P(Emit, EveryOperationComputesTheReference) {
   Graph const graph = graph_of_all();
-  for (std::string const compiler : {"gcc", "clang-19"}) {
-    Compiled const compiled(graph, compiler);
-    for (std::size_t k = 0; k < 25; ++k) {
-      std::vector<double> input, expected;
-      for (OperationInfo const &operation : operations()) {
-        if (operation.has(flag::OPAQUE)) continue; // they are the table's last rows
-        auto x = test::samples(operation, 25)[k];
-        input.insert(input.end(), x.begin(), x.begin() + operation.arity);
-        expected.push_back(test::on_numbers(operation, x));
-      }
-      std::vector<double> const output = compiled.run(input, expected.size());
-      for (std::size_t i = 0; i < expected.size(); ++i)
-        EXPECT_EQ(std::bit_cast<std::uint64_t>(output[i]), std::bit_cast<std::uint64_t>(expected[i]))
-            << operations()[i].name << " with " << compiler << " at " << k;
+  Compiled const compiled = compile(graph);
+  for (std::size_t k = 0; k < 25; ++k) {
+    std::vector<double> input, expected;
+    for (OperationInfo const &operation : operations()) {
+      if (operation.has(flag::OPAQUE)) continue; // they are the table's last rows
+      auto x = test::samples(operation, 25)[k];
+      input.insert(input.end(), x.begin(), x.begin() + operation.arity);
+      expected.push_back(test::on_numbers(operation, x));
     }
+    std::vector<double> const output = compiled.run(input, expected.size());
+    for (std::size_t i = 0; i < expected.size(); ++i)
+      EXPECT_EQ(std::bit_cast<std::uint64_t>(output[i]), std::bit_cast<std::uint64_t>(expected[i]))
+          << operations()[i].name << " at " << k;
   }
 }
 
 // The results of a call that other chunks read, and tables at every kind of index.
-TEST(Emit, CallsAndLookupsComputeTheSameAcrossChunks) {
+TEST_P(Emit, CallsAndLookupsComputeTheSameAcrossChunks) {
   std::string text = "symreal-graph 1\nkernel \"k\"\ninput \"x\" [2]\noutput \"y\" [5]\n"
                      "table 0 \"t\" [3] = 1 2.5 -4\ntable 1 \"u\" [2] [2] = 1 2 3 4\n"
                      "external 0 \"modf\" pure returns number takes number output 1\n"
@@ -67,19 +75,17 @@ TEST(Emit, CallsAndLookupsComputeTheSameAcrossChunks) {
   CallExternal const call = [](std::size_t, std::span<double const> arguments, std::span<double> results) {
     results[0] = std::modf(arguments[0], &results[1]);
   };
-  for (std::string const compiler : {"gcc", "clang-19"}) {
-    Compiled const compiled(graph, compiler);
-    for (double x : {-1e300, -1.0, 0.0, 0.5, 1.0, 2.75, 3.0, 1e300, std::numeric_limits<double>::quiet_NaN()}) {
-      std::vector<double> const input = {x, -x}, output = compiled.run(input, 5);
-      std::vector<double> const expected = evaluate_sample(graph, input, {}, call).outputs;
-      for (std::size_t i = 0; i < expected.size(); ++i)
-        EXPECT_TRUE(output[i] == expected[i] || (std::isnan(output[i]) && std::isnan(expected[i]))) << i << " at " << x;
-    }
+  Compiled const compiled = compile(graph);
+  for (double x : {-1e300, -1.0, 0.0, 0.5, 1.0, 2.75, 3.0, 1e300, std::numeric_limits<double>::quiet_NaN()}) {
+    std::vector<double> const input = {x, -x}, output = compiled.run(input, 5);
+    std::vector<double> const expected = evaluate_sample(graph, input, {}, call).outputs;
+    for (std::size_t i = 0; i < expected.size(); ++i)
+      EXPECT_TRUE(output[i] == expected[i] || (std::isnan(output[i]) && std::isnan(expected[i]))) << i << " at " << x;
   }
 }
 
 // Integers of 64 bits that other chunks read are kept by their bits, among them such as are no number.
-TEST(Emit, IntegersOf64BitsCrossChunks) {
+TEST_P(Emit, IntegersOf64BitsCrossChunks) {
   std::string text = "symreal-graph 1\nkernel \"k\"\ninput \"x\" [2]\noutput \"y\" [3]\n%0 = input 0\n%1 = input 1\n"
                      "%2 = wide_int %0\n%3 = wide 1481765933 1284865837\n%4 = wide_mul %2 %3\n%5 = wide_less %4 %2\n"
                      "%6 = sin %0\n";
@@ -89,19 +95,17 @@ TEST(Emit, IntegersOf64BitsCrossChunks) {
   text += "%6000 = wide_add %4 %2\n%6001 = wide_low %6000\n%6002 = wide_select %5 %4 %2\n%6003 = wide_value %6002\n"
           "result 0 %6001\nresult 1 %6003\nresult 2 %5999\n";
   Graph const graph = read_graph(text, "test");
-  EXPECT_NE(emit_c(graph, {.base_name = "k"})[0].text.find("keep_integer(&v["), std::string::npos);
-  for (std::string const compiler : {"gcc", "clang-19"}) {
-    Compiled const compiled(graph, compiler);
-    for (double x : {-1.0, 0.0, 1.0, 2.0, 12345.0, -98765.0, 0x1p62, 4503599627370495.0}) {
-      std::vector<double> const input = {x, 1 - x}, output = compiled.run(input, 3);
-      std::vector<double> const expected = evaluate_sample(graph, input, {}).outputs;
-      for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_EQ(output[i], expected[i]) << i << " at " << x;
-    }
+  EXPECT_NE(emit(graph, *find_language("c"), {.base_name = "k"})[0].text.find("keep_integer(&v["), std::string::npos);
+  Compiled const compiled = compile(graph);
+  for (double x : {-1.0, 0.0, 1.0, 2.0, 12345.0, -98765.0, 0x1p62, 4503599627370495.0}) {
+    std::vector<double> const input = {x, 1 - x}, output = compiled.run(input, 3);
+    std::vector<double> const expected = evaluate_sample(graph, input, {}).outputs;
+    for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_EQ(output[i], expected[i]) << i << " at " << x;
   }
 }
 
 // Long enough for many chunks, with values that live in one, cross some, and are truth values.
-TEST(Emit, ALongFunctionIsCutAndComputesTheSame) {
+TEST(EmittedC, ALongFunctionIsCutAndComputesTheSame) {
   std::string text = "symreal-graph 1\nkernel \"k\"\ninput \"x\" [2]\noutput \"y\" [200]\n%0 = input 0\n%1 = input 1\n";
   std::mt19937_64 random(5);
   std::size_t const count = 6000;
@@ -118,7 +122,7 @@ TEST(Emit, ALongFunctionIsCutAndComputesTheSame) {
   for (std::size_t k = 0; k < 200; ++k)
     text += "result " + std::to_string(k) + " %" + std::to_string(count - 1 - 29 * k) + "\n";
   Graph const graph = read_graph(text, "test");
-  std::string const source = emit_c(graph, {.base_name = "k"})[0].text;
+  std::string const source = emit(graph, *find_language("c"), {.base_name = "k"})[0].text;
   EXPECT_NE(source.find("void compute_2("), std::string::npos);
   for (std::string const compiler : {"gcc", "clang-19"}) {
     Compiled const compiled(graph, compiler);
@@ -130,22 +134,22 @@ TEST(Emit, ALongFunctionIsCutAndComputesTheSame) {
   }
 }
 
-TEST(Emit, ConstantsReadBackToTheSameBits) {
+TEST(EmittedC, ConstantsReadBackToTheSameBits) {
   for (double value : {0.0, -0.0, 1.0, 0.1, -1e300, 5e-324, 1.7976931348623157e308, 123456789012345680.0, 1e22}) {
-    std::string const text = c_constant(value);
+    std::string const text = constant(*find_language("c"), value);
     EXPECT_EQ(std::bit_cast<std::uint64_t>(std::strtod(text.c_str(), nullptr)), std::bit_cast<std::uint64_t>(value))
         << text;
     EXPECT_NE(text.find_first_of(".e"), std::string::npos) << text << " is an integer in C";
     EXPECT_EQ(parse_number(shortest(value)), value);
   }
-  EXPECT_EQ(c_constant(INFINITY), "INFINITY");
-  EXPECT_EQ(c_constant(-INFINITY), "-INFINITY");
-  EXPECT_EQ(c_constant(NAN), "NAN");
-  EXPECT_EQ(c_constant(-NAN), "-NAN");
+  EXPECT_EQ(constant(*find_language("c"), INFINITY), "INFINITY");
+  EXPECT_EQ(constant(*find_language("c"), -INFINITY), "-INFINITY");
+  EXPECT_EQ(constant(*find_language("c"), NAN), "NAN");
+  EXPECT_EQ(constant(*find_language("c"), -NAN), "-NAN");
 }
 
 // Arms of arms that are computed in turns, so that blocks alternate and nest.
-TEST(Emit, ArmsComputedInTurnsCompileAndComputeTheSame) {
+TEST(EmittedC, ArmsComputedInTurnsCompileAndComputeTheSame) {
   std::mt19937 random(1);
   auto below = [&random](std::size_t end) { return random() % end; };
   for (int program = 0; program < 25; ++program) {
@@ -186,12 +190,12 @@ TEST(Emit, ArmsComputedInTurnsCompileAndComputeTheSame) {
   }
 }
 
-TEST(Emit, ADeepChainNeedsNoDeepStackAndNoLongLines) {
+TEST(EmittedC, ADeepChainNeedsNoDeepStackAndNoLongLines) {
   std::string text = "symreal-graph 1\nkernel \"k\"\ninput \"x\"\noutput \"y\"\n%0 = input 0\n";
   std::size_t const depth = 200000;
   for (std::size_t k = 1; k <= depth; ++k) text += "%" + std::to_string(k) + " = sin %" + std::to_string(k - 1) + "\n";
   Graph const graph = read_graph(text + "result 0 %" + std::to_string(depth) + "\n", "test");
-  std::string const source = emit_c(graph, {})[0].text;
+  std::string const source = emit(graph, *find_language("c"), {})[0].text;
   EXPECT_NE(source.find("sin(sin("), std::string::npos);
   for (std::size_t at = 0; at < source.size();) {
     std::size_t const end = std::min(source.find('\n', at), source.size());

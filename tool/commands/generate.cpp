@@ -10,6 +10,7 @@
 #include "tool/report/console.h"
 #include "tool/report/frozen.h"
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <fmt/ostream.h>
@@ -27,7 +28,8 @@ struct Options {
   SourceOptions source;
   PassOptions passes;
   EmitterOptions emitter;
-  std::string output, graph_file, language = "c", decisions = "error";
+  LanguageOption language;
+  std::string output, graph_file, decisions = "error";
   FrozenOption frozen;
   std::string depfile;
   bool check = false, wrapper = false, statistics = false, json = false, write_config = false;
@@ -51,8 +53,15 @@ std::string place_output(std::string const &option, std::string const &name, boo
   return directory ? (fs::path(option) / fs::path(name).filename()).string() : option;
 }
 
+bool calls_c(Options const &options) {
+  std::vector<Language const *> const languages = options.language.languages();
+  return std::ranges::find(languages, find_language("c")) != languages.end();
+}
+
 void require_sense(Options const &options) {
-  require_one_of("--lang", options.language, "c");
+  require_one_language(options.language.languages(), options.emitter);
+  if (options.wrapper && !calls_c(options))
+    fail(DiagnosticId::option_without_effect, {}, "--wrapper calls generated C: name c among the languages of --lang");
   options.frozen.require_sense();
   require_one_of("--decisions", options.decisions, "error|guard|select");
   (void)options.passes.floating_point();
@@ -67,7 +76,7 @@ void require_outputs(Options const &options) {
   auto may_be_file = [](std::string const &path) { return !path.empty() && !names_directory(path); };
   if (options.check) return;
   if (may_be_file(options.output)) {
-    if (fs::path(options.output).has_extension()) require_c_name(options.output);
+    if (fs::path(options.output).has_extension()) require_source_name(options.output, options.language.languages());
     require_writable(options.output);
   }
   if (may_be_file(options.graph_file)) require_writable(options.graph_file);
@@ -78,11 +87,14 @@ Product make_product(program::Recorded &recorded, Options const &options, bool s
   Product product{std::move(recorded.graph), {}, {}, {}, 0};
   product.optimised = optimise(product.recorded, options.passes);
   std::string given = recorded.output_file.empty() ? recorded.kernel.name + ".c" : recorded.output_file;
-  std::string path = place_output(options.output, given, several);
-  product.files = emitted_files(product.optimised.graph, options.emitter, options.passes.floating_point(), path);
+  std::string const path = place_output(options.output, given, several);
+  std::vector<Language const *> const languages = options.language.languages(), any = all_languages();
+  require_source_name(path, options.output == path ? languages : any);
+  product.files =
+      emitted_files(product.optimised.graph, options.emitter, options.passes.floating_point(), languages, path);
   if (options.wrapper)
-    product.files.push_back(
-        wrapper_file(recorded.kernel, product.optimised.graph, options.emitter, path, product.warnings));
+    product.files.push_back(wrapper_file(recorded.kernel, product.optimised.graph, options.emitter,
+                                         fs::path(path).replace_extension(".c"), product.warnings));
   if (!options.graph_file.empty()) {
     std::ostringstream text;
     write_graph(text, product.recorded);
@@ -183,7 +195,7 @@ void add_generate(CLI::App &app, Session &session) {
       ->add_option("--depfile", options->depfile, "Also write the files that the result depends on, as a rule of make")
       ->type_name("FILE");
   command->add_flag("--check", options->check, "Write nothing; check whether the existing files are up to date");
-  command->add_option("--lang", options->language, "Language of the result: c")->capture_default_str();
+  options->language.add_to(*command, "c");
   options->passes.add_to(*command);
   options->emitter.add_to(*command);
   command->add_flag("--wrapper", options->wrapper,

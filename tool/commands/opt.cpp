@@ -1,5 +1,5 @@
-#include "emit/emit.h"
 #include "graph/graph_text.h"
+#include "schedule/schedule_text.h"
 #include "support/files.h"
 #include "tool/commands/optimise.h"
 #include "tool/commands/subcommands.h"
@@ -8,25 +8,31 @@
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <sstream>
 
 namespace symreal::tool {
 namespace {
 
 struct Options {
-  std::string file, output, language = "graph";
+  std::string file, output;
+  LanguageOption language;
   PassOptions passes;
   EmitterOptions emitter;
   bool statistics = false, json = false;
 };
 
+bool emits_code(Options const &options) { return !options.language.languages().empty(); }
+
 void require_sense(Options const &options) {
-  require_one_of("--lang", options.language, "graph|c");
   EmitterOptions const &emitter = options.emitter;
-  if (options.language == "graph" && (emitter.mainline || !emitter.prefix.empty() || emitter.trace_comments ||
-                                      emitter.check_values || !emitter.map_file.empty()))
+  if (!emits_code(options) && (emitter.mainline || !emitter.prefix.empty() || emitter.trace_comments ||
+                               emitter.check_values || !emitter.map_file.empty()))
     fail(DiagnosticId::option_without_effect, {},
          "--prefix, --mainline, --trace-comments, --map and --check-values shape generated code: use --lang=c");
+  require_one_language(options.language.languages(), emitter);
+  if (options.language.languages().size() > 1 && options.output.empty())
+    fail(DiagnosticId::option_without_effect, {}, "several languages make several files: name the first with -o");
   if (options.emitter.mainline && options.output.empty())
     fail(DiagnosticId::option_without_effect, {}, "--mainline writes a second file: name the first with -o");
   if (!emitter.map_file.empty() && options.output.empty())
@@ -35,21 +41,48 @@ void require_sense(Options const &options) {
     fail(DiagnosticId::option_without_effect, {}, "--json prints to standard output: name the result's file with -o");
 }
 
-std::vector<OutputFile> result_files(Graph const &graph, Options const &options) {
-  if (options.language == "c")
-    return emitted_files(graph, options.emitter, options.passes.floating_point(),
-                         options.output.empty() ? graph.kernel + ".c" : options.output);
+// What is read: a graph, or a schedule of one, which is laid out already.
+struct Input {
+  Graph graph;
+  std::optional<ReadSchedule> schedule;
+};
+
+Input read_input(Options const &options) {
+  std::string const text = read_file(options.file);
+  if (!is_schedule(text)) return {read_graph(text, options.file), {}};
+  if (options.passes.is_given())
+    fail(DiagnosticId::option_without_effect, {}, "passes work on graphs, and '" + options.file + "' is a schedule");
+  if (options.emitter.check_values)
+    fail(DiagnosticId::option_without_effect, {},
+         "--check-values lays a graph out in its own way, and '" + options.file + "' is a schedule");
+  ReadSchedule schedule = read_schedule(text, options.file);
+  Graph graph = *schedule.graph;
+  return {std::move(graph), std::move(schedule)};
+}
+
+std::vector<OutputFile> result_files(Input const &input, Graph const &graph, Options const &options) {
+  std::vector<Language const *> const languages = options.language.languages();
+  Schedule const *const plan = input.schedule ? &input.schedule->plan : nullptr;
+  if (!languages.empty()) {
+    std::string const path =
+        options.output.empty() ? graph.kernel + std::string(languages[0]->files.extension) : options.output;
+    require_source_name(path, languages);
+    return emitted_files(graph, options.emitter, options.passes.floating_point(), languages, path, plan);
+  }
   std::ostringstream text;
-  write_graph(text, graph);
+  if (options.language.text == "graph")
+    write_graph(text, graph);
+  else
+    write_schedule(text, plan ? *plan : schedule(graph));
   return {{options.output, text.str()}};
 }
 
 void run(Options const &options) {
   require_sense(options);
-  Graph recorded = read_graph(read_file(options.file), options.file);
-  Optimised optimised = optimise(recorded, options.passes);
-  std::vector<OutputFile> files = result_files(optimised.graph, options);
-  KernelReport report{&recorded, &optimised.graph, optimised.stages, {}, {}};
+  Input const input = read_input(options);
+  Optimised const optimised = input.schedule ? Optimised{input.graph, {}} : optimise(input.graph, options.passes);
+  std::vector<OutputFile> files = result_files(input, optimised.graph, options);
+  KernelReport report{&input.graph, &optimised.graph, optimised.stages, {}, {}};
   if (options.output.empty()) {
     std::cout << files.front().text;
   } else {
@@ -63,11 +96,15 @@ void run(Options const &options) {
 } // namespace
 
 void add_opt(CLI::App &app, Session &session) {
-  CLI::App *command = app.add_subcommand("opt", "Run passes on the text of a graph; print the graph or emit code");
+  CLI::App *command =
+      app.add_subcommand("opt", "Run passes on the text of a graph; print the graph or its schedule, or emit code");
   auto options = std::make_shared<Options>();
-  command->add_option("graph", options->file, "Graph text, as written by generate --graph")->required();
+  command
+      ->add_option("graph", options->file,
+                   "Graph text, as written by generate --graph; or a schedule, as written by --lang=schedule")
+      ->required();
   command->add_option("-o", options->output, "Where the result goes (default: standard output)")->type_name("FILE");
-  command->add_option("--lang", options->language, "graph or c")->capture_default_str();
+  options->language.add_to(*command, "graph", "graph|schedule");
   options->passes.add_to(*command);
   options->emitter.add_to(*command);
   command->add_flag("--stats", options->statistics, "Print the table of operations to standard error");

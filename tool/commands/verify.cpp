@@ -65,7 +65,7 @@ bool has_wrapper(std::string const &generated, program::Recorded const &recorded
   fs::path const stem = fs::path(generated).replace_extension();
   for (char const *suffix : {"_wrapper.c", "_wrapper.cpp"}) {
     std::string const path = stem.string() + suffix;
-    if (!recorded.kernel.is_function || !fs::exists(path)) continue;
+    if (!recorded.kernel.is_function || program::is_generated_cpp(generated) || !fs::exists(path)) continue;
     if (!program::is_wrapper_of(read_file(path), recorded))
       fail(DiagnosticId::foreign_file, {path, 1, 1},
            "this wrapper was generated for another form of kernel '" + recorded.kernel.name + "'");
@@ -80,7 +80,7 @@ int run(CLI::App &command, Options &options, Session &session) {
   if (!sources.empty()) options.source.project.request.sources = sources;
   options.source.project.configure(command, session.configured);
   if (generated.empty() || (sources.empty() && options.source.project.build.empty()))
-    fail(DiagnosticId::bad_option, {}, "verify takes sources and generated C files");
+    fail(DiagnosticId::bad_option, {}, "verify takes sources and generated files in C or C++");
   std::vector<program::Banner> banners;
   for (std::string const &path : generated) {
     banners.push_back(program::read_banner(path));
@@ -124,7 +124,7 @@ int run(CLI::App &command, Options &options, Session &session) {
 void add_verify(CLI::App &app, Session &session) {
   CLI::App *command = app.add_subcommand("verify", "Compare the generated code with the original on many inputs");
   auto options = std::make_shared<Options>();
-  command->add_option("files", options->files, "The sources of the program, then generated C files");
+  command->add_option("files", options->files, "The sources of the program, then generated files in C or C++");
   options->numeric.add_to(*command);
   options->source.add_to(*command);
   program::VerificationOptions &verification = options->verification;

@@ -40,8 +40,9 @@ void PassOptions::add_to(CLI::App &app) {
   app.add_option("--fp", mode, "Floating-point mode: finite, strict or fast")->capture_default_str();
   std::string names;
   for (PassInfo const &pass : pass_table()) names += std::string(names.empty() ? "" : ", ") + std::string(pass.name);
-  app.add_option("--passes", passes, "Passes, separated by commas; or default, or none. There are: " + names)
-      ->capture_default_str();
+  passes_option =
+      app.add_option("--passes", passes, "Passes, separated by commas; or default, or none. There are: " + names)
+          ->capture_default_str();
 }
 
 FloatingPoint PassOptions::floating_point() const {

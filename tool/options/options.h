@@ -25,8 +25,10 @@ struct SourceOptions {
 // Which passes run, in which floating-point mode.
 struct PassOptions {
   std::string mode = "finite", passes = "default";
+  CLI::Option *passes_option = nullptr;
 
   void add_to(CLI::App &app);
+  bool is_given() const { return passes_option && passes_option->count() != 0; } // which passes
   FloatingPoint floating_point() const;
   std::vector<std::string> names() const;
 };

@@ -1,8 +1,8 @@
 #include "tool/output/outputs.h"
 
 #include "diagnostics/diagnostic.h"
-#include "emit/c/banner.h"
 #include "emit/emit.h"
+#include "emit/language/banner.h"
 #include "support/diff.h"
 #include "support/files.h"
 #include "tool/output/line_map.h"
@@ -19,24 +19,20 @@ namespace symreal::tool {
 namespace fs = std::filesystem;
 
 std::vector<OutputFile> emitted_files(Graph const &graph, EmitterOptions const &options, FloatingPoint mode,
-                                      std::string const &path) {
-  require_c_name(path);
-  EmitOptions emit{fs::path(path).stem().string(), options.prefix,      mode, options.mainline,
-                   options.trace_comments,         options.check_values};
+                                      std::vector<Language const *> const &languages, std::string const &path,
+                                      Schedule const *plan) {
+  EmitOptions const emit{fs::path(path).stem().string(), options.prefix,      mode, options.mainline,
+                         options.trace_comments,         options.check_values};
   std::vector<OutputFile> files;
-  for (EmittedFile &file : emit_c(graph, emit)) {
-    if (!options.map_file.empty() && files.empty()) files.push_back({options.map_file, line_map(file, graph)});
-    files.push_back({(fs::path(path).parent_path() / file.name).string(), std::move(file.text)});
+  for (Language const *language : languages) {
+    std::vector<EmittedFile> const emitted =
+        plan ? symreal::emit(*plan, *language, emit) : symreal::emit(graph, *language, emit);
+    for (EmittedFile const &file : emitted) {
+      files.push_back({(fs::path(path).parent_path() / file.name).string(), file.text});
+      if (!options.map_file.empty() && files.size() == 1) files.push_back({options.map_file, line_map(file, graph)});
+    }
   }
-  if (!options.map_file.empty()) std::swap(files[0], files[1]); // the source comes first
   return files;
-}
-
-void require_c_name(std::string const &path) {
-  if (fs::path(path).extension() != ".c")
-    fail(DiagnosticId::bad_option, {}, "generated C goes to a file whose name ends in .c, not to '" + path + "'");
-  if (fs::path(path).filename().string().find_first_of("\"\n\\") != std::string::npos)
-    fail(DiagnosticId::bad_option, {}, "an #include cannot name the header beside '" + path + "'");
 }
 
 void require_writable(std::string const &path) {

@@ -2,10 +2,15 @@
 #pragma once
 
 #include "graph/graph.h"
+#include "tool/options/language_option.h"
 #include "tool/options/options.h"
 
 #include <string>
 #include <vector>
+
+namespace symreal {
+struct Schedule;
+}
 
 namespace symreal::tool {
 
@@ -13,12 +18,11 @@ struct OutputFile {
   std::string path, text;
 };
 
-// Generated C at `path` (its name ends in .c), the header and on request the mainline beside it.
+// Generated code beside `path`, which gives it its name: of each language the source, its header and on request the
+// mainline. `plan`: of the graph, where it is not made here.
 std::vector<OutputFile> emitted_files(Graph const &graph, EmitterOptions const &options, FloatingPoint mode,
-                                      std::string const &path);
-
-// Fails for a name that --lang=c cannot have.
-void require_c_name(std::string const &path);
+                                      std::vector<Language const *> const &languages, std::string const &path,
+                                      Schedule const *plan = nullptr);
 
 // Fails when a file of this name cannot be written; before the work is done, so that it is not done in vain.
 void require_writable(std::string const &path);

@@ -1,6 +1,6 @@
 #include "tool/report/report.h"
 
-#include "emit/print/words.h"
+#include "emit/language/words.h"
 #include "graph/frozen.h"
 #include "graph/statistics.h"
 #include "support/number.h"

@@ -1,6 +1,5 @@
 #include "emit/c/externals.h"
 
-#include "emit/print/expression.h"
 #include "graph/complex_function.h"
 #include "graph/opaque.h"
 
@@ -12,23 +11,6 @@ namespace symreal {
 namespace {
 
 using Kind = ExternalValue::Kind;
-
-// What a live node refers to.
-struct Used {
-  std::set<std::size_t> tables, functions;
-};
-
-Used used_by(Graph const &graph) {
-  Used used;
-  std::vector<char> const live = live_nodes(graph);
-  for (std::size_t id = 0; id < graph.nodes.size(); ++id) {
-    Node const &node = graph.nodes[id];
-    if (!live[id]) continue;
-    if (node.op == Op::lookup || node.op == Op::lookup2) used.tables.insert(table_of(graph, node));
-    if (is_call(node.op)) used.functions.insert(function_of(graph, node));
-  }
-  return used;
-}
 
 std::string type_of(ExternalValue const &value) {
   switch (value.kind) {
@@ -98,22 +80,6 @@ std::string prototypes(Graph const &graph, std::set<std::size_t> const &function
   return text + (text.empty() || complex.empty() ? "" : "\n") + complex;
 }
 
-std::string table_text(Graph const &graph, std::size_t number) {
-  Table const &table = graph.tables[number];
-  std::string label; // a comment must not end in the user's text
-  for (char c : table.name) label += c == '*' || c == '/' ? ' ' : c;
-  std::string text = fmt::format("/* {} */\nstatic double const table_{}[{}] = {{", label, number, table.values.size());
-  std::size_t const row = table.extents.back();
-  std::size_t width = 0;
-  for (std::size_t k = 0; k < table.values.size(); ++k) {
-    std::string const value = c_constant(table.values[k]) + (k + 1 < table.values.size() ? "," : "");
-    bool const breaks = k % row == 0 || width + value.size() > 96;
-    text += breaks ? "\n    " + value : " " + value;
-    width = (breaks ? 0 : width + 1) + value.size();
-  }
-  return text + "};\n";
-}
-
 std::string as_integer(std::string const &type, std::string const &argument) {
   bool const is_literal = argument.find_first_not_of("-0123456789") == std::string::npos;
   return is_literal ? argument : "(" + type + ")(" + argument + ")";
@@ -121,30 +87,22 @@ std::string as_integer(std::string const &type, std::string const &argument) {
 
 } // namespace
 
-std::string c_declarations(Graph const &graph) {
-  Used const used = used_by(graph);
-  std::string text = prototypes(graph, used.functions);
-  if (!text.empty()) text += "\n";
-  for (std::size_t number : used.tables) text += table_text(graph, number);
-  if (!used.tables.empty())
-    text += "\n/* An index outside of its table reads the nearest element. */\n"
-            "static int table_index(double index, int extent) {\n"
-            "  if (!(index > 0.0)) return 0;\n"
-            "  return index < extent ? (int)index : extent - 1;\n}\n\n";
-  return text;
+std::string c_external_declarations(Emission const &emission) {
+  std::string const text = prototypes(emission.graph(), emission.uses.externals);
+  return text.empty() ? text : text + "\n";
 }
 
-std::vector<std::string> c_call(External const &external, std::string const &label,
-                                std::vector<std::string> const &arguments, ResultArray const &results, bool is_wanted) {
+std::vector<std::string> c_call(ExternalCall const &call) {
+  auto const &[external, label, arguments, array, first, is_wanted] = call;
   std::vector<std::string> statements;
-  std::size_t argument = 0, result = results.first;
+  std::size_t argument = 0, result = first;
   std::string passed;
   auto list = [&](std::uint32_t count) {
     std::string text;
     for (std::uint32_t k = 0; k < count; ++k) text += (k == 0 ? "" : ", ") + arguments[argument++];
     return text;
   };
-  auto element = [&](std::size_t at) { return fmt::format("{}[{}]", results.name, at); };
+  auto element = [&](std::size_t at) { return fmt::format("{}[{}]", array, at); };
   if (external.returned.kind != Kind::none) result += external.returned.count;
   for (std::size_t p = 0; p < external.parameters.size(); ++p) {
     ExternalValue const &parameter = external.parameters[p];
@@ -173,18 +131,18 @@ std::vector<std::string> c_call(External const &external, std::string const &lab
       break;
     }
   }
-  std::string const call = fmt::format("{}({});", external.name, passed);
+  std::string const made = fmt::format("{}({});", external.name, passed);
   if (external.returned.kind == Kind::none)
-    statements.push_back(call);
+    statements.push_back(made);
   else if (!is_wanted)
-    statements.push_back("(void)" + call);
+    statements.push_back("(void)" + made);
   else if (external.returned.kind == Kind::object) {
-    statements.push_back(fmt::format("struct numbers_{} const s{} = {}", external.returned.count, label, call));
+    statements.push_back(fmt::format("struct numbers_{} const s{} = {}", external.returned.count, label, made));
     for (std::uint32_t k = 0; k < external.returned.count; ++k)
-      statements.push_back(fmt::format("{} = s{}.m[{}];", element(results.first + k), label, k));
+      statements.push_back(fmt::format("{} = s{}.m[{}];", element(first + k), label, k));
   } else
-    statements.push_back(fmt::format("{} = {}{}", element(results.first),
-                                     external.returned.kind == Kind::integer ? "(double)" : "", call));
+    statements.push_back(
+        fmt::format("{} = {}{}", element(first), external.returned.kind == Kind::integer ? "(double)" : "", made));
   return statements;
 }
 
@@ -197,7 +155,7 @@ std::string c_external_calls(Graph const &graph) {
     std::vector<std::string> arguments;
     for (std::size_t k = 0; k < external.argument_count(); ++k) arguments.push_back(fmt::format("argument[{}]", k));
     text += fmt::format("void symreal_call_{}(double const *argument, double *result) {{\n", number);
-    for (std::string const &statement : c_call(external, "", arguments, {"result", 0}, true))
+    for (std::string const &statement : c_call({external, "", std::move(arguments), "result"}))
       text += "  " + statement + "\n";
     text += "  (void)argument;\n  (void)result;\n}\n";
   }

@@ -1,5 +1,5 @@
 #include "emit/c/parts.h"
-#include "emit/print/expression.h"
+#include "emit/print/source.h"
 #include "graph/names.h"
 
 #include <algorithm>
@@ -15,46 +15,51 @@ static std::string array(std::string const &type, std::string const &name, std::
                      list.empty() ? "0" : list);
 }
 
-static std::vector<std::string> constants(std::vector<double> const &values) {
+static std::vector<std::string> constants(Language const &language, std::vector<double> const &values) {
   std::vector<std::string> texts;
-  for (double value : values) texts.push_back(c_constant(value));
+  for (double value : values) texts.push_back(constant(language, value));
   return texts;
 }
 
-std::string c_mainline(Schedule const &plan, EmitOptions const &options) {
-  Graph const &graph = *plan.graph;
+std::string mainline(Emission const &emission, MainlineWords const &words) {
+  Graph const &graph = emission.graph();
   std::vector<std::string> labels, names = identifiers(graph.outputs);
   for (std::size_t i = 0; i < graph.outputs.size(); ++i)
     for (std::uint32_t k = 0; k < graph.outputs[i].count; ++k)
       labels.push_back("\"" + element_name(names[i], graph.outputs[i], k) + "\"");
 
-  std::string out = c_banner(plan, options);
-  out += fmt::format("#include \"{}.h\"\n\n#include <math.h>\n#include <stdio.h>\n#include <stdlib.h>\n\n",
-                     options.base_name);
+  std::string out = banner(emission);
+  out += fmt::format("#include \"{}\"\n\n{}\n", words.header, words.includes);
   out += "/* Runs the kernel once and prints its outputs. Arguments replace the recorded inputs in order, then the\n"
          "   parameters. */\n";
   out += "int main(int argc, char **argv) {\n";
-  out += array("double", "input", constants(graph.input_values));
-  out += array("double", "parameters", constants(graph.parameter_values));
+  out += array("double", "input", constants(emission.language, graph.input_values));
+  out += array("double", "parameters", constants(emission.language, graph.parameter_values));
   out += array("char const *const", "name", labels);
   out += fmt::format("  double constants[{}] = {{0}};\n  double output[{}] = {{0}};\n",
-                     std::max<std::size_t>(plan.constant_count, 1), std::max<std::size_t>(graph.output_count(), 1));
+                     std::max<std::size_t>(emission.plan.constant_count, 1),
+                     std::max<std::size_t>(graph.output_count(), 1));
   out += "  int i;\n\n";
   out +=
       fmt::format("  for (i = 1; i < argc; ++i) {{\n    double const value = strtod(argv[i], NULL);\n"
                   "    if (i <= {0}) input[i - 1] = value;\n    else if (i <= {1}) parameters[i - 1 - {0}] = value;\n"
                   "  }}\n",
                   graph.input_count(), graph.input_count() + graph.parameter_count());
-  out += fmt::format("  {}(parameters, constants);\n", prefixed(options, "preprocess"));
-  std::string const call = prefixed(options, "compute") + "(input, constants, output);\n";
+  out += fmt::format("  {}(parameters, constants);\n", words.scope + emission.name("preprocess"));
+  std::string const call = words.scope + emission.name("compute") + "(input, constants, output);\n";
   out += graph.guards.empty() ? "  " + call
                               : fmt::format("  i = {}  if (i != 0) {{\n"
                                             "    fprintf(stderr, \"guard %d does not hold: %s\\n\", i, {}(i));\n"
                                             "    return 1;\n  }}\n",
-                                            call, prefixed(options, "guard_text"));
+                                            call, words.scope + emission.name("guard_text"));
   out += fmt::format("  for (i = 0; i < {}; ++i) printf(\"%s = %.17g\\n\", name[i], output[i]);\n  return 0;\n}}\n",
                      graph.output_count());
   return out;
+}
+
+std::string c_mainline(Emission const &emission) {
+  return mainline(emission, {emission.options.base_name + ".h",
+                             "#include <math.h>\n#include <stdio.h>\n#include <stdlib.h>\n", ""});
 }
 
 } // namespace symreal

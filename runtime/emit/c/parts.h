@@ -1,25 +1,36 @@
-// The parts of the C output, one function each. Shared by emit_c only.
+// The parts of generated C, one function each; those that C++ has as well are used there.
 #pragma once
 
-#include "emit/print/emitted.h"
-#include "emit/print/words.h"
-#include "schedule/schedule.h"
+#include "emit/print/emission.h"
 
 namespace symreal {
 
-// What verification and people need to know of a generated file: the first lines of source and header. One line is
-// JSON, so that a tool can recognise the file as its own.
-std::string c_banner(Schedule const &plan, EmitOptions const &options);
+std::string c_begin(Emission const &emission);
+std::string c_header(Emission const &emission);
+std::string c_mainline(Emission const &emission);
 
-std::string c_source(Schedule const &plan, EmitOptions const &options);
-std::string c_header(Schedule const &plan, EmitOptions const &options);
-std::string c_mainline(Schedule const &plan, EmitOptions const &options);
+// How C and C++ differ in a program that runs the kernel once.
+struct MainlineWords {
+  std::string header, includes;
+  std::string scope; // before the names of the interface
+};
+std::string mainline(Emission const &emission, MainlineWords const &words);
 
-// With guards only: the list of them, for the header, and the function that gives their texts.
-std::string c_guard_list(Schedule const &plan, EmitOptions const &options);
-std::string c_guard_text(Schedule const &plan, EmitOptions const &options);
+// The integer functions that the kernel's functions call, and their includes.
+std::string c_integer_functions(Emission const &emission);
+std::string c_integer_includes(Emission const &emission);
 
-// A comment for the header that lists the state that is baked in; empty where none is.
-std::string c_frozen_list(Graph const &graph);
+// With guards only: the function that gives their texts, and its name with what it takes.
+std::string c_guard_text(Emission const &emission);
+
+// Where guard k does not hold.
+inline constexpr char const *c_guard_returns =
+    "compute returns 0, or the number of the first guard that does not hold; output is left untouched then.";
+
+// What reports values that are not finite, where they are checked.
+std::string c_value_checks(Emission const &emission);
+
+// Whatever the flags, nothing is fused; empty in mode fast.
+std::string c_no_fusion(Emission const &emission);
 
 } // namespace symreal

@@ -30,13 +30,6 @@ void add_compared(Graph const &graph, std::vector<char> &found) {
 
 } // namespace
 
-char const *const hide_definition = "/* An argument that is constant on some path: a compiler would evaluate the call "
-                                    "there, and round otherwise\n   than the library. */\n"
-                                    "static double at_run(double x) {\n"
-                                    "  double volatile const kept = x;\n"
-                                    "  return kept;\n"
-                                    "}\n\n";
-
 std::vector<char> constant_on_a_path(Graph const &graph) {
   std::vector<char> found(graph.nodes.size(), 0);
   add_compared(graph, found);

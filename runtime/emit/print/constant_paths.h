@@ -8,7 +8,6 @@
 #include "graph/graph.h"
 
 #include <span>
-#include <string_view>
 #include <vector>
 
 namespace symreal {
@@ -20,9 +19,5 @@ std::vector<char> constant_on_a_path(Graph const &graph);
 NodeId hidden_operand(Graph const &graph, std::vector<char> const &constant_on_a_path, Node const &call);
 NodeId hidden_argument(Graph const &graph, std::vector<char> const &constant_on_a_path,
                        std::span<NodeId const> arguments);
-
-// The function of the generated code that hides a value, and its definition.
-inline constexpr std::string_view hide = "at_run";
-extern char const *const hide_definition;
 
 } // namespace symreal

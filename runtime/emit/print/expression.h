@@ -1,31 +1,43 @@
-// Expressions in C: nested as far as the schedule nests them, parenthesised no more than needed.
+// Expressions in a language: nested as far as the schedule nests them, parenthesised no more than needed.
 #pragma once
 
+#include "emit/print/emission.h"
 #include "emit/print/variable_names.h"
 
 #include <string>
 
 namespace symreal {
 
-// A double as a C constant that reads back to the same bits.
-std::string c_constant(double value);
-
-// How the nodes that stand in an array are spelled inside one function.
+// How the nodes that stand in variables and arrays are spelled inside one function, and what its text has used.
 struct FunctionContext {
-  bool in_compute;                                   // reads input[] and constants[]; otherwise parameters[]
-  std::vector<std::uint32_t> const *name;            // per node: the number of its variable, or no_slot
-  VariableNames const *spelling;                     // of variables
-  std::vector<std::uint32_t> const *kept = nullptr;  // per node: the slot of v[] where an earlier chunk kept it
-  std::vector<NodeId> *spelled_out = nullptr;        // takes the operations that an expression holds
-  std::vector<char> const *constant_paths = nullptr; // per node; null: compilers may evaluate what they find constant
+  Emission &emission;
+  FunctionBody const &body;
+  bool in_compute;                        // reads input and constants; otherwise parameters
+  VariableNames spelling;                 // of variables
+  std::vector<std::uint32_t> variable;    // per node: the number of its variable, or no_slot
+  std::vector<std::uint32_t> kept;        // per node: the element of v where it stands for later chunks, or no_slot
+  std::vector<char> constant_paths;       // per node; empty: compilers may evaluate what they find constant
+  std::set<std::string_view> arrays = {}; // that the text names
+  std::vector<NodeId> spelled_out = {};   // the operations that the text holds
+
+  FunctionContext(Emission &emission, FunctionBody const &body, bool in_compute);
+  Graph const &graph() const { return emission.graph(); }
+  bool is_gate(NodeId id) const { return body.regions.is_gate(id); }
+  // An element of an array that the function has or is given.
+  std::string element(std::string_view array, std::size_t index);
+  // The element of an array of results that a call sets: its own array, or v.
+  std::string result_element(NodeId call, std::size_t result);
 };
 
 // The value of `root`, spelled out even where the node has a variable (it is the statement that sets it).
-std::string c_expression(Schedule const &plan, FunctionContext const &context, NodeId root);
-// A condition in C that holds where the literal does. A comparison is negated, not turned round: with a NaN both x < y
+std::string print_expression(FunctionContext &context, NodeId root);
+// A condition that holds where the literal does. A comparison is negated, not turned round: with a NaN both x < y
 // and x >= y are false.
-std::string c_condition(Schedule const &plan, FunctionContext const &context, Literal literal);
-// A use of the node: its variable, its array element or its constant; a nested expression is spelled out.
-std::string c_use(Schedule const &plan, FunctionContext const &context, NodeId node);
+std::string print_condition(FunctionContext &context, Literal literal);
+// That one of the alternatives of a gate holds: all literals of one of them.
+std::string print_gate(FunctionContext &context, NodeId gate);
+// A use of the node as a number or an integer: its variable, its array element or its constant; a nested expression is
+// spelled out.
+std::string print_use(FunctionContext &context, NodeId node);
 
 } // namespace symreal

@@ -15,31 +15,47 @@ static bool is_numbered(std::string const &name) {
          std::all_of(name.begin() + 2, name.end(), [&](char c) { return c == '_' || is_digit(c); });
 }
 
-// Names of the generated functions' own, besides keywords and the operations: arrays, the status, and words that some
-// compilers predefine.
-static bool is_taken(std::string const &name) {
-  static std::set<std::string> const taken = [] {
-    std::set<std::string> names = {"input",  "output", "constants", "parameters", "v",
-                                   "failed", "unix",   "linux",     "i386"};
-    for (OperationInfo const &operation : operations()) names.emplace(operation.c);
-    return names;
-  }();
-  return is_numbered(name) || name.starts_with("table_") || is_keyword(name) || taken.contains(name);
+static std::vector<std::string> words_in(std::string const &text) {
+  std::vector<std::string> words(1);
+  for (char c : text)
+    if (std::isalnum(static_cast<unsigned char>(c)) || c == '_')
+      words.back() += c;
+    else if (!words.back().empty())
+      words.emplace_back();
+  return words;
 }
 
-VariableNames::VariableNames(Schedule const &plan, FunctionBody const &body) {
-  Graph const &graph = *plan.graph;
+// Names of the generated functions' own, besides keywords: arrays, the status, the operations, and words that some
+// compilers predefine.
+static std::set<std::string> own_names(Emission const &emission) {
+  std::set<std::string> names = {"input", "output", "constants", "parameters", "v", "failed", "unix", "linux", "i386"};
+  for (OperationInfo const &operation : operations()) {
+    names.emplace(operation.c);
+    for (Spellings::Piece const &piece : emission.spellings[operation.op].pieces)
+      for (std::string const &word : words_in(piece.text)) names.insert(word);
+  }
+  return names;
+}
+
+VariableNames::VariableNames(Emission const &emission, FunctionBody const &body) {
+  Graph const &graph = emission.graph();
   if (graph.node_name.empty()) return;
-  std::set<std::string> all(graph.names.begin(), graph.names.end()), functions;
-  for (External const &external : graph.externals) functions.insert(external.name);
+  NameRules const &rules = emission.language.names;
+  std::set<std::string> all, own, given;
+  for (std::string const &name : graph.names) all.insert(rules.key(name));
+  for (std::string const &name : own_names(emission)) own.insert(rules.key(name));
+  for (External const &external : graph.externals) own.insert(rules.key(external.name));
   for (std::string const &name : graph.names) {
     std::string base = name;
     // C reserves what begins with an underscore; other letters than ASCII's are not C99.
     for (char &c : base)
       if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
     if (base[0] == '_') base = "u" + base;
-    if (is_taken(base) || functions.contains(base) || (base != name && all.contains(base))) base += '_';
-    while (base != name && !all.insert(base).second) base += '_';
+    std::string const key = rules.key(base);
+    bool const is_taken = is_numbered(key) || key.starts_with("table_") || rules.is_keyword(key) || own.contains(key) ||
+                          !given.insert(key).second;
+    if (is_taken || (base != name && all.contains(key))) base += '_';
+    while (base != name && !all.insert(rules.key(base)).second) base += '_';
     bases_.push_back(base);
   }
   std::vector<std::uint32_t> next(bases_.size(), 1);
@@ -48,7 +64,7 @@ VariableNames::VariableNames(Schedule const &plan, FunctionBody const &body) {
     entries_.push_back({name, 0});
     if (name == no_name) continue;
     std::uint32_t number = next[name];
-    while (number > 1 && all.contains(bases_[name] + "_" + std::to_string(number))) ++number;
+    while (number > 1 && all.contains(rules.key(bases_[name] + "_" + std::to_string(number)))) ++number;
     entries_.back().number = number;
     next[name] = number + 1;
   }

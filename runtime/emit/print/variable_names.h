@@ -1,7 +1,7 @@
 // Identifiers for the variables of a generated function.
 #pragma once
 
-#include "schedule/schedule.h"
+#include "emit/print/emission.h"
 
 #include <string>
 #include <vector>
@@ -12,7 +12,7 @@ namespace symreal {
 // Different from each other and from what else the generated functions use. Takes 8 bytes a variable.
 class VariableNames {
 public:
-  VariableNames(Schedule const &plan, FunctionBody const &body);
+  VariableNames(Emission const &emission, FunctionBody const &body);
 
   std::string operator()(std::size_t variable) const;
 

@@ -1,7 +1,7 @@
 // Words that stand in generated code and in reports about it.
 #pragma once
 
-#include "emit/print/emitted.h"
+#include "emit/language/emitted.h"
 
 namespace symreal {
 

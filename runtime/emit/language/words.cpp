@@ -1,4 +1,4 @@
-#include "emit/print/words.h"
+#include "emit/language/words.h"
 
 #include <filesystem>
 #include <fmt/format.h>

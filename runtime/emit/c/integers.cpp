@@ -1,4 +1,4 @@
-#include "emit/print/integers.h"
+#include "emit/c/parts.h"
 
 #include <algorithm>
 #include <array>
@@ -9,8 +9,6 @@
 namespace symreal {
 
 namespace {
-
-constexpr std::string_view keep = "keep_integer", kept = "kept_integer";
 
 struct Function {
   std::string_view type, name, parameters, body;
@@ -27,20 +25,14 @@ bool is_integer_type_used(OperationInfo const &operation) {
          (operation.form == Form::cast && operation.c.find("int") != operation.c.npos);
 }
 
-// What a live node is spelled with.
-template <class Test> bool any_live(Graph const &graph, Test test) {
-  std::vector<char> const live = live_nodes(graph);
-  for (std::size_t id = 0; id < graph.nodes.size(); ++id)
-    if (live[id] && !is_leaf(graph.nodes[id].op) && test(info(graph.nodes[id].op))) return true;
-  return false;
+// What has been printed.
+template <class Test> bool any_printed(Emission const &emission, Test test) {
+  return std::ranges::any_of(operations(), [&](OperationInfo const &operation) {
+    return emission.uses.operations[static_cast<std::size_t>(operation.op)] && test(operation);
+  });
 }
 
-// Integers that may stand in an array of doubles: those of 64 bits.
-bool has_wide(Graph const &graph) {
-  return any_live(graph, [](OperationInfo const &operation) { return operation.has(flag::WIDE); });
-}
-
-// Whether a text of C calls the function.
+// Whether the body of a function of the table calls another one of it.
 bool calls(std::string_view text, std::string_view function) {
   std::string const call = std::string(function) + "(";
   for (std::size_t at = text.find(call); at != text.npos; at = text.find(call, at + 1)) {
@@ -64,40 +56,32 @@ std::string text_of(Function const &function) {
 
 } // namespace
 
-std::string c_integer_includes(Graph const &graph) {
+std::string c_integer_includes(Emission const &emission) {
   std::string text;
-  if (any_live(graph, is_integer_type_used)) text += "#include <stdint.h>\n";
-  if (has_wide(graph)) text += "#include <string.h>\n";
+  if (any_printed(emission, is_integer_type_used)) text += "#include <stdint.h>\n";
+  // Integers that may stand in an array of doubles: those of 64 bits.
+  if (any_printed(emission, [](OperationInfo const &operation) { return operation.has(flag::WIDE); }))
+    text += "#include <string.h>\n";
   return text;
 }
 
-std::string c_integer_functions(std::string const &printed) {
+std::string c_integer_functions(Emission const &emission) {
+  Uses const &uses = emission.uses;
   std::array<bool, functions.size()> wanted{};
   for (std::size_t k = functions.size(); k-- > 0;) {
-    wanted[k] = calls(printed, functions[k].name);
+    wanted[k] = uses.integer_functions.contains(functions[k].name);
     for (std::size_t user = k + 1; user < functions.size(); ++user)
       wanted[k] = wanted[k] || (wanted[user] && calls(functions[user].body, functions[k].name));
   }
   std::string text;
   for (std::size_t k = 0; k < functions.size(); ++k)
     if (wanted[k]) text += text_of(functions[k]);
-  if (calls(printed, keep))
-    text += fmt::format("static void {}(double *element, uint64_t x) {{\n  memcpy(element, &x, sizeof x);\n}}\n", keep);
-  if (calls(printed, kept))
-    text +=
-        fmt::format("static uint64_t {}(double const *element) {{\n  uint64_t x;\n  memcpy(&x, element, sizeof x);\n"
-                    "  return x;\n}}\n",
-                    kept);
+  if (uses.keep_integer)
+    text += "static void keep_integer(double *element, uint64_t x) {\n  memcpy(element, &x, sizeof x);\n}\n";
+  if (uses.kept_integer)
+    text += "static uint64_t kept_integer(double const *element) {\n  uint64_t x;\n  memcpy(&x, element, sizeof x);\n"
+            "  return x;\n}\n";
   return text.empty() ? text : "/* Integers, as gcc has them on x86-64. */\n" + text + "\n";
-}
-
-std::string c_integer_constant(std::uint64_t value) {
-  return value <= 0x7FFFFFFFu ? fmt::format("{}u", value) : fmt::format("UINT64_C({})", value);
-}
-
-std::string c_kept_integer(std::string const &element) { return fmt::format("{}(&{})", kept, element); }
-std::string c_keep_integer(std::string const &element, std::string const &value) {
-  return fmt::format("{}(&{}, {});", keep, element, value);
 }
 
 } // namespace symreal

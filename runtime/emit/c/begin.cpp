@@ -1,0 +1,33 @@
+#include "emit/c/parts.h"
+
+#include <fmt/format.h>
+
+namespace symreal {
+
+// Multiplications and additions are not to be fused, whatever the flags: gcc's vectoriser of straight-line code does it
+// even with -ffp-contract=off, where sums and differences alternate.
+std::string c_no_fusion(Emission const &emission) {
+  if (emission.options.mode == FloatingPoint::fast) return {};
+  return "#if defined(__clang__)\n"
+         "#pragma STDC FP_CONTRACT OFF\n"
+         "#elif defined(__GNUC__)\n"
+         "#pragma GCC optimize(\"fp-contract=off\", \"no-tree-slp-vectorize\")\n"
+         "#endif\n";
+}
+
+std::string c_value_checks(Emission const &emission) {
+  if (!emission.uses.value_checks) return {};
+  return "#include <stdio.h>\n\n"
+         "static int all_finite;\n\n"
+         "static void report_value(double value, char const *what) {\n"
+         "  if (all_finite) fprintf(stderr, \"not finite: %s is %g\\n\", what, value);\n"
+         "  all_finite = 0;\n"
+         "}\n";
+}
+
+std::string c_begin(Emission const &emission) {
+  return fmt::format("#include \"{}.h\"\n\n#include <math.h>\n{}{}{}\n", emission.options.base_name,
+                     c_integer_includes(emission), c_value_checks(emission), c_no_fusion(emission));
+}
+
+} // namespace symreal

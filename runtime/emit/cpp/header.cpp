@@ -1,0 +1,93 @@
+#include "emit/c/objects.h"
+#include "emit/c/parts.h"
+#include "emit/cpp/parts.h"
+#include "emit/print/remarks.h"
+#include "emit/print/source.h"
+
+#include <fmt/format.h>
+
+namespace symreal {
+
+namespace {
+
+constexpr char const *nodiscard = "[[nodiscard]] ";
+
+// A struct of doubles alone has no gaps, so it is its array.
+std::string structure(std::string const &name, std::string const &members, std::size_t count) {
+  if (count == 0) return fmt::format("struct {} {{}};\n\n", name);
+  return fmt::format("struct {0} {{\n{1}}};\nstatic_assert(sizeof({0}) == {2} * sizeof(double));\n\n", name, members,
+                     count);
+}
+
+std::string described(Emission const &emission, std::string const &role, std::string const &type,
+                      std::vector<Object> const &objects, std::size_t count) {
+  auto const [indices, members] = c_objects(emission, role, objects);
+  std::string const first = indices.empty() ? "" : fmt::format("enum : std::size_t {{{}\n}};\n", indices);
+  return first + structure(type, members, count);
+}
+
+// The functions on structs, and on spans where the standard has them.
+std::string overloads(std::string const &result) {
+  std::string const give = result == "void" ? "" : "return ";
+  return fmt::format(
+      "/* The same on structs. */\n"
+      "inline void preprocess(Parameters const &parameters, Constants &constants) {{\n"
+      "  preprocess(reinterpret_cast<double const *>(&parameters), reinterpret_cast<double *>(&constants));\n"
+      "}}\n"
+      "{2}inline {0} compute(Input const &input, Constants const &constants, Output &output) {{\n"
+      "  {1}compute(reinterpret_cast<double const *>(&input), reinterpret_cast<double const *>(&constants),\n"
+      "          reinterpret_cast<double *>(&output));\n"
+      "}}\n\n"
+      "#if __cplusplus >= 202002L\n"
+      "/* The same on spans. */\n"
+      "inline void preprocess(std::span<double const, parameter_count> parameters,\n"
+      "                       std::span<double, constant_count> constants) {{\n"
+      "  preprocess(parameters.data(), constants.data());\n"
+      "}}\n"
+      "{2}inline {0} compute(std::span<double const, input_count> input, std::span<double const, constant_count> "
+      "constants,\n"
+      "                    std::span<double, output_count> output) {{\n"
+      "  {1}compute(input.data(), constants.data(), output.data());\n"
+      "}}\n"
+      "#endif\n\n",
+      result, give, result == "void" ? "" : nodiscard);
+}
+
+std::string guard_list(Emission const &emission) {
+  if (emission.graph().guards.empty()) return {};
+  return guard_remark(emission, c_guard_returns) +
+         fmt::format(
+             "inline constexpr int guard_count = {};\n/* The condition of a guard and its places in the source. */\n"
+             "char const *guard_text(int guard);\n\n",
+             emission.graph().guards.size());
+}
+
+} // namespace
+
+std::string cpp_header(Emission const &emission) {
+  Graph const &graph = emission.graph();
+  std::size_t const constants = emission.plan.constant_count;
+  std::string const result = graph.guards.empty() ? "void" : "int";
+  std::string out = banner(emission);
+  out += fmt::format(
+      "#ifndef {0}\n#define {0}\n\n#include <cstddef>\n#if __cplusplus >= 202002L\n#include <span>\n#endif\n\n"
+      "namespace {1} {{\n\n",
+      include_guard(emission, "_HPP"), cpp_namespace(emission));
+  out += fmt::format("inline constexpr std::size_t input_count = {}, parameter_count = {}, constant_count = {}, "
+                     "output_count = {};\n\n",
+                     graph.input_count(), graph.parameter_count(), constants, graph.output_count());
+  out += described(emission, "input", "Input", graph.inputs, graph.input_count());
+  out += described(emission, "parameter", "Parameters", graph.parameters, graph.parameter_count());
+  out += structure("Constants", fmt::format("  double value[{}];\n", constants), constants);
+  out += described(emission, "output", "Output", graph.outputs, graph.output_count());
+  out += "/* Once, and again whenever a parameter changes. */\n"
+         "void preprocess(double const *parameters, double *constants);\n\n"
+         "/* The arrays may overlap: all inputs are read before an output is written. */\n";
+  out += (graph.guards.empty() ? "" : nodiscard) + result +
+         " compute(double const *input, double const *constants, double *output);\n\n";
+  out += overloads(result) + frozen_remark(emission) + guard_list(emission);
+  out += fmt::format("}} // namespace {}\n\n#endif\n", cpp_namespace(emission));
+  return out;
+}
+
+} // namespace symreal

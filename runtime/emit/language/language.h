@@ -1,0 +1,163 @@
+// What a language is to the emitters: a table. One walk over the schedule (emit/print) prints every language by it.
+//
+// Strings with a '$' are patterns (pattern.h); the comment behind each says which places it has. In patterns of
+// expressions $x, $y, $z are operands, and $x:13 one that needs parentheses unless it binds at least that tightly;
+// binding strengths are those of the table of operations, C's.
+#pragma once
+
+#include "graph/graph.h"
+#include "graph/names.h"
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace symreal {
+
+struct Emission; // print/emission.h
+// A part of a generated file that a language writes by itself; ends in a newline, unless it is empty.
+using Part = std::string (*)(Emission const &);
+
+// Where an operation is spelled otherwise than the table of operations says. Precedence 0: never in parentheses.
+struct OperationSpelling {
+  Op op;
+  std::string_view pattern = {}; // "merge($y, $z, $x)"
+  int precedence = 0;
+};
+
+// A comment begins with `open`; each further line of it with `next`; `close` is empty where it ends with the line.
+struct CommentSyntax {
+  std::string_view open = {}, next = {}, close = {};
+};
+
+// Lines are broken at blanks.
+struct LineLimits {
+  std::size_t width = 100;
+  std::size_t least = 0;              // so much is kept for the text however deep it is indented, beyond the width
+  std::string_view continuation = {}; // what ends a line that goes on in the next
+};
+
+// Numbers are printed so that they read back to the same bits.
+struct NumberSyntax {
+  std::string_view nan = {}, negative_nan = {}, infinity = {}, negative_infinity = {};
+  std::string_view exponent = "e"; // between mantissa and exponent
+  std::string_view suffix = {};    // of numbers without an exponent
+};
+
+// A variable holds a number, a truth value, or an integer of 64 bits.
+struct TypeSyntax {
+  std::string_view name = {}, zero = {};
+};
+
+struct ExpressionSyntax {
+  std::string_view call_prefix = {};                       // of the names of the mathematical library: "std::"
+  std::span<OperationSpelling const> operations = {};      // the exceptions to the table of operations
+  std::string_view element = {};                           // $array $index
+  std::size_t first_index = 0;                             // of an array
+  std::string_view yes = {};                               // a condition that always holds
+  std::string_view truth_as_number = {};                   // $x; empty: a truth value is a number
+  std::string_view small_integer = {}, large_integer = {}; // $value: of 31 bits, of 64
+  std::string_view kept_integer = {};                      // $element of an array of numbers that has an integer's bits
+  std::string_view hidden = {};                            // $x, of which compilers must not know that it is constant
+  std::string_view table_index = {};                       // $index $extent: the nearest within 0..extent-1
+};
+
+struct StatementSyntax {
+  std::string_view first_declaration = {};      // $type $name, where all declarations stand before the first statement
+  std::string_view variable = {};               // $type $name $value: a declaration of what is set again
+  std::string_view constant = {};               // $type $name $value: a declaration of what is not
+  std::string_view set = {};                    // $name $value
+  std::string_view keep_integer = {};           // $element $value
+  std::string_view array = {}, zero_array = {}; // $name $count: of numbers
+  std::string_view open = {}, otherwise = {},
+                   close = {};       // $condition: a block, its else, its end; an empty one is no line
+  std::string_view check = {};       // $condition $number: returns the number of a guard
+  std::string_view value_check = {}; // $name $text: reports a value that is not finite
+  std::string_view value_check_begin = {};
+};
+
+struct FunctionSyntax {
+  std::string_view head = {}, local_head = {},
+                   end = {}; // $result $name $parameters; of the interface; of this file; behind the last
+  std::string_view no_result = {}, status = {};                     // $result
+  std::string_view input = {}, output = {};                         // $name: a parameter that is an array of numbers
+  std::string_view input_declaration = {}, output_declaration = {}; // $name: where the types stand in the body
+  std::string_view unused = {};                                     // $name of a parameter that the body does not use
+  std::string_view success = {};                                    // the end of a function with guards
+  std::string_view failed = {};                                     // declares what takes a status
+  std::string_view call = {},
+                   checked_call = {}; // $name $arguments: of a part of this function; checked: return its status
+  std::size_t most_statements = 500;  // longer ones are cut: compilers take more than linear time on one function
+};
+
+// A table of constants: `begin`, lines of numbers, `end`.
+struct TableSyntax {
+  std::string_view begin = {}, end = {}; // $name $count
+  std::string_view index_helper = {};    // the function that table_index calls
+};
+
+// A call of an external function: with an expression for each argument, its results go to the elements of an array of
+// numbers from `first` on.
+struct ExternalCall {
+  External const &function;
+  std::string label; // in the names of local variables
+  std::vector<std::string> arguments;
+  std::string array;
+  std::size_t first = 0;
+  bool is_wanted = true; // somebody reads the returned value
+};
+
+// How external functions are called; nothing where the language cannot.
+struct ExternalSyntax {
+  Part declarations = nullptr;
+  std::vector<std::string> (*call)(ExternalCall const &) = nullptr; // the statements
+};
+
+// A file beside the source.
+struct Companion {
+  std::string_view suffix = {}; // ".h"
+  Part text = nullptr;
+};
+
+// Source: banner, begin, declarations of external functions, open, tables, integer functions, the helper that hides,
+// functions, end.
+struct FileSyntax {
+  std::string_view extension = {}; // ".c"
+  std::string_view kept_when = {}; // $pow: ends the promise of the modes strict and finite
+  std::string_view pow_flag = {};  // $pow, of a kernel with powers
+  std::string_view fast_when = {}; // ends that of mode fast
+  Part begin = nullptr, open = nullptr;
+  Part integer_functions = nullptr; // those that the functions call; nothing where there are no such integers
+  std::string_view hide_helper = {};
+  Part end = nullptr;
+  std::span<Companion const> companions = {};
+  Companion mainline = {};
+};
+
+struct Language {
+  std::string_view name = {}, doc = {}; // its row in languages.def
+  NameRules names;
+  bool has_namespace = false; // the prefix names one; otherwise it begins the names of functions
+  CommentSyntax comment;
+  LineLimits lines;
+  NumberSyntax numbers;
+  TypeSyntax number, truth, wide;
+  ExpressionSyntax expressions;
+  StatementSyntax statements;
+  FunctionSyntax functions;
+  TableSyntax tables;
+  ExternalSyntax externals;
+  FileSyntax files;
+};
+
+// A number in the language.
+std::string constant(Language const &language, double value);
+
+// Lines as one comment, without a newline behind it. `closed_apart`: what closes it stands on a line of its own.
+std::string comment(Language const &language, std::vector<std::string> const &lines, bool closed_apart = false);
+
+// "a[3]", counted from 0 here.
+std::string element(Language const &language, std::string_view array, std::size_t index);
+
+} // namespace symreal

@@ -1,0 +1,86 @@
+#include "emit/c/externals.h"
+#include "emit/c/parts.h"
+#include "emit/languages/languages.h"
+
+namespace symreal {
+
+static constexpr Companion header[] = {{".h", c_header}};
+
+Language language_c() {
+  Language c;
+  c.names = c_names;
+  c.comment = {"/* ", "   ", " */"};
+  c.lines = {.width = 100, .least = 60, .continuation = ""};
+  c.numbers = {"NAN", "-NAN", "INFINITY", "-INFINITY"};
+  c.number = {"double", "0.0"};
+  c.truth = {"int", "0"};
+  c.wide = {"uint64_t", "0"};
+  c.expressions = {
+      .element = "$array[$index]",
+      .yes = "1",
+      .small_integer = "${value}u",
+      .large_integer = "UINT64_C($value)",
+      .kept_integer = "kept_integer(&$element)",
+      .hidden = "at_run($x)",
+      .table_index = "table_index($index, $extent)",
+  };
+  c.statements = {
+      .variable = "$type $name = $value;",
+      .constant = "$type const $name = $value;",
+      .set = "$name = $value;",
+      .keep_integer = "keep_integer(&$element, $value);",
+      .array = "double $name[$count];",
+      .zero_array = "double $name[$count] = {0.0};",
+      .open = "if ($condition) {",
+      .otherwise = "} else {",
+      .close = "}",
+      .check = "if ($condition) return $number;",
+      .value_check = "if (!isfinite($name)) report_value($name, \"$text\");",
+      .value_check_begin = "all_finite = 1;",
+  };
+  c.functions = {
+      .head = "$result $name($parameters) {",
+      .local_head = "static $result $name($parameters) {",
+      .end = "}",
+      .no_result = "void",
+      .status = "int",
+      .input = "double const *$name",
+      .output = "double *$name",
+      .unused = "(void)$name;",
+      .success = "return 0;",
+      .failed = "int failed = 0;",
+      .call = "$name($arguments);",
+      .checked_call = "failed = $name($arguments);\nif (failed != 0) return failed;",
+  };
+  c.tables = {
+      .begin = "static double const $name[$count] = {",
+      .end = "};",
+      .index_helper = "/* An index outside of its table reads the nearest element. */\n"
+                      "static int table_index(double index, int extent) {\n"
+                      "  if (!(index > 0.0)) return 0;\n"
+                      "  return index < extent ? (int)index : extent - 1;\n"
+                      "}\n\n",
+  };
+  c.externals = {.declarations = c_external_declarations, .call = c_call};
+  c.files = {
+      .extension = ".c",
+      .kept_when = ", when compiled with\n-ffp-contract=off -fno-tree-slp-vectorize$pow and without -ffast-math",
+      .pow_flag = " -fno-builtin-pow",
+      .fast_when = " Any compiler flags.",
+      .begin = c_begin,
+      .integer_functions = c_integer_functions,
+      .hide_helper =
+          "/* An argument that is constant on some path: a compiler would evaluate the call there, and round "
+          "otherwise\n   than the library. */\n"
+          "static double at_run(double x) {\n"
+          "  double volatile const kept = x;\n"
+          "  return kept;\n"
+          "}\n\n",
+      .end = c_guard_text,
+      .companions = header,
+      .mainline = {"_main.c", c_mainline},
+  };
+  return c;
+}
+
+} // namespace symreal

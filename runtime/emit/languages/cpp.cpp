@@ -1,0 +1,26 @@
+#include "emit/cpp/parts.h"
+#include "emit/languages/languages.h"
+
+namespace symreal {
+
+static constexpr Companion header[] = {{".hpp", cpp_header}};
+
+// As C, but for the names of the library, truth values, the namespace, and what stands around the functions.
+Language language_cpp() {
+  Language cpp = language_c();
+  cpp.has_namespace = true;
+  cpp.truth = {"bool", "false"};
+  cpp.expressions.call_prefix = "std::";
+  cpp.expressions.yes = "true";
+  cpp.statements.value_check = "if (!std::isfinite($name)) report_value($name, \"$text\");";
+  cpp.externals.declarations = cpp_external_declarations;
+  cpp.files.extension = ".cpp";
+  cpp.files.begin = cpp_begin;
+  cpp.files.open = cpp_open;
+  cpp.files.end = cpp_end;
+  cpp.files.companions = header;
+  cpp.files.mainline = {"_main.cpp", cpp_mainline};
+  return cpp;
+}
+
+} // namespace symreal

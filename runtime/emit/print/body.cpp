@@ -1,0 +1,178 @@
+#include "emit/print/body.h"
+
+#include "emit/language/pattern.h"
+#include "emit/origins/origins.h"
+#include "emit/print/call.h"
+#include "schedule/order.h"
+
+#include <utility>
+
+namespace symreal {
+
+static bool is_about_variable(Step const &step) {
+  return step.kind == Step::Kind::declare || step.kind == Step::Kind::set || step.kind == Step::Kind::set_const ||
+         step.kind == Step::Kind::keep;
+}
+
+BodyPrinter::BodyPrinter(Emission &emission, FunctionBody const &body, bool is_compute)
+    : emission_(emission),
+      language_(emission.language),
+      body_(body),
+      is_compute_(is_compute),
+      chunks_(cut(emission.plan, body, is_compute, language_.functions.most_statements)),
+      context_(emission, body, is_compute),
+      declarations_(language_) {}
+
+bool BodyPrinter::is_call(std::size_t statement) const {
+  return is_call_node(emission_.plan, body_, body_.variables[statement]);
+}
+
+BodyPrinter::Type BodyPrinter::type(std::size_t statement) const {
+  NodeId const id = body_.variables[statement];
+  if (context_.is_gate(id)) return Type::truth;
+  Op const op = emission_.graph().nodes[id].op;
+  if (is_wide(op)) return Type::wide;
+  return !is_leaf(op) && info(op).has(flag::BOOLEAN) ? Type::truth : Type::number;
+}
+
+TypeSyntax const &BodyPrinter::type_syntax(std::size_t statement) const {
+  Type const type = this->type(statement);
+  return type == Type::number ? language_.number : type == Type::truth ? language_.truth : language_.wide;
+}
+
+void BodyPrinter::begin(CodeText &out) const {
+  if (!emission_.options.check_values) return;
+  for (std::size_t k = 0; k < body_.variables.size(); ++k)
+    if (type(k) == Type::number && !is_call(k)) {
+      emission_.uses.value_checks = true;
+      return out.statement(2, language_.statements.value_check_begin);
+    }
+}
+
+bool BodyPrinter::statements(std::size_t chunk, CodeText &out) {
+  std::size_t indent = 2;
+  bool checks = false;
+  for (std::size_t k = chunks_.begin[chunk]; k < chunks_.begin[chunk + 1]; ++k) {
+    NodeId const id = body_.variables[k];
+    context_.variable[id] = static_cast<std::uint32_t>(k);
+    if (is_call(k)) context_.kept[id] = chunks_.spill_slot[id]; // its results go there at once
+  }
+  for (Step const &step : blocks(emission_.plan, body_, is_compute_, chunks_, chunk)) {
+    if (step.kind == Step::Kind::close || step.kind == Step::Kind::otherwise) indent -= 2;
+    print_step(step, indent, out);
+    if (step.kind == Step::Kind::open || step.kind == Step::Kind::otherwise) indent += 2;
+    checks = checks || step.kind == Step::Kind::check;
+  }
+  if (chunks_.size() == 1) return checks;
+  for (std::size_t k = chunks_.begin[chunk]; k < chunks_.begin[chunk + 1]; ++k) {
+    NodeId const id = body_.variables[k];
+    context_.variable[id] = no_slot; // what this chunk has in a variable, later ones find in v
+    context_.kept[id] = chunks_.spill_slot[id];
+  }
+  return checks;
+}
+
+void BodyPrinter::print_step(Step const &step, std::size_t indent, CodeText &out) {
+  if (is_about_variable(step) && is_call(step.index)) return print_call(step, indent, out);
+  StatementSyntax const &syntax = language_.statements;
+  switch (step.kind) {
+  case Step::Kind::declare: return declare(step.index, indent, out);
+  case Step::Kind::open:
+    return out.statement(indent, fill(syntax.open, {{"condition", print_condition(context_, step.literal)}}));
+  case Step::Kind::otherwise: return out.statement(indent, syntax.otherwise);
+  case Step::Kind::close: return out.statement(indent, syntax.close);
+  case Step::Kind::set: return set(step.index, false, indent, out);
+  case Step::Kind::set_const: return set(step.index, true, indent, out);
+  case Step::Kind::keep: {
+    NodeId const id = body_.variables[step.index];
+    std::string const element = context_.element("v", chunks_.spill_slot[id]);
+    return out.statement(indent, stored(element, id, print_use(context_, id)));
+  }
+  case Step::Kind::check: {
+    std::string const condition = print_condition(context_, {body_.checks[step.index].condition, false});
+    return out.statement(indent,
+                         fill(syntax.check, {{"condition", condition}, {"number", std::to_string(step.index + 1)}}));
+  }
+  }
+}
+
+void BodyPrinter::declare(std::size_t statement, std::size_t indent, CodeText &out) {
+  StatementSyntax const &syntax = language_.statements;
+  auto const &[type_name, zero] = type_syntax(statement);
+  std::string const name = context_.spelling(statement);
+  if (!syntax.first_declaration.empty())
+    declarations_.statement(2, fill(syntax.first_declaration, {{"type", type_name}, {"name", name}}));
+  out.statement(indent, fill(syntax.variable, {{"type", type_name}, {"name", name}, {"value", zero}}));
+}
+
+void BodyPrinter::set(std::size_t statement, bool declares, std::size_t indent, CodeText &out) {
+  StatementSyntax const &syntax = language_.statements;
+  NodeId const id = body_.variables[statement];
+  context_.spelled_out.clear();
+  std::string const value = context_.is_gate(id) ? print_gate(context_, id) : print_expression(context_, id),
+                    name = context_.spelling(statement);
+  std::string_view const type_name = type_syntax(statement).name;
+  if (declares && !syntax.first_declaration.empty())
+    declarations_.statement(2, fill(syntax.first_declaration, {{"type", type_name}, {"name", name}}));
+  out.statement(indent,
+                fill(declares ? syntax.constant : syntax.set, {{"type", type_name}, {"name", name}, {"value", value}}),
+                origin());
+  if (emission_.options.check_values && type(statement) == Type::number) check_value(statement, indent, out);
+}
+
+// The debug variant: the first value of a call that is not finite is reported with its source line.
+void BodyPrinter::check_value(std::size_t statement, std::size_t indent, CodeText &out) const {
+  Graph const &graph = emission_.graph();
+  NodeId const id = body_.variables[statement];
+  std::string const name = context_.spelling(statement);
+  std::string text = name;
+  if (!is_leaf(graph.nodes[id].op)) text += " = " + std::string(info(graph.nodes[id].op).name);
+  if (std::string const place = describe_locations(graph, locations_of(graph, {id})); !place.empty())
+    text += " at " + place;
+  std::string quoted;
+  for (char c : text) quoted += c == '"' || c == '\\' ? std::string("\\") + c : std::string(1, c);
+  out.lines(std::string(indent, ' ') + fill(language_.statements.value_check, {{"name", name}, {"text", quoted}}) +
+            "\n");
+}
+
+// A call, with an array for its results: its own, or where later chunks find them.
+void BodyPrinter::print_call(Step const &step, std::size_t indent, CodeText &out) {
+  if (step.kind == Step::Kind::keep) return;
+  StatementSyntax const &syntax = language_.statements;
+  CallStatement const call(context_, step.index);
+  std::string const count = std::to_string(call.function().result_count());
+  if (call.has_array() && step.kind != Step::Kind::set)
+    out.statement(indent, fill(step.kind == Step::Kind::declare ? syntax.zero_array : syntax.array,
+                               {{"name", call.array()}, {"count", count}}));
+  if (step.kind == Step::Kind::declare) return;
+  context_.spelled_out = {body_.variables[step.index]};
+  std::vector<std::string> const lines = call.print();
+  for (std::size_t k = 0; k < lines.size(); ++k)
+    out.statement(indent, lines[k], k + 1 == lines.size() ? origin() : Origin());
+}
+
+std::string BodyPrinter::stored(std::string const &element, NodeId id, std::string const &value) const {
+  StatementSyntax const &syntax = language_.statements;
+  if (context_.is_gate(id) || !is_wide(emission_.graph().nodes[id].op))
+    return fill(syntax.set, {{"name", element}, {"value", value}});
+  emission_.uses.keep_integer = true;
+  return fill(syntax.keep_integer, {{"element", element}, {"value", value}});
+}
+
+void BodyPrinter::results(std::string const &target, CodeText &out) {
+  for (std::size_t slot = 0; slot < body_.results.size(); ++slot) {
+    NodeId const id = body_.results[slot];
+    std::string const element = context_.element(target, slot);
+    out.statement(2, stored(element, id, print_use(context_, id)));
+  }
+}
+
+Origin BodyPrinter::origin() const {
+  Graph const &graph = emission_.graph();
+  Origin origin{locations_of(graph, context_.spelled_out), {}};
+  if (emission_.options.trace_comments && !origin.locations.empty())
+    origin.comment = describe_locations(graph, origin.locations);
+  return origin;
+}
+
+} // namespace symreal

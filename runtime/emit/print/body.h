@@ -1,0 +1,55 @@
+// The statements of one function, chunk by chunk.
+#pragma once
+
+#include "emit/print/code_text.h"
+#include "emit/print/expression.h"
+#include "schedule/blocks.h"
+
+#include <utility>
+
+namespace symreal {
+
+class BodyPrinter {
+public:
+  BodyPrinter(Emission &emission, FunctionBody const &body, bool is_compute);
+
+  std::size_t chunk_count() const { return chunks_.size(); }
+  std::size_t spill_count() const { return chunks_.spill_count; }
+
+  // What the outermost function begins with.
+  void begin(CodeText &out) const;
+  // The chunks in order. Whether one of its statements may return the number of a guard.
+  bool statements(std::size_t chunk, CodeText &out);
+  // Stores the results, after the last chunk.
+  void results(std::string const &target, CodeText &out);
+
+  // The arrays that the text has named since this was asked.
+  std::set<std::string_view> take_arrays() { return std::exchange(context_.arrays, {}); }
+  void note_array(std::string_view array) { context_.arrays.insert(array); }
+  // The declarations since this was asked, where they stand before the first statement.
+  CodeText take_declarations() { return std::exchange(declarations_, CodeText(language_)); }
+
+private:
+  enum class Type : std::uint8_t { number, truth, wide };
+  Type type(std::size_t statement) const;
+  TypeSyntax const &type_syntax(std::size_t statement) const;
+  bool is_call(std::size_t statement) const;
+
+  void print_step(Step const &step, std::size_t indent, CodeText &out);
+  void declare(std::size_t statement, std::size_t indent, CodeText &out);
+  void set(std::size_t statement, bool declares, std::size_t indent, CodeText &out);
+  void check_value(std::size_t statement, std::size_t indent, CodeText &out) const;
+  void print_call(Step const &step, std::size_t indent, CodeText &out);
+  std::string stored(std::string const &element, NodeId id, std::string const &value) const;
+  Origin origin() const;
+
+  Emission &emission_;
+  Language const &language_;
+  FunctionBody const &body_;
+  bool is_compute_;
+  Chunks chunks_;
+  FunctionContext context_;
+  CodeText declarations_;
+};
+
+} // namespace symreal

@@ -1,0 +1,41 @@
+// Generated lines, with the source places of their statements.
+#pragma once
+
+#include "emit/language/emitted.h"
+#include "emit/language/language.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace symreal {
+
+// Where a statement comes from, and what its comment says of that; empty: no comment.
+struct Origin {
+  std::vector<LocationId> locations;
+  std::string comment;
+};
+
+class CodeText {
+public:
+  explicit CodeText(Language const &language) : language_(&language) {}
+
+  // A statement, broken at blanks so that lines stay readable; it has no string literals. Nothing, if it is empty.
+  void statement(std::size_t indent, std::string_view text, Origin origin = {});
+  // Whole lines as they are, each with its newline.
+  void lines(std::string_view text);
+  void append(CodeText const &other);
+
+  std::string const &text() const { return text_; }
+  std::vector<LineOrigin> const &origins() const { return origins_; }
+
+private:
+  void end_line();
+
+  Language const *language_;
+  std::string text_;
+  std::size_t line_ = 1; // that is written next
+  std::vector<LineOrigin> origins_;
+};
+
+} // namespace symreal

@@ -1,0 +1,40 @@
+// What the printers and the parts of a file share: what is printed, in which language, and what it has used so far.
+#pragma once
+
+#include "emit/language/emitted.h"
+#include "emit/language/language.h"
+#include "emit/language/words.h"
+#include "emit/print/spellings.h"
+#include "schedule/schedule.h"
+
+#include <array>
+#include <set>
+#include <string>
+#include <string_view>
+
+namespace symreal {
+
+// Noted while functions are printed: what the rest of the file must provide.
+struct Uses {
+  std::array<bool, op_count> operations{};
+  std::set<std::string_view> integer_functions; // by their names in the table of operations
+  std::set<std::size_t> tables, externals;
+  bool kept_integer = false, keep_integer = false; // integers of 64 bits that stand in arrays of numbers
+  bool hidden = false, value_checks = false;
+};
+
+struct Emission {
+  Schedule const &plan;
+  Language const &language;
+  EmitOptions const &options;
+  Spellings spellings{language};
+  Uses uses = {};
+
+  Graph const &graph() const { return *plan.graph; }
+  // The name of a function of the interface.
+  std::string name(std::string const &function) const {
+    return language.has_namespace ? function : prefixed(options, function);
+  }
+};
+
+} // namespace symreal

@@ -1,0 +1,95 @@
+#include "emit/print/function.h"
+
+#include "emit/language/pattern.h"
+#include "emit/print/body.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace symreal {
+
+namespace {
+
+class FunctionPrinter {
+public:
+  FunctionPrinter(Emission &emission, bool is_compute)
+      : language_(emission.language),
+        syntax_(emission.language.functions),
+        body_(is_compute ? emission.plan.compute : emission.plan.preprocess),
+        name_(emission.name(is_compute ? "compute" : "preprocess")),
+        inputs_(is_compute ? std::vector<std::string>{"input", "constants"} : std::vector<std::string>{"parameters"}),
+        target_(is_compute ? "output" : "constants"),
+        printer_(emission, body_, is_compute) {}
+
+  CodeText print() {
+    bool const may_fail = !body_.checks.empty();
+    CodeText out(language_), last(language_);
+    if (printer_.chunk_count() == 1) {
+      printer_.begin(last);
+      printer_.statements(0, last);
+    } else {
+      last.statement(
+          2, fill(language_.statements.array, {{"name", "v"}, {"count", std::to_string(printer_.spill_count())}}));
+      printer_.begin(last);
+      if (may_fail) last.statement(2, syntax_.failed);
+      for (std::size_t chunk = 0; chunk < printer_.chunk_count(); ++chunk) print_chunk(chunk, out, last);
+      for (std::string const &input : inputs_) printer_.note_array(input); // the calls pass them on
+    }
+    printer_.results(target_, last);
+    if (may_fail) last.statement(2, syntax_.success);
+    append(out, syntax_.head, may_fail, name_, target_, last);
+    return out;
+  }
+
+private:
+  void print_chunk(std::size_t chunk, CodeText &out, CodeText &calls) {
+    CodeText text(language_);
+    bool const checks = printer_.statements(chunk, text);
+    if (checks) text.statement(2, syntax_.success);
+    std::string const name = fmt::format("{}_{}", name_, chunk + 1);
+    append(out, syntax_.local_head, checks, name, "v", text);
+    out.lines("\n");
+    std::string const arguments = fmt::format("{}, v", fmt::join(inputs_, ", "));
+    for (std::string_view rest = checks ? syntax_.checked_call : syntax_.call; !rest.empty();) { // a statement a line
+      std::size_t const end = std::min(rest.find('\n'), rest.size());
+      calls.statement(2, fill(rest.substr(0, end), {{"name", name}, {"arguments", arguments}}));
+      rest.remove_prefix(std::min(end + 1, rest.size()));
+    }
+  }
+
+  // A parameter that the text does not use is marked, or compilers warn.
+  void append(CodeText &out, std::string_view head, bool may_fail, std::string const &name, std::string const &last,
+              CodeText const &text) {
+    std::set<std::string_view> const used = printer_.take_arrays();
+    std::string parameters;
+    for (std::string const &input : inputs_) parameters += fill(syntax_.input, {{"name", input}}) + ", ";
+    parameters += fill(syntax_.output, {{"name", last}});
+    out.statement(0, fill(head, {{"result", may_fail ? syntax_.status : syntax_.no_result},
+                                 {"name", name},
+                                 {"parameters", parameters}}));
+    for (std::string const &input : inputs_) out.statement(2, fill(syntax_.input_declaration, {{"name", input}}));
+    out.statement(2, fill(syntax_.output_declaration, {{"name", last}}));
+    out.append(printer_.take_declarations());
+    auto const mark_unused = [&](std::string const &parameter) {
+      if (!used.contains(parameter)) out.statement(2, fill(syntax_.unused, {{"name", parameter}}));
+    };
+    for (std::string const &input : inputs_) mark_unused(input);
+    mark_unused(last);
+    out.append(text);
+    out.statement(0, fill(syntax_.end, {{"name", name}}));
+  }
+
+  Language const &language_;
+  FunctionSyntax const &syntax_;
+  FunctionBody const &body_;
+  std::string name_;
+  std::vector<std::string> inputs_;
+  std::string target_;
+  BodyPrinter printer_;
+};
+
+} // namespace
+
+CodeText print_function(Emission &emission, bool is_compute) { return FunctionPrinter(emission, is_compute).print(); }
+
+} // namespace symreal

@@ -1,0 +1,27 @@
+#include "emit/print/source.h"
+
+#include "emit/print/function.h"
+#include "emit/print/tables.h"
+
+namespace symreal {
+
+EmittedFile print_source(Emission &emission) {
+  FileSyntax const &files = emission.language.files;
+  CodeText functions = print_function(emission, false);
+  functions.lines("\n");
+  functions.append(print_function(emission, true));
+  auto const part = [&](Part write) { return write ? write(emission) : std::string(); };
+  CodeText text(emission.language);
+  text.lines(banner(emission));
+  text.lines(part(files.begin));
+  text.lines(part(emission.language.externals.declarations));
+  text.lines(part(files.open));
+  text.lines(print_tables(emission));
+  text.lines(part(files.integer_functions));
+  if (emission.uses.hidden) text.lines(files.hide_helper);
+  text.append(functions);
+  text.lines(part(files.end));
+  return {emission.options.base_name + std::string(files.extension), text.text(), text.origins()};
+}
+
+} // namespace symreal

@@ -1,0 +1,71 @@
+#include "emit/print/spellings.h"
+
+#include <charconv>
+#include <fmt/format.h>
+
+namespace symreal {
+
+namespace {
+
+// "merge($y, $z, $x:4)"
+std::vector<Spellings::Piece> parse(std::string_view pattern) {
+  std::vector<Spellings::Piece> pieces;
+  while (!pattern.empty()) {
+    std::size_t const dollar = std::min(pattern.find('$'), pattern.size());
+    if (dollar != 0) pieces.push_back({std::string(pattern.substr(0, dollar))});
+    if (dollar == pattern.size()) break;
+    internal_check(dollar + 1 < pattern.size());
+    Spellings::Piece piece{{}, pattern[dollar + 1] - 'x'};
+    internal_check(piece.operand >= 0 && piece.operand < 3);
+    pattern.remove_prefix(dollar + 2);
+    if (pattern.starts_with(':')) {
+      auto const end = std::from_chars(pattern.data() + 1, pattern.data() + pattern.size(), piece.binding).ptr;
+      pattern.remove_prefix(static_cast<std::size_t>(end - pattern.data()));
+    }
+    pieces.push_back(piece);
+  }
+  return pieces;
+}
+
+// As the table of operations has it.
+std::string usual_pattern(OperationInfo const &operation, std::string_view call_prefix) {
+  static constexpr std::string_view operands = "$x, $y, $z";
+  int const precedence = operation.precedence;
+  switch (operation.form) {
+  case Form::local: return fmt::format("{}({})", operation.c, operands.substr(0, 4 * operation.arity - 2));
+  case Form::call:
+    return fmt::format("{}{}({})", call_prefix, operation.c, operands.substr(0, 4 * operation.arity - 2));
+  case Form::prefix: return fmt::format("{}$x:{}", operation.c, binding::prefix_operand);
+  case Form::cast: return fmt::format("{}($x)", operation.c);
+  case Form::infix: {
+    // Comparisons and logic are not mixed without parentheses: compilers warn, and readers stumble.
+    bool const arithmetic = precedence >= binding::additive;
+    std::string const blank = precedence > binding::additive ? "" : " ";
+    return fmt::format("$x:{}{}{}{}$y:{}", arithmetic ? precedence : binding::additive, blank, operation.c, blank,
+                       arithmetic ? precedence + 1 : binding::additive);
+  }
+  case Form::select: return fmt::format("$x:{0} ? $y:{0} : $z:{0}", binding::conditional_operand);
+  case Form::external: break; // by code of its own
+  }
+  return {};
+}
+
+} // namespace
+
+Spellings::Spellings(Language const &language) {
+  for (OperationInfo const &operation : operations())
+    spellings_[static_cast<std::size_t>(operation.op)] = {
+        parse(usual_pattern(operation, language.expressions.call_prefix)), operation.precedence};
+  for (OperationSpelling const &exception : language.expressions.operations)
+    spellings_[static_cast<std::size_t>(exception.op)] = {parse(exception.pattern), exception.precedence};
+}
+
+std::string Spellings::apply(Op op, std::string_view x, std::string_view y, std::string_view z) const {
+  std::array const operands = {x, y, z};
+  std::string text;
+  for (Piece const &piece : (*this)[op].pieces)
+    text += piece.operand < 0 ? std::string_view(piece.text) : operands[static_cast<std::size_t>(piece.operand)];
+  return text;
+}
+
+} // namespace symreal

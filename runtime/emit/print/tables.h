@@ -1,0 +1,10 @@
+// The tables of constants that the functions read.
+#pragma once
+
+#include "emit/print/emission.h"
+
+namespace symreal {
+
+std::string print_tables(Emission const &emission);
+
+} // namespace symreal
