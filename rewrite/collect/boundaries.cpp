@@ -107,7 +107,7 @@ public:
   bool TraverseFunctionDecl(FunctionDecl *) override { return true; }
   bool VisitClassTemplateDecl(ClassTemplateDecl *declaration) override {
     for (ClassTemplateSpecializationDecl const *specialization : declaration->specializations())
-      for (FunctionDecl const *method : specialization->methods()) instantiate(method);
+      instantiate_members(specialization);
     return true;
   }
   bool VisitFunctionTemplateDecl(FunctionTemplateDecl *declaration) override {
@@ -121,6 +121,12 @@ public:
   }
 
 private:
+  void instantiate_members(CXXRecordDecl const *record) {
+    for (FunctionDecl const *method : record->methods()) instantiate(method);
+    for (Decl const *member : record->decls()) // its classes are instantiated with it
+      if (auto const *nested = dyn_cast<CXXRecordDecl>(member); nested && !nested->isInjectedClassName())
+        instantiate_members(nested);
+  }
   void instantiate(FunctionDecl const *function) {
     if (function->getTemplateSpecializationKind() == TSK_ExplicitInstantiationDefinition && function->isDefined())
       instantiated.push_back(function);
