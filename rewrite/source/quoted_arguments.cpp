@@ -35,7 +35,7 @@ public:
 private:
   void quote(Token const &macro, Token const &token, bool is_pasted) {
     if (token.is(tok::kw_double) && is_from_body(token.getLocation()))
-      expansions_.want(macro.getLocation());
+      expansions_.want(macro.getLocation(), is_pasted ? ExpansionText::For::words : ExpansionText::For::strings);
     else if (std::optional<Span> const span = map_.token(token.getLocation())) {
       facts_.quoted.insert(*span);
       if (is_pasted) facts_.pasted.insert(*span);
