@@ -90,7 +90,8 @@ public:
     bool const may_move = Movable::is_within(left, context_) || Movable::is_within(right, context_);
     bool const is_known = !may_move || !named_.of(left).meet(named_.of(right));
     if (is_known && gcc_begins_on_the_right(binary)) return true; // as with the operator of a class
-    if (!is_known || !function_ || !span || map_.is_shared(right->getSourceRange()))
+    // In an argument of a macro the operands may be of any types, as in a template.
+    if (!is_known || !function_ || !span || !map_.is_in_one_place(binary->getSourceRange()))
       refuse(binary->getOperatorLoc());
     else
       facts_.wraps.insert({*span, Use::later, ""});

@@ -140,12 +140,16 @@ std::optional<Span> SourceMap::range_for(clang::SourceLocation user, clang::Sour
 }
 
 bool SourceMap::is_shared(clang::SourceRange range) const {
-  clang::CharSourceRange const written =
-      clang::Lexer::makeFileCharRange(clang::CharSourceRange::getTokenRange(range), sources_, language_);
-  if (written.isInvalid()) return true;
   for (clang::SourceLocation at = range.getBegin(); at.isMacroID();
        at = sources_.getImmediateExpansionRange(at).getBegin())
     if (sources_.isMacroArgExpansion(at)) return true;
+  return !is_in_one_place(range);
+}
+
+bool SourceMap::is_in_one_place(clang::SourceRange range) const {
+  clang::CharSourceRange const written =
+      clang::Lexer::makeFileCharRange(clang::CharSourceRange::getTokenRange(range), sources_, language_);
+  if (written.isInvalid()) return false;
   if (!inclusions_) {
     inclusions_.emplace();
     for (unsigned i = 0; i < sources_.local_sloc_entry_size(); ++i)
@@ -154,7 +158,7 @@ bool SourceMap::is_shared(clang::SourceRange range) const {
           ++(*inclusions_)[&file->getFileEntry()];
   }
   clang::OptionalFileEntryRef const file = sources_.getFileEntryRefForID(sources_.getFileID(written.getBegin()));
-  return file && inclusions_->lookup(&file->getFileEntry()) > 1;
+  return !file || inclusions_->lookup(&file->getFileEntry()) <= 1;
 }
 
 clang::FileID SourceMap::frame(clang::SourceLocation location) const {

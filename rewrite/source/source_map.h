@@ -47,6 +47,8 @@ public:
   // May these characters be compiled more than once in this source, with other types each time: in a macro's body or
   // argument, in a file that is included again?
   bool is_shared(clang::SourceRange range) const;
+  // Do these characters stand in a row, in a file that is included once? They may be a part of a macro's argument.
+  bool is_in_one_place(clang::SourceRange range) const;
 
   // Where a token is written: a file, or the expansion of the macro whose body holds it.
   clang::FileID frame(clang::SourceLocation location) const;

@@ -21,6 +21,9 @@ static auto less(Left left, Right right) -> decltype(Left(left++) < Right(left++
   return left < right;
 }
 
+// Nor does a macro change the order, where one of its arguments has both operands.
+#define TWICE(x) (2.0 * (x))
+
 struct Solver {
   double tolerance;
   // CHECK: return REAL_READ({{.*}}, errors.back()) < REAL_READ({{.*}}, tolerance);
@@ -34,6 +37,9 @@ int main() {
   std::list<double> const errors = {x, 2 * x};
   y = difference<double>(2.0, x);
   y += std::imag(difference<std::complex<double>>(2.0, std::complex<double>(x, 1.0)));
+  // CHECK: TWICE(Gamma().value(x) / REAL_LATER(Gamma().value(x))), integer = TWICE(2);
+  double const quotient = TWICE(Gamma().value(x) / Gamma().value(x)), integer = TWICE(2);
+  y += quotient + integer;
   y += Solver{1.5}.done(errors) && less(2.0, 3.0) ? x : 0.0;
 #pragma symreal output(y) generate("y.c")
   std::printf("%g\n", y);
