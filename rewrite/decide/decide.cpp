@@ -138,6 +138,13 @@ bool is_answered_for(Diagnostic const &diagnostic, Facts const &facts) {
   return false;
 }
 
+// Is it a pack of bases: `struct overloaded : Cases... {`?
+bool is_pack(Facts const &facts, Span const &base) {
+  std::string const &text = facts.files.at(base.file).text;
+  std::string const behind = normalised(text.substr(base.end, text.find('{', base.end) - base.end));
+  return behind.starts_with("...") || behind.starts_with(" ...");
+}
+
 void add_members(Facts const &facts, ByFile &rewordings) {
   for (auto const &[brace, members] : facts.members) {
     std::string_view const behind = std::string_view(facts.files.at(brace.file).text).substr(brace.end);
@@ -145,7 +152,8 @@ void add_members(Facts const &facts, ByFile &rewordings) {
     std::string list;
     bool has_state = false;
     for (auto const &[base, holds] : members.bases)
-      if (holds) list += ", static_cast<" + type_text(facts, base) + " const &>(*this)";
+      if (holds)
+        list += ", static_cast<" + type_text(facts, base) + " const &>(*this)" + (is_pack(facts, base) ? "..." : "");
     for (auto const &[field, holds] : members.fields) {
       has_state = has_state || holds;
       if (holds && !field.empty()) list += ", " + field; // bit-fields have no address, and no name here
