@@ -61,16 +61,22 @@ template <class T> using IfTruth = std::enable_if_t<std::is_same_v<T, SymbolicBo
 
 namespace types {
 
+// Has the program an operator of its own for the two, of which one is an enumeration?
+#define SYMREAL_OVERLOADED(op, T, U)                                                                                   \
+  (std::is_enum_v<T> || std::is_enum_v<U>) && requires(T a, U b) { operator op(a, b); }
+
 // Each operator for a symbolic integer and another one, on either side.
 #define SYMREAL_INTEGERS(op, result, ...)                                                                              \
   template <class T, class U> [[gnu::always_inline]] inline result operator op(SymbolicInt<T> x, SymbolicInt<U> y) {   \
     __VA_ARGS__                                                                                                        \
   }                                                                                                                    \
   template <class T, class U, detail::IfInteger<U> = 0>                                                                \
+    requires(!(SYMREAL_OVERLOADED(op, T, U)))                                                                          \
   [[gnu::always_inline]] inline result operator op(SymbolicInt<T> x, U y) {                                            \
     __VA_ARGS__                                                                                                        \
   }                                                                                                                    \
   template <class T, class U, detail::IfInteger<T> = 0>                                                                \
+    requires(!(SYMREAL_OVERLOADED(op, T, U)))                                                                          \
   [[gnu::always_inline]] inline result operator op(T x, SymbolicInt<U> y) {                                            \
     __VA_ARGS__                                                                                                        \
   }
@@ -129,6 +135,7 @@ SYMREAL_COMPARISON(!=, not_equal)
 #undef SYMREAL_PROMOTED
 #undef SYMREAL_COMMON
 #undef SYMREAL_INTEGERS
+#undef SYMREAL_OVERLOADED
 
 #define SYMREAL_MIXED(op)                                                                                              \
   template <class T, class U, detail::IfFloating<U> = 0> RealNumber operator op(SymbolicInt<T> x, U y) {               \
