@@ -185,9 +185,6 @@ void read_serially(std::vector<std::string> &words) {
 std::vector<std::string> command_line(Compilation const &compilation) {
   std::vector<std::string> words = {"clang",
                                     "-fsyntax-only",
-                                    "-w",
-                                    "-Wno-error",
-                                    "-Wno-implicit-int", // an error since C99, and a warning to gcc
                                     "-Qunused-arguments",
                                     "-fno-caret-diagnostics",
                                     "-resource-dir=" SYMREAL_CLANG_RESOURCES,
@@ -205,6 +202,7 @@ std::vector<std::string> command_line(Compilation const &compilation) {
       words.push_back(flag);
   }
   read_serially(words);
+  words.emplace_back("-Wno-everything"); // some are errors to Clang alone: -Wimplicit-int, -Wenum-constexpr-conversion
   words.push_back("--");
   words.push_back(compilation.source);
   return words;
