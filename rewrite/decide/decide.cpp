@@ -114,7 +114,7 @@ void add_wraps(Facts const &facts, std::set<Span> const &pragmas, ByFile &reword
 // A type in the words of the file, with the types in it that change.
 std::string type_text(Facts const &facts, Span const &span) {
   std::string const &file = facts.files.at(span.file).text;
-  std::string text; // in one line: what is inserted moves no others
+  std::string text; // becomes one line: what is inserted moves no others
   std::size_t at = span.begin;
   for (auto token = facts.types.lower_bound({{span.file, span.begin, 0}, ""}); token != facts.types.end(); ++token) {
     if (token->span.file != span.file || token->span.end > span.end) break;
@@ -122,9 +122,7 @@ std::string type_text(Facts const &facts, Span const &span) {
     text += file.substr(at, token->span.begin - at) + token->replacement;
     at = token->span.end;
   }
-  text += file.substr(at, span.end - at);
-  std::replace_if(text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
-  return text;
+  return normalised(text + file.substr(at, span.end - at));
 }
 
 // On a line that is kept as it is, it is the user who says that the bytes are not those of a number, or that what
