@@ -115,18 +115,45 @@ std::optional<Span> SourceMap::range(clang::SourceRange range) const {
     begin = sources_.getImmediateSpellingLoc(begin);
     end = sources_.getImmediateSpellingLoc(end);
   }
-  // Where one end is an argument and the other stands in the macro's body, the body names the parameter.
   if (sources_.getFileID(begin) != sources_.getFileID(end)) {
-    if (sources_.isMacroArgExpansion(begin)) begin = sources_.getImmediateExpansionRange(begin).getBegin();
-    if (sources_.isMacroArgExpansion(end)) end = sources_.getImmediateExpansionRange(end).getEnd();
+    std::optional<clang::SourceRange> const words = words_for(begin, end);
+    if (!words) return std::nullopt;
+    begin = words->getBegin();
+    end = words->getEnd();
   }
-  if (sources_.getFileID(begin) != sources_.getFileID(end)) return std::nullopt;
   for (clang::SourceLocation const side : {begin, end}) // where `...` names one argument here, it names more elsewhere
     if (clang::Lexer::getSpelling(sources_.getSpellingLoc(side), scratch, sources_, language_) == "__VA_ARGS__")
       return std::nullopt;
   clang::SourceLocation const last = sources_.getSpellingLoc(end);
   unsigned const length = clang::Lexer::MeasureTokenLength(last, sources_, language_);
   return characters(sources_.getSpellingLoc(begin), last.getLocWithOffset(static_cast<int>(length)));
+}
+
+// Where one end is an argument and the other stands in the macro's body, the body names the parameter; where one is
+// what a macro expands to, the body names the macro.
+std::optional<clang::SourceRange> SourceMap::words_for(clang::SourceLocation begin, clang::SourceLocation end) const {
+  llvm::SmallVector<clang::SourceLocation, 8> const firsts = standing_for(begin, Side::begin);
+  llvm::SmallVector<clang::SourceLocation, 8> const lasts = standing_for(end, Side::end);
+  for (clang::SourceLocation const first : firsts)
+    for (clang::SourceLocation const last : lasts)
+      if (sources_.getFileID(first) == sources_.getFileID(last)) return clang::SourceRange(first, last);
+  return std::nullopt;
+}
+
+// This location, then that of each parameter or macro whose expansion begins (or ends) with it.
+llvm::SmallVector<clang::SourceLocation, 8> SourceMap::standing_for(clang::SourceLocation location, Side side) const {
+  llvm::SmallVector<clang::SourceLocation, 8> all = {location};
+  while (location.isMacroID()) {
+    unsigned const length = clang::Lexer::MeasureTokenLength(sources_.getSpellingLoc(location), sources_, language_);
+    clang::SourceLocation const behind = location.getLocWithOffset(static_cast<int>(length));
+    if (side == Side::begin ? !sources_.isAtStartOfImmediateMacroExpansion(location)
+                            : !sources_.isAtEndOfImmediateMacroExpansion(behind))
+      break;
+    clang::CharSourceRange const invocation = sources_.getImmediateExpansionRange(location);
+    location = side == Side::begin ? invocation.getBegin() : invocation.getEnd();
+    all.push_back(location);
+  }
+  return all;
 }
 
 std::optional<Span> SourceMap::range_for(clang::SourceLocation user, clang::SourceRange range) const {

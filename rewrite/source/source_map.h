@@ -86,6 +86,8 @@ private:
   std::string compiled_name(llvm::StringRef name) const;
   Place presumed(clang::SourceLocation location) const;
   enum class Side { begin, end };
+  std::optional<clang::SourceRange> words_for(clang::SourceLocation begin, clang::SourceLocation end) const;
+  llvm::SmallVector<clang::SourceLocation, 8> standing_for(clang::SourceLocation location, Side side) const;
   clang::SourceLocation climb(clang::FileID frame, clang::SourceLocation location, Side side) const;
   // Where the frame has a parameter for it: is that the whole of the argument, rather than one of `...`?
   bool is_whole(clang::FileID frame, clang::SourceLocation location, Side side) const;
