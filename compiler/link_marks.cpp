@@ -38,8 +38,8 @@ std::string link_marks(rewrite::Result const &rewritten) {
     std::string const name = mark(boundary.mangled);
     // The linker names the place of the use.
     text += "extern \"C\" char const " + name + ";\n#line " + std::to_string(boundary.use.line) + " " +
-            rewrite::quoted(boundary.use.file) + "\n__attribute__((used)) static char const *const symreal_needs_" +
-            name + " = &" + name + ";\n";
+            quoted(boundary.use.file) + "\n__attribute__((used)) static char const *const symreal_needs_" + name +
+            " = &" + name + ";\n";
   }
   return text;
 }

@@ -80,7 +80,7 @@ void Overlay::write(rewrite::File const &file) const {
   // A byte order mark is one only at the very beginning.
   std::size_t const mark = file.text.starts_with("\xEF\xBB\xBF") ? 3 : 0;
   std::string const linkage = c_sources_.contains(file.path) ? "extern \"C\" {\n" : "";
-  write_if_changed(path, file.text.substr(0, mark) + linkage + "#line 1 " + rewrite::quoted(file.compiled_name) + "\n" +
+  write_if_changed(path, file.text.substr(0, mark) + linkage + "#line 1 " + quoted(file.compiled_name) + "\n" +
                              redirected(file.text.substr(mark)) + (linkage.empty() ? "" : "\n}\n"));
   // A symbolic link to the file is found beside what includes it.
   fs::path const named(file.compiled_name);

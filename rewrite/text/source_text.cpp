@@ -50,15 +50,6 @@ std::string trimmed(std::string text) {
   return text;
 }
 
-std::string quoted(std::string const &text) {
-  std::string result = "\"";
-  for (char c : text) {
-    if (c == '"' || c == '\\') result += '\\';
-    result += c;
-  }
-  return result + "\"";
-}
-
 std::string normalised(std::string const &source) {
   std::string text;
   for (char c : without_comments(source)) {

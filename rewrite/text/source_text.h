@@ -1,6 +1,8 @@
 // C and C++ as text, where there is no parser: its words, literals, comments and parentheses.
 #pragma once
 
+#include "support/quoted.h"
+
 #include <cstddef>
 #include <string>
 
@@ -14,9 +16,6 @@ std::size_t end_of_literal(std::string const &text, std::size_t begin);
 
 // The parenthesis that closes the one at `open`, literals aside; npos if none does.
 std::size_t closing_parenthesis(std::string const &text, std::size_t open);
-
-// A C string literal of the text.
-std::string quoted(std::string const &text);
 
 // Comments away, each run of white space one blank.
 std::string normalised(std::string const &source);

@@ -3,6 +3,7 @@
 
 #include "graph/graph.h"
 #include "support/number.h"
+#include "support/quoted.h"
 
 #include <charconv>
 #include <cmath>
@@ -101,7 +102,6 @@ void write_tables(std::ostream &out, std::vector<Table> const &tables);
 void write_externals(std::ostream &out, std::vector<External> const &externals);
 
 // What every writer of lines needs.
-std::string quoted(std::string const &text);
 void write_place(std::ostream &out, Place const &place);
 
 } // namespace symreal

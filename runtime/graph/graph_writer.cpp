@@ -6,15 +6,6 @@
 
 namespace symreal {
 
-std::string quoted(std::string const &text) {
-  std::string result = "\"";
-  for (char c : text) {
-    if (c == '"' || c == '\\') result += '\\';
-    result += c;
-  }
-  return result + '"';
-}
-
 void write_place(std::ostream &out, Place const &place) {
   if (!place.file.empty()) out << " at " << quoted(place.file) << ' ' << place.line << ' ' << place.column;
 }

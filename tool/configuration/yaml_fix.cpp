@@ -1,5 +1,7 @@
 #include "tool/configuration/yaml_fix.h"
 
+#include "support/quoted.h"
+
 #include <vector>
 
 namespace symreal::tool {
@@ -15,12 +17,6 @@ bool wants_quotes(std::string const &item) {
   if (item.empty() || item.front() == '"' || item.front() == '\'') return false;
   return item.front() == '*' || item.front() == '&' || item.front() == '%' || item.front() == '@' ||
          item.find_first_of("[]{}#") != item.npos;
-}
-
-std::string quoted(std::string const &item) {
-  std::string text = "\"";
-  for (char const c : item) text += c == '"' || c == '\\' ? std::string("\\") + c : std::string(1, c);
-  return text + "\"";
 }
 
 // The items between the outermost brackets.

@@ -4,6 +4,7 @@
 #include "emit/origins/origins.h"
 #include "emit/print/call.h"
 #include "schedule/order.h"
+#include "support/quoted.h"
 
 #include <utility>
 
@@ -129,10 +130,8 @@ void BodyPrinter::check_value(std::size_t statement, std::size_t indent, CodeTex
   if (!is_leaf(graph.nodes[id].op)) text += " = " + std::string(info(graph.nodes[id].op).name);
   if (std::string const place = describe_locations(graph, locations_of(graph, {id})); !place.empty())
     text += " at " + place;
-  std::string quoted;
-  for (char c : text) quoted += c == '"' || c == '\\' ? std::string("\\") + c : std::string(1, c);
-  out.lines(std::string(indent, ' ') + fill(language_.statements.value_check, {{"name", name}, {"text", quoted}}) +
-            "\n");
+  out.lines(std::string(indent, ' ') +
+            fill(language_.statements.value_check, {{"name", name}, {"text", escaped(text)}}) + "\n");
 }
 
 // A call, with an array for its results: its own, or where later chunks find them.
