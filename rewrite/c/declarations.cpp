@@ -2,7 +2,7 @@
 // behind it. In C++ a tag hides a variable, function or type of the same name further out, and a structure keeps what
 // is declared in it to itself. One without members has no size in C, and one byte in C++.
 #include "rewrite/c/declarations.h"
-#include "rewrite/source/walk.h"
+#include "rewrite/c/walk.h"
 
 #include <vector>
 
@@ -11,33 +11,27 @@ namespace {
 
 using namespace clang;
 
-class Scopes : public Walk {
+class Scopes : public CWalk {
 public:
-  Scopes(ASTContext &context, SourceMap const &map, Facts &facts) : context_(context), map_(map), facts_(facts) {}
+  using CWalk::CWalk;
 
-  bool TraverseDecl(Decl *declaration) override {
-    bool const is_outside = declaration && !isa<TranslationUnitDecl>(declaration) &&
-                            declaration->getLexicalDeclContext()->isFileContext() &&
-                            !map_.in_roots(declaration->getLocation());
-    return is_outside || Walk::TraverseDecl(declaration);
-  }
   bool TraverseFunctionDecl(FunctionDecl *function) override {
     Entered const here(*this, function->getBody()); // whose names are in one block with those of the parameters
-    return Walk::TraverseFunctionDecl(function);
+    return CWalk::TraverseFunctionDecl(function);
   }
   bool TraverseCompoundStmt(CompoundStmt *block) override {
-    if (!blocks_.empty() && blocks_.back().block == block) return Walk::TraverseCompoundStmt(block);
+    if (!blocks_.empty() && blocks_.back().block == block) return CWalk::TraverseCompoundStmt(block);
     Entered const here(*this, block);
-    return Walk::TraverseCompoundStmt(block);
+    return CWalk::TraverseCompoundStmt(block);
   }
   bool TraverseForStmt(ForStmt *loop) override {
     Entered const here(*this, loop);
-    return Walk::TraverseForStmt(loop);
+    return CWalk::TraverseForStmt(loop);
   }
   bool TraverseRecordDecl(RecordDecl *record) override {
     Entered const here(*this, nullptr);
     records_.push_back(record);
-    bool const more = Walk::TraverseRecordDecl(record);
+    bool const more = CWalk::TraverseRecordDecl(record);
     records_.pop_back();
     return more;
   }
@@ -96,11 +90,6 @@ private:
     return true;
   }
 
-  void report(SourceLocation location, std::string message) {
-    facts_.diagnostics.push_back(
-        {DiagnosticId::c_source, map_.place(location), std::move(message), map_.expansions(location)});
-  }
-
   void look_up(NamedDecl const *declaration, SourceLocation use) {
     if (!declaration->getIdentifier()) return;
     for (auto block = blocks_.rbegin(); block != blocks_.rend(); ++block) {
@@ -132,9 +121,6 @@ private:
       facts_.wraps.insert({*token, Use::before, words});
   }
 
-  ASTContext &context_;
-  SourceMap const &map_;
-  Facts &facts_;
   std::vector<Block> blocks_;
   std::vector<RecordDecl const *> records_;
 };

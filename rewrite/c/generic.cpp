@@ -1,15 +1,15 @@
 #include "rewrite/c/generic.h"
 
-#include "rewrite/source/walk.h"
+#include "rewrite/c/walk.h"
 
 namespace symreal::rewrite {
 namespace {
 
 using namespace clang;
 
-class Selections : public Walk {
+class Selections : public CWalk {
 public:
-  Selections(ASTContext &context, SourceMap const &map, Facts &facts) : context_(context), map_(map), facts_(facts) {}
+  using CWalk::CWalk;
 
   bool VisitGenericSelectionExpr(GenericSelectionExpr *selection) override {
     if (!map_.in_roots(selection->getBeginLoc())) return true;
@@ -24,37 +24,34 @@ public:
       if (chosen->getType()->isVoidPointerType() &&
           chosen->isNullPointerConstant(context_, Expr::NPC_NeverValueDependent))
         null(*chosen);
-    if (!known)
-      facts_.diagnostics.push_back({DiagnosticId::c_source, map_.place(selection->getBeginLoc()),
-                                    "macros make parts of this _Generic", map_.expansions(selection->getBeginLoc())});
+    if (!known) report(selection->getBeginLoc(), "macros make parts of this _Generic");
     return true;
   }
 
 private:
   bool is_replaced(SourceLocation at) const {
-    auto const [file, offset] = map_.sources().getDecomposedSpellingLoc(at);
-    return map_.sources().getBufferData(file).substr(0, offset).ends_with("REAL_EITHER((");
+    auto const [file, offset] = sources_.getDecomposedSpellingLoc(at);
+    return sources_.getBufferData(file).substr(0, offset).ends_with("REAL_EITHER((");
   }
 
   // A type may be spelled by a macro, such as REAL: the colon stands behind that.
   bool replace_colon(SourceLocation end) {
-    SourceManager const &sources = context_.getSourceManager();
     while (true) {
       std::optional<Token> const colon =
-          Lexer::findNextToken(sources.getSpellingLoc(end), sources, context_.getLangOpts());
+          Lexer::findNextToken(sources_.getSpellingLoc(end), sources_, context_.getLangOpts());
       if (colon && colon->is(tok::colon)) return replace(colon->getLocation(), ":", ",");
       // From the rewriting before.
       if (colon && colon->is(tok::raw_identifier) && colon->getRawIdentifier().ends_with("REAL_EITHER")) return true;
       if (end.isFileID()) return false;
-      end = sources.isMacroArgExpansion(end) ? sources.getImmediateSpellingLoc(end)
-                                             : sources.getImmediateExpansionRange(end).getEnd();
+      end = sources_.isMacroArgExpansion(end) ? sources_.getImmediateSpellingLoc(end)
+                                              : sources_.getImmediateExpansionRange(end).getEnd();
     }
   }
 
   // NULL converts to any pointer there; in C++ only by its own name, and not as the value of an expression.
   void null(Expr const &pointer) {
     SourceLocation at = pointer.getBeginLoc();
-    if (at.isMacroID()) at = context_.getSourceManager().getImmediateExpansionRange(at).getBegin(); // the name
+    if (at.isMacroID()) at = sources_.getImmediateExpansionRange(at).getBegin(); // the name
     if (!is_replaced(at)) replace(at, "NULL", "nullptr");
   }
 
@@ -63,10 +60,6 @@ private:
     if (token) facts_.wraps.insert({*token, Use::instead, std::move(words)});
     return token.has_value();
   }
-
-  ASTContext &context_;
-  SourceMap const &map_;
-  Facts &facts_;
 };
 
 } // namespace

@@ -3,8 +3,8 @@
 // its own: g++ takes that of a class with constructors for initialised.
 #include "rewrite/c/jumps.h"
 
+#include "rewrite/c/walk.h"
 #include "rewrite/model/reals.h"
-#include "rewrite/source/walk.h"
 #include "rewrite/text/pragma_text.h"
 
 #include <vector>
@@ -39,15 +39,15 @@ private:
   unsigned switches_ = 0;
 };
 
-class Jumps : public Walk {
+class Jumps : public CWalk {
 public:
-  Jumps(ASTContext &context, SourceMap const &map, Facts &facts) : context_(context), map_(map), facts_(facts) {}
+  using CWalk::CWalk;
 
   bool TraverseFunctionDecl(FunctionDecl *function) override {
     if (!map_.in_roots(function->getLocation()) || !function->doesThisDeclarationHaveABody()) return true;
     gotos_.clear();
     collect_gotos(function->getBody());
-    return Walk::TraverseFunctionDecl(function);
+    return CWalk::TraverseFunctionDecl(function);
   }
 
   bool VisitCompoundStmt(CompoundStmt *block) override {
@@ -69,12 +69,11 @@ private:
   }
 
   bool is_passed(DeclStmt const &declaration, CompoundStmt const &block, Labels const &behind) {
-    SourceManager const &sources = context_.getSourceManager();
     if (behind.has_case) return true;
     for (LabelDecl const *label : behind.labels)
       for (GotoStmt const *jump : gotos_[label])
-        if (sources.isBeforeInTranslationUnit(jump->getBeginLoc(), declaration.getBeginLoc()) ||
-            sources.isBeforeInTranslationUnit(block.getEndLoc(), jump->getBeginLoc()))
+        if (sources_.isBeforeInTranslationUnit(jump->getBeginLoc(), declaration.getBeginLoc()) ||
+            sources_.isBeforeInTranslationUnit(block.getEndLoc(), jump->getBeginLoc()))
           return true;
     return false;
   }
@@ -100,10 +99,8 @@ private:
     if (possible)
       facts_.wraps.insert(words.begin(), words.end());
     else
-      facts_.diagnostics.push_back({DiagnosticId::c_source, map_.place((*first)->getLocation()),
-                                    "a jump passes the initialisation of '" + (*first)->getNameAsString() +
-                                        "', which is spelled in parts or has a type without a name",
-                                    map_.expansions((*first)->getLocation())});
+      report((*first)->getLocation(), "a jump passes the initialisation of '" + (*first)->getNameAsString() +
+                                          "', which is spelled in parts or has a type without a name");
   }
 
   // An initialiser stays what it is, in a declaration of one array.
@@ -132,8 +129,7 @@ private:
     if (span)
       facts_.wraps.insert({*span, Use::instead, words});
     else
-      facts_.diagnostics.push_back({DiagnosticId::c_source, map_.place(begin),
-                                    "a jump passes the declaration of an array of REALs", map_.expansions(begin)});
+      report(begin, "a jump passes the declaration of an array of REALs");
   }
   static std::string declared(QualType type, std::string name, PrintingPolicy const &policy) {
     type.getAsStringInternal(name, policy);
@@ -142,7 +138,7 @@ private:
 
   // Objects that get their value later are not const.
   bool unlock(DeclStmt const &declaration, std::vector<VarDecl const *> const &variables, std::vector<Wrap> &words) {
-    SourceLocation const begin = context_.getSourceManager().getExpansionLoc(declaration.getBeginLoc());
+    SourceLocation const begin = sources_.getExpansionLoc(declaration.getBeginLoc());
     SourceLocation from = begin; // the type may be a macro, such as REAL
     bool const any_pointer = std::any_of(variables.begin(), variables.end(),
                                          [](VarDecl const *one) { return one->getType()->isPointerType(); });
@@ -160,18 +156,17 @@ private:
 
   // `behind_star`: that of the pointer, not of what it leads to.
   bool remove_const(SourceLocation from, SourceLocation name, bool behind_star, std::vector<Wrap> &words) {
-    SourceManager const &sources = context_.getSourceManager();
     std::vector<SourceLocation> found;
-    for (SourceLocation at = from; at.isValid() && sources.isBeforeInTranslationUnit(at, name);) {
+    for (SourceLocation at = from; at.isValid() && sources_.isBeforeInTranslationUnit(at, name);) {
       Token token;
-      if (at.isMacroID() || Lexer::getRawToken(at, token, sources, context_.getLangOpts(), true)) return false;
+      if (at.isMacroID() || Lexer::getRawToken(at, token, sources_, context_.getLangOpts(), true)) return false;
       if (token.is(tok::star) && behind_star) found.clear();
       if (token.is(tok::raw_identifier) && token.getRawIdentifier() == "const") found.push_back(token.getLocation());
       at = token.getEndLoc();
     }
     for (SourceLocation const at : found) {
-      auto const [file, offset] = sources.getDecomposedLoc(at);
-      if (sources.getBufferData(file).substr(0, offset).ends_with("REAL_EITHER(("))
+      auto const [file, offset] = sources_.getDecomposedLoc(at);
+      if (sources_.getBufferData(file).substr(0, offset).ends_with("REAL_EITHER(("))
         continue; // from the rewriting before
       std::optional<Span> const token = map_.token(at);
       if (!token) return false;
@@ -193,19 +188,8 @@ private:
 
   // The type without what the declarator adds to it; empty where it has no name.
   std::string specifier(VarDecl const &variable) const {
-    TypeLoc type = variable.getTypeSourceInfo()->getTypeLoc();
-    while (true) {
-      if (auto const pointer = type.getAs<PointerTypeLoc>())
-        type = pointer.getPointeeLoc();
-      else if (auto const array = type.getAs<ArrayTypeLoc>())
-        type = array.getElementLoc();
-      else if (auto const parentheses = type.getAs<ParenTypeLoc>())
-        type = parentheses.getInnerLoc();
-      else if (type.getAs<FunctionTypeLoc>())
-        return {};
-      else
-        break;
-    }
+    TypeLoc const type = without_declarator(variable.getTypeSourceInfo()->getTypeLoc());
+    if (type.getAs<FunctionTypeLoc>()) return {};
     QualType named = type.getType();
     if (!variable.getType()->isPointerType()) named = named.getUnqualifiedType();
     if (TagDecl const *tag = named->getAsTagDecl(); tag && !tag->getIdentifier() && !named->getAs<TypedefType>())
@@ -216,10 +200,9 @@ private:
   }
 
   bool assign(VarDecl const &variable, std::vector<Wrap> &words) const {
-    SourceLocation const end = std::max(variable.getLocation(), variable.getTypeSourceInfo()->getTypeLoc().getEndLoc(),
-                                        [&](SourceLocation a, SourceLocation b) {
-                                          return context_.getSourceManager().isBeforeInTranslationUnit(a, b);
-                                        });
+    SourceLocation const end =
+        std::max(variable.getLocation(), variable.getTypeSourceInfo()->getTypeLoc().getEndLoc(),
+                 [&](SourceLocation a, SourceLocation b) { return sources_.isBeforeInTranslationUnit(a, b); });
     std::optional<Token> const equals = next_token(end);
     if (equals && is_ours(*equals, "REAL_ONLY")) return true;
     if (!equals || equals->isNot(tok::equal)) return false;
@@ -235,12 +218,9 @@ private:
   }
   std::optional<Token> next_token(SourceLocation end) const {
     if (end.isMacroID()) return std::nullopt;
-    return Lexer::findNextToken(end, context_.getSourceManager(), context_.getLangOpts());
+    return Lexer::findNextToken(end, sources_, context_.getLangOpts());
   }
 
-  ASTContext &context_;
-  SourceMap const &map_;
-  Facts &facts_;
   llvm::DenseMap<LabelDecl const *, std::vector<GotoStmt const *>> gotos_;
 };
 

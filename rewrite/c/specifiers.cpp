@@ -43,20 +43,10 @@ public:
   }
 
 private:
-  // Of a type without what the declarator adds.
+  // The words before the declarator.
   static TypeLoc specifier(TypeLoc type) {
-    while (type) {
-      if (auto const pointer = type.getAs<PointerTypeLoc>())
-        type = pointer.getPointeeLoc();
-      else if (auto const array = type.getAs<ArrayTypeLoc>())
-        type = array.getElementLoc();
-      else if (auto const parentheses = type.getAs<ParenTypeLoc>())
-        type = parentheses.getInnerLoc();
-      else if (auto const function = type.getAs<FunctionTypeLoc>())
-        type = function.getReturnLoc();
-      else
-        break;
-    }
+    type = without_declarator(type);
+    while (auto const function = type.getAs<FunctionTypeLoc>()) type = without_declarator(function.getReturnLoc());
     return type.getUnqualifiedLoc();
   }
 

@@ -8,6 +8,21 @@
 
 namespace symreal::rewrite {
 
+// A type without what the declarator of a variable adds to it; what a function returns is the next step.
+inline clang::TypeLoc without_declarator(clang::TypeLoc type) {
+  while (type) {
+    if (auto const pointer = type.getAs<clang::PointerTypeLoc>())
+      type = pointer.getPointeeLoc();
+    else if (auto const array = type.getAs<clang::ArrayTypeLoc>())
+      type = array.getElementLoc();
+    else if (auto const parentheses = type.getAs<clang::ParenTypeLoc>())
+      type = parentheses.getInnerLoc();
+    else
+      break;
+  }
+  return type;
+}
+
 class CWalk : public Walk {
 public:
   CWalk(clang::ASTContext &context, SourceMap const &map, Facts &facts)
