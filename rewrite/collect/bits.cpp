@@ -11,7 +11,7 @@ using namespace clang;
 bool moves_bytes(FunctionDecl const *function) {
   llvm::StringRef name = function->getDeclName().isIdentifier() ? function->getName() : "operator delete";
   if (name.consume_front("__builtin_")) name.consume_back("_chk");
-  return (library::function(name) & library::MOVES_BYTES) != 0;
+  return library::has(name, library::MOVES_BYTES);
 }
 
 // The address of an object goes to a function outside the roots that takes any.

@@ -134,7 +134,7 @@ void Collector::c_choice(ConditionalOperator const *choice) {
 void Collector::c_search(CallExpr const *call) {
   FunctionDecl const *function = call->getDirectCallee();
   if (map_.language().CPlusPlus || !function || reals_.in_roots(function) || !function->getIdentifier()) return;
-  if ((library::function(function->getName()) & library::SEARCHES) == 0) return;
+  if (!library::has(function->getName(), library::SEARCHES)) return;
   Expr const *searched = call->getArg(0);
   QualType const pointee = as_pointer(searched)->getType()->getPointeeType();
   bool const is_literal = isa<StringLiteral>(searched->IgnoreParenImpCasts()); // whose characters are const in C++ only

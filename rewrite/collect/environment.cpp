@@ -15,7 +15,7 @@ bool is_error_number(Expr const *expression) {
   auto const *call = dyn_cast<CallExpr>(target->getSubExpr()->IgnoreParenImpCasts());
   FunctionDecl const *function = call ? call->getDirectCallee() : nullptr;
   if (!function || !function->getDeclName().isIdentifier()) return false;
-  return (library::function(function->getName()) & library::ERROR_NUMBER) != 0;
+  return library::has(function->getName(), library::ERROR_NUMBER);
 }
 
 } // namespace

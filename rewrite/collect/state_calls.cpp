@@ -35,7 +35,7 @@ Effect effect(CXXMethodDecl const *method) {
 
 // Functions of <algorithm> and <numeric> that only write to the range they are given.
 bool only_writes(FunctionDecl const *function) {
-  return function->isInStdNamespace() && (library::function(name_of(function)) & library::ONLY_WRITES) != 0;
+  return function->isInStdNamespace() && library::has(name_of(function), library::ONLY_WRITES);
 }
 
 // v.begin() or a pointer's own container, as the argument of such a function.

@@ -113,7 +113,7 @@ bool asks_of_real(CallExpr const *call, Reals const &reals) {
   name.consume_front("__builtin_");
   name.consume_front("__");
   if (!name.starts_with("isnan") && !name.starts_with("isinf") && !name.starts_with("isfinite") &&
-      (library::function(name) & library::COMPARES) == 0)
+      !library::has(name, library::COMPARES))
     return false;
   return llvm::any_of(call->arguments(),
                       [&](Expr const *argument) { return reals.is_real(argument->IgnoreParenImpCasts()); });

@@ -139,7 +139,7 @@ private:
     if (kind == clang::OO_New || kind == clang::OO_Delete || kind == clang::OO_Array_New ||
         kind == clang::OO_Array_Delete)
       return true;
-    return function->isExternC() && (library::function(function->getName()) & library::ALLOCATES) != 0;
+    return function->isExternC() && library::has(function->getName(), library::ALLOCATES);
   }
 };
 

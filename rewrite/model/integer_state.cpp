@@ -64,7 +64,7 @@ private:
 
 bool is_container(ClassTemplateSpecializationDecl const *record) {
   return record->isInStdNamespace() && record->getIdentifier() &&
-         (library::class_in("std", record->getName()) & library::OWNS_INTEGERS) != 0;
+         library::has("std", record->getName(), library::OWNS_INTEGERS);
 }
 
 bool is_text(QualType type) {

@@ -16,26 +16,33 @@ llvm::StringMap<FunctionRow> const &functions() {
   return rows;
 }
 
+struct ClassRow {
+  llvm::StringRef scope, name;
+  unsigned traits;
+};
+
 } // namespace
 
-unsigned function(llvm::StringRef name) { return functions().lookup(name).traits; }
+bool has(llvm::StringRef function, Function trait) { return (functions().lookup(function).traits & trait) != 0; }
 
 llvm::StringRef environment_effect(llvm::StringRef function) { return functions().lookup(function).effect; }
 
-unsigned method(llvm::StringRef name) {
+bool has(llvm::StringRef method, Method trait) {
   static llvm::StringMap<unsigned> const rows = {
 #define METHOD(name, traits) {name, traits},
 #include "rewrite/model/library.def"
   };
-  return rows.lookup(name);
+  return (rows.lookup(method) & trait) != 0;
 }
 
-unsigned class_in(llvm::StringRef scope, llvm::StringRef name) {
-  static llvm::StringMap<unsigned> const rows = {
-#define CLASS(scope, name, traits) {scope "::" name, traits},
+bool has(llvm::StringRef scope, llvm::StringRef class_name, Class trait) {
+  static ClassRow const rows[] = {
+#define CLASS(scope, name, traits) {scope, name, traits},
 #include "rewrite/model/library.def"
   };
-  return rows.lookup((scope + "::" + name).str());
+  return llvm::any_of(rows, [&](ClassRow const &row) {
+    return row.name == class_name && row.scope == scope && (row.traits & trait) != 0;
+  });
 }
 
 } // namespace symreal::rewrite::library

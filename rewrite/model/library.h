@@ -23,10 +23,10 @@ enum Function : unsigned {
 enum Method : unsigned { READS_ITS_TEXT = 1, COMPARES_KEYS = 2, VIEWS = 4 };
 enum Class : unsigned { OWNS_ELEMENTS = 1, OWNS_INTEGERS = 2, VIEW = 4 };
 
-// The traits in the row of this name; 0 where there is none.
-unsigned function(llvm::StringRef name);
-unsigned method(llvm::StringRef name);
-unsigned class_in(llvm::StringRef scope, llvm::StringRef name);
+// Has the row of this name the trait? There may be no row.
+bool has(llvm::StringRef function, Function trait);
+bool has(llvm::StringRef method, Method trait);
+bool has(llvm::StringRef scope, llvm::StringRef class_name, Class trait);
 
 // What a function does with the floating-point environment; empty for any other function.
 llvm::StringRef environment_effect(llvm::StringRef function);

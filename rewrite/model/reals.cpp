@@ -94,7 +94,7 @@ bool Reals::is_math_name(llvm::StringRef name) {
   }();
   name.consume_front("__builtin_");
   if (name.starts_with("__")) name = name.drop_front(2).take_until([](char c) { return c == '_'; }); // __isnan of glibc
-  return names.contains(name) || (library::function(name) & library::MATH) != 0 || name == "isinf_sign";
+  return names.contains(name) || library::has(name, library::MATH) || name == "isinf_sign";
 }
 
 bool Reals::is_declared_math(FunctionDecl const *function) {

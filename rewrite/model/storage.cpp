@@ -15,9 +15,10 @@ llvm::StringRef name_in(QualType type, llvm::StringRef space) {
   return scope && scope->getName() == space ? record->getName() : llvm::StringRef();
 }
 
-bool has(QualType type, unsigned wanted) {
+bool has(QualType type, library::Class trait) {
   for (llvm::StringRef scope : {"std", "Eigen"})
-    if ((library::class_in(scope, name_in(type, scope)) & wanted) != 0) return true;
+    if (llvm::StringRef const name = name_in(type, scope); !name.empty() && library::has(scope, name, trait))
+      return true;
   return false;
 }
 
@@ -31,7 +32,7 @@ Expr const *object_of(CallExpr const *call) {
 // Does the function return one of its arguments?
 bool selects_argument(FunctionDecl const *function) {
   return function->isInStdNamespace() && function->getDeclName().isIdentifier() &&
-         (library::function(function->getName()) & library::GIVES_ARGUMENT) != 0;
+         library::has(function->getName(), library::GIVES_ARGUMENT);
 }
 
 } // namespace

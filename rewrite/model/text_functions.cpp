@@ -36,20 +36,18 @@ TextUse text_use(FunctionDecl const *function) {
   if (isa<CXXMethodDecl>(function)) return TextUse::none;
   llvm::StringRef name = name_of(function);
   name.consume_front("__builtin_");
-  unsigned const traits = library::function(name);
-  if ((traits & library::TEXT_TO_MEMORY) != 0) return TextUse::memory;
-  if ((traits & library::TEXT_TO_FILE) != 0) return TextUse::outside;
-  return (traits & library::READS_TEXT) != 0 ? TextUse::reader : TextUse::none;
+  if (library::has(name, library::TEXT_TO_MEMORY)) return TextUse::memory;
+  if (library::has(name, library::TEXT_TO_FILE)) return TextUse::outside;
+  return library::has(name, library::READS_TEXT) ? TextUse::reader : TextUse::none;
 }
 
 bool reads_its_text(CXXMethodDecl const *method) {
-  return (library::method(name_of(method)) & library::READS_ITS_TEXT) != 0 &&
+  return library::has(name_of(method), library::READS_ITS_TEXT) &&
          is_standard(method->getParent(), {"basic_string", "basic_string_view", "basic_istream", "basic_ostream"});
 }
 
 bool compares_keys(CXXMethodDecl const *method) {
-  if ((library::method(name_of(method)) & library::COMPARES_KEYS) == 0 &&
-      method->getOverloadedOperator() != OO_Subscript)
+  if (!library::has(name_of(method), library::COMPARES_KEYS) && method->getOverloadedOperator() != OO_Subscript)
     return false;
   return is_standard(method->getParent(), {"map", "multimap", "set", "multiset", "unordered_map", "unordered_multimap",
                                            "unordered_set", "unordered_multiset"});

@@ -122,10 +122,9 @@ bool ArmWalker::library_call(CallExpr const *call, FunctionDecl const *function)
   OverloadedOperatorKind const op = function->getOverloadedOperator();
   bool const assigns = numbers && (op == OO_Equal || op == OO_PlusEqual || op == OO_MinusEqual || op == OO_StarEqual ||
                                    op == OO_SlashEqual);
-  bool const looks =
-      op == OO_Subscript || (op == OO_Call && numbers) ||
-      (function->getDeclName().isIdentifier() && (library::method(function->getName()) & library::VIEWS) != 0) ||
-      (numbers && (!method || method->isConst() || method->isStatic()));
+  bool const looks = op == OO_Subscript || (op == OO_Call && numbers) ||
+                     (function->getDeclName().isIdentifier() && library::has(function->getName(), library::VIEWS)) ||
+                     (numbers && (!method || method->isConst() || method->isStatic()));
   if (!assigns && !looks) return false;
   if (auto const *member = dyn_cast<CXXMemberCallExpr>(call)) expression(member->getImplicitObjectArgument());
   for (unsigned i = 0; i < call->getNumArgs(); ++i)
