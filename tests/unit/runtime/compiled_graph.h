@@ -2,9 +2,10 @@
 #pragma once
 
 #include "emit/emit.h"
-#include "program/workspace.h"
 
+#include <cstdlib>
 #include <dlfcn.h>
+#include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
 
@@ -16,14 +17,17 @@ public:
   Compiled(Graph const &graph, std::string compiler, std::string const &language = "c")
       : guarded_(!graph.guards.empty()),
         is_cpp_(language == "cpp") {
+    std::string path = (std::filesystem::temp_directory_path() / "symreal-XXXXXX").string();
+    EXPECT_NE(mkdtemp(path.data()), nullptr);
+    directory_ = path;
     for (EmittedFile const &file : emit(graph, *find_language(language), {.base_name = "k", .mainline = true}))
-      std::ofstream(workspace_.file(file.name)) << file.text;
+      std::ofstream(directory_ / file.name) << file.text;
     std::string flags = is_cpp_ ? " -std=c++17" : " -std=c99 -pedantic";
     flags += " -O1 -ffp-contract=off -fno-builtin -Wall -Wextra -Wconversion -Werror ";
     // clang computes what it takes to be harmless before it is known to be needed, unless told that flags matter.
     if (compiler.starts_with("clang")) flags += "-ffp-exception-behavior=maytrap ";
     if (is_cpp_) compiler = compiler == "gcc" ? "g++" : "clang++-19";
-    std::string const path = workspace_.path(), end = is_cpp_ ? ".cpp" : ".c";
+    std::string const end = is_cpp_ ? ".cpp" : ".c";
     std::string const build = compiler + flags + "-fPIC -shared " + path + "/k" + end + " -o " + path + "/k.so -lm";
     EXPECT_EQ(std::system(build.c_str()), 0);
     EXPECT_EQ(std::system((compiler + flags + "-fsyntax-only " + path + "/k_main" + end).c_str()), 0);
@@ -32,6 +36,8 @@ public:
   }
   ~Compiled() {
     if (library_) dlclose(library_);
+    std::error_code ignored;
+    std::filesystem::remove_all(directory_, ignored);
   }
   std::vector<double> run(std::vector<double> const &input, std::size_t outputs) const {
     std::vector<double> output(outputs);
@@ -51,7 +57,7 @@ public:
   }
 
 private:
-  program::Workspace workspace_{false};
+  std::filesystem::path directory_;
   void *library_ = nullptr;
   bool guarded_, is_cpp_;
 };
