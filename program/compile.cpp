@@ -206,7 +206,7 @@ template <class Run> std::vector<Captured> run_all(std::vector<Command> const &c
 
 } // namespace
 
-std::vector<std::string> build_programs(BuildRequest const &request, std::span<Variant const> variants,
+std::vector<std::string> build_variants(BuildRequest const &request, std::span<Variant const> variants,
                                         Overlay const &rewritten, Overlay const &annotated,
                                         Workspace const &workspace) {
   std::vector<Command> compilations, links;

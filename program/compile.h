@@ -80,7 +80,7 @@ std::vector<std::string> flags_of_numbers(std::vector<std::string> const &flags)
 // processors, and returns the paths of the executables in
 // the same order. Throws compiler_missing, build_failed or link_failed with places in the user's sources.
 // `rewritten` and `annotated`: the texts of the one and of the other two variants.
-std::vector<std::string> build_programs(BuildRequest const &request, std::span<Variant const> variants,
+std::vector<std::string> build_variants(BuildRequest const &request, std::span<Variant const> variants,
                                         Overlay const &rewritten, Overlay const &annotated, Workspace const &workspace);
 
 } // namespace symreal::program

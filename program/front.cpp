@@ -12,14 +12,16 @@
 namespace symreal::program {
 namespace {
 
+// Adds the seconds of its own life.
 class Stopwatch {
 public:
-  double lap() {
-    auto now = std::chrono::steady_clock::now();
-    return std::chrono::duration<double>(now - std::exchange(start_, now)).count();
-  }
+  explicit Stopwatch(double &seconds) : seconds_(seconds) {}
+  ~Stopwatch() { seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
+  Stopwatch(Stopwatch const &) = delete;
+  Stopwatch &operator=(Stopwatch const &) = delete;
 
 private:
+  double &seconds_;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
@@ -93,10 +95,10 @@ bool is_by_hand(rewrite::Result const &rewritten) {
                      [](rewrite::Kernel const &kernel) { return kernel.by_hand; });
 }
 
-void build(FrontRequest const &request, rewrite::Result const &rewritten, BuildRequest const &parts, Front &front) {
+void build(FrontRequest const &request, BuildRequest const &parts, Front &front) {
   std::vector<std::pair<Variant, std::string Front::*>> wanted = {{Variant::symbolic, &Front::symbolic_program}};
   if (request.replay) wanted.emplace_back(Variant::replay, &Front::replay_program);
-  if (request.replay && !is_by_hand(rewritten)) {
+  if (request.replay && !is_by_hand(front.rewritten)) {
     wanted.emplace_back(Variant::original, &Front::original_program);
     for (rewrite::Compilation const &one : parts.sources)
       for (std::string const &flag : flags_of_numbers(one.flags))
@@ -107,54 +109,56 @@ void build(FrontRequest const &request, rewrite::Result const &rewritten, BuildR
   Overlay annotated;
   front.build = parts;
   if (request.replay) {
-    front.annotated = rewrite::annotated_original(rewritten);
+    front.annotated = rewrite::annotated_original(front.rewritten);
     annotated = Overlay(front.annotated, front.workspace->directory("annotated"));
   }
   std::vector<Variant> variants;
   for (auto const &[variant, program] : wanted) variants.push_back(variant);
   std::vector<std::string> const executables =
-      build_programs(parts, variants, *front.overlay, annotated, *front.workspace);
+      build_variants(parts, variants, *front.overlay, annotated, *front.workspace);
   for (std::size_t k = 0; k < wanted.size(); ++k) front.*wanted[k].second = executables[k];
 }
 
-// Source to text with REAL in place of double. Nothing when an error was reported.
-std::optional<rewrite::Result> rewrite_sources(FrontRequest const &request, Front &front, Talk const &talk) {
+} // namespace
+
+bool rewrite_sources(FrontRequest const &request, Front &front, Talk const &talk) {
   talk.stage("rewriting");
-  rewrite::Result rewritten = rewrite::run(request.source);
+  Stopwatch const watch(front.rewrite_seconds);
+  front.rewritten = rewrite::run(request.source);
   // The compiler's messages and debug information are read here, wherever it runs.
-  for (rewrite::File &file : rewritten.files) file.compiled_name = file.display_path;
-  if (!report_all(rewritten.diagnostics, talk)) return {};
-  note_unreached(rewritten, rewrite::compilations_of(request.source).size(), talk);
-  front.read = rewritten.read;
+  for (rewrite::File &file : front.rewritten.files) file.compiled_name = file.display_path;
+  if (!report_all(front.rewritten.diagnostics, talk)) return false;
+  note_unreached(front.rewritten, rewrite::compilations_of(request.source).size(), talk);
+  front.read = front.rewritten.read;
   for (rewrite::TextSource const &one : request.source.texts)
     std::erase(front.read, rewrite::real_source({one.path, {}, {}}));
-  front.sources_read = rewritten.sources_read;
-  front.sources_kept = rewritten.sources_kept;
-  return rewritten;
+  front.wanted = wanted_kernels(front.rewritten, request);
+  return true;
 }
 
-// Text to programs: the symbolic one, and those that verification runs.
-void build_programs(FrontRequest const &request, rewrite::Result &rewritten, Front &front, Talk const &talk) {
+bool build_programs(FrontRequest const &request, Front &front, Talk const &talk) {
   talk.stage("building");
+  Stopwatch const watch(front.build_seconds);
   front.workspace = std::make_unique<Workspace>(request.keep);
-  BuildRequest parts = build_request(request, rewritten);
+  BuildRequest parts = build_request(request, front.rewritten);
   CSources c =
-      as_in_c(rewritten, parts.sources, {parts.compiler}, {parts.c_compiler}, parts.type_name, *front.workspace);
+      as_in_c(front.rewritten, parts.sources, {parts.compiler}, {parts.c_compiler}, parts.type_name, *front.workspace);
   parts.source_flags = std::move(c.flags);
-  front.overlay = std::make_unique<Overlay>(rewritten, front.workspace->directory("overlay"), std::move(c.sources));
-  build(request, rewritten, parts, front);
+  front.overlay =
+      std::make_unique<Overlay>(front.rewritten, front.workspace->directory("overlay"), std::move(c.sources));
+  build(request, parts, front);
+  return true;
 }
 
-// The symbolic program, run once, to graphs. False when an error was reported.
-bool record_kernels(FrontRequest const &request, rewrite::Result const &rewritten,
-                    std::vector<rewrite::Kernel> const &wanted, Front &front, Talk const &talk) {
+bool record_kernels(FrontRequest const &request, Front &front, Talk const &talk) {
   talk.stage("recording");
+  Stopwatch const watch(front.run_seconds);
   RunOptions run = request.run;
   // Which kernel comes first is not known before the run, so one among several is waited for to the program's end.
-  run.run_on |= wanted.size() < rewritten.kernels.size();
-  Recording recording =
-      record(front.symbolic_program, run, rewritten, wanted, *front.overlay, *front.workspace, talk.program_output);
-  explain_refusals(recording.diagnostics, rewritten.refusals);
+  run.run_on |= front.wanted.size() < front.rewritten.kernels.size();
+  Recording recording = record(front.symbolic_program, run, front.rewritten, front.wanted, *front.overlay,
+                               *front.workspace, talk.program_output);
+  explain_refusals(recording.diagnostics, front.rewritten.refusals);
   if (!report_all(recording.diagnostics, talk)) {
     for (Recorded const &kernel : recording.kernels)
       if (talk.lacking && !kernel.clauses.empty()) talk.lacking(kernel);
@@ -164,20 +168,11 @@ bool record_kernels(FrontRequest const &request, rewrite::Result const &rewritte
   return true;
 }
 
-} // namespace
-
 std::optional<Front> run_front(FrontRequest const &request, Talk const &talk) {
-  Stopwatch watch;
   Front front;
-  std::optional<rewrite::Result> rewritten = rewrite_sources(request, front, talk);
-  if (!rewritten) return {};
-  std::vector<rewrite::Kernel> const wanted = wanted_kernels(*rewritten, request);
-  front.rewrite_seconds = watch.lap();
-  build_programs(request, *rewritten, front, talk);
-  front.build_seconds = watch.lap();
-  if (!record_kernels(request, *rewritten, wanted, front, talk)) return {};
-  front.run_seconds = watch.lap();
-  return front;
+  bool const is_recorded = rewrite_sources(request, front, talk) && build_programs(request, front, talk) &&
+                           record_kernels(request, front, talk);
+  return is_recorded ? std::optional<Front>(std::move(front)) : std::nullopt;
 }
 
 } // namespace symreal::program

@@ -1,4 +1,4 @@
-// The front half of every run on sources:
+// The front half of every run on sources, in three stages:
 //
 //   sources ──rewrite──▶ overlay ──build──▶ symbolic program ──run──▶ recorded graphs
 //                           └─────build──▶ replay program
@@ -37,6 +37,8 @@ struct Talk {
 struct Front {
   std::unique_ptr<Workspace> workspace; // holds the executables
   std::unique_ptr<Overlay> overlay;
+  rewrite::Result rewritten;
+  std::vector<rewrite::Kernel> wanted; // of the sources' kernels those that are asked for
   BuildRequest build;
   rewrite::Result annotated; // the original's text with its annotations, for verification
   std::string symbolic_program, replay_program;
@@ -45,11 +47,20 @@ struct Front {
   std::string own_flags_program;      // empty when there are none
   std::vector<Recorded> kernels;      // at least one, names distinct
   std::vector<std::string> read;      // the files that it was made from
-  std::size_t sources_read = 0, sources_kept = 0; // see rewrite::Result
   double rewrite_seconds = 0, build_seconds = 0, run_seconds = 0;
 };
 
-// Nothing when an error was reported. Also throws DiagnosticError.
+// The stages: each goes on from the one before, and is false when an error was reported. They also throw
+// DiagnosticError.
+//
+// Source to text with REAL in place of double.
+bool rewrite_sources(FrontRequest const &request, Front &front, Talk const &talk);
+// Text to programs: the symbolic one, and those that verification runs.
+bool build_programs(FrontRequest const &request, Front &front, Talk const &talk);
+// The symbolic program, run once, to graphs.
+bool record_kernels(FrontRequest const &request, Front &front, Talk const &talk);
+
+// All three. Nothing when an error was reported.
 std::optional<Front> run_front(FrontRequest const &request, Talk const &talk);
 
 } // namespace symreal::program

@@ -61,7 +61,7 @@ std::string build_wrapped(Front const &front, Recorded const &recorded) {
   internal_check(is_found);
   Overlay const text(wrapped, front.workspace->directory("annotated-wrapper"));
   constexpr std::array variants = {Variant::wrapped};
-  return build_programs(front.build, variants, *front.overlay, text, *front.workspace).front();
+  return build_variants(front.build, variants, *front.overlay, text, *front.workspace).front();
 }
 
 } // namespace symreal::program

@@ -5,10 +5,6 @@
 
 namespace symreal {
 
-std::vector<EmittedFile> emit(Graph const &graph, Language const &language, EmitOptions const &options) {
-  return emit(schedule(graph, options.check_values ? Nesting::none : Nesting::bounded), language, options);
-}
-
 std::vector<EmittedFile> emit(Schedule const &plan, Language const &language, EmitOptions const &options) {
   require_expressible(*plan.graph, language, options);
   Emission emission{plan, language, options};

@@ -1,14 +1,13 @@
-// Graph to source text in a language: what languages.def lists.
+// From a schedule to source text in a language: what languages.def lists.
 #pragma once
 
 #include "emit/language/emitted.h"
 #include "emit/languages/languages.h"
+#include "schedule/schedule.h"
 
 #include <vector>
 
 namespace symreal {
-
-struct Schedule;
 
 // The source first, then what stands beside it, and on request a program that runs it. In C these are the functions,
 // with `prefix_` before their names if a prefix is given,
@@ -20,7 +19,6 @@ struct Schedule;
 //   enum { guard_count = n };
 //   char const *guard_text(int guard);
 // Throws bad_option where the language cannot say what the graph needs.
-std::vector<EmittedFile> emit(Graph const &graph, Language const &language, EmitOptions const &options);
 std::vector<EmittedFile> emit(Schedule const &plan, Language const &language, EmitOptions const &options);
 
 } // namespace symreal

@@ -56,7 +56,8 @@ static void generate_here(Graph const &graph, std::string const &output_file) {
   std::vector<std::string> const passes = default_passes();
   std::filesystem::path const path = output_file.empty() ? graph.kernel + ".c" : output_file;
   Graph const optimised = run_passes(graph, passes, FloatingPoint::finite);
-  std::vector<EmittedFile> const files = emit(optimised, *find_language("c"), {.base_name = path.stem().string()});
+  std::vector<EmittedFile> const files =
+      emit(schedule(optimised), *find_language("c"), {.base_name = path.stem().string()});
   for (EmittedFile const &file : files) require_ours((path.parent_path() / file.name).string(), file.text);
   for (EmittedFile const &file : files) write_if_changed((path.parent_path() / file.name).string(), file.text);
 }

@@ -245,19 +245,16 @@ std::vector<rewrite::ConfiguredText> calls_of(std::vector<rewrite::ConfiguredTex
 
 } // namespace
 
-std::optional<program::Front> run_front(program::FrontRequest request,
-                                        std::vector<rewrite::ConfiguredText> const &calls, Console &console,
-                                        std::function<void(program::Recorded const &)> lacking) {
-  program::Talk talk = console.talk();
-  talk.lacking = std::move(lacking);
+void with_driver(program::FrontRequest request, std::vector<rewrite::ConfiguredText> const &calls, program::Talk talk,
+                 Console &console, Stages const &stages) {
   std::vector<rewrite::ConfiguredText> wanted = calls_of(calls, is_call_spec(request.kernel) ? "" : request.kernel);
   if (is_call_spec(request.kernel)) wanted = {{std::exchange(request.kernel, ""), {"--kernel", 1, 1}}};
-  if (wanted.empty()) return program::run_front(request, talk);
+  if (wanted.empty()) return stages(request, talk);
   console.stage("reading");
   Program const driver(request, wanted, console);
   talk.report = [&, report = talk.report](Diagnostic const &one) { report(driver.located(one)); };
   try {
-    return program::run_front(request, talk);
+    stages(request, talk);
   } catch (DiagnosticError const &problem) {
     throw DiagnosticError(driver.located(problem.diagnostic()));
   }

@@ -4,16 +4,18 @@
 #include "program/front.h"
 #include "tool/report/console.h"
 
-#include <optional>
+#include <functional>
 #include <string>
 #include <vector>
 
 namespace symreal::tool {
 
-// As program::run_front, of the kernels that these words call (call_spec.h); without any of those that the sources
-// have. `lacking`: see program::Talk.
-std::optional<program::Front> run_front(program::FrontRequest request,
-                                        std::vector<rewrite::ConfiguredText> const &calls, Console &console,
-                                        std::function<void(program::Recorded const &)> lacking = {});
+// What is done with a request, and how it talks.
+using Stages = std::function<void(program::FrontRequest const &request, program::Talk const &talk)>;
+
+// Runs the stages on the kernels that these words call (call_spec.h), without any of those that the sources have; where
+// there are no words, on the request as it is.
+void with_driver(program::FrontRequest request, std::vector<rewrite::ConfiguredText> const &calls, program::Talk talk,
+                 Console &console, Stages const &stages);
 
 } // namespace symreal::tool

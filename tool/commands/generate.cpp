@@ -17,6 +17,7 @@
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <sstream>
 
 namespace symreal::tool {
@@ -82,16 +83,14 @@ void require_outputs(Options const &options) {
   if (may_be_file(options.graph_file)) require_writable(options.graph_file);
 }
 
-Product make_product(program::Recorded &recorded, Options const &options, bool several) {
-  auto start = std::chrono::steady_clock::now();
-  Product product{std::move(recorded.graph), {}, {}, {}, 0};
-  product.optimised = optimise(product.recorded, options.passes);
+// The files of a kernel whose graph is laid out.
+void emit_files(program::Recorded const &recorded, Schedule const &plan, Options const &options, bool several,
+                Product &product) {
   std::string given = recorded.output_file.empty() ? recorded.kernel.name + ".c" : recorded.output_file;
   std::string const path = place_output(options.output, given, several);
   std::vector<Language const *> const languages = options.language.languages(), any = all_languages();
   require_source_name(path, options.output == path ? languages : any);
-  product.files =
-      emitted_files(product.optimised.graph, options.emitter, options.passes.floating_point(), languages, path);
+  product.files = emitted_files(plan, options.emitter, options.passes.floating_point(), languages, path);
   if (options.wrapper)
     product.files.push_back(wrapper_file(recorded.kernel, product.optimised.graph, options.emitter,
                                          fs::path(path).replace_extension(".c"), product.warnings));
@@ -100,8 +99,36 @@ Product make_product(program::Recorded &recorded, Options const &options, bool s
     write_graph(text, product.recorded);
     product.files.push_back({place_output(options.graph_file, recorded.kernel.name + ".graph", several), text.str()});
   }
-  product.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  return product;
+}
+
+bool accept_frozen(std::vector<program::Recorded> const &kernels, Options const &options, program::Talk const &talk,
+                   Console &console) {
+  if (report_frozen(kernels, options.frozen, console)) return true;
+  for (program::Recorded const &one : kernels)
+    if (!one.clauses.empty()) talk.lacking(one);
+  return false;
+}
+
+// The main job, a line a stage: sources to text with REAL (collect, decide), to programs, to recorded graphs, and each
+// of these to a smaller graph, to statements, to files. Nothing when an error was reported.
+std::optional<std::vector<Product>> generate(program::FrontRequest const &request, Options const &options,
+                                             program::Talk const &talk, Console &console, program::Front &front) {
+  if (!program::rewrite_sources(request, front, talk)) return {};
+  if (!program::build_programs(request, front, talk)) return {};
+  if (!program::record_kernels(request, front, talk)) return {};
+  if (!accept_frozen(front.kernels, options, talk, console)) return {};
+  talk.stage("optimising");
+  std::vector<Product> products;
+  for (program::Recorded &recorded : front.kernels) {
+    auto const start = std::chrono::steady_clock::now();
+    Product product{std::move(recorded.graph), {}, {}, {}, 0};
+    product.optimised = optimise(product.recorded, options.passes);
+    Schedule const plan = schedule(product.optimised.graph, options.emitter.nesting());
+    emit_files(recorded, plan, options, front.kernels.size() > 1, product);
+    product.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    products.push_back(std::move(product));
+  }
+  return products;
 }
 
 void show(std::vector<Product> const &products, program::Front const &front, Options const &options) {
@@ -121,10 +148,12 @@ void show(std::vector<Product> const &products, program::Front const &front, Opt
     fmt::print(std::cerr,
                "sources: {} read, {} as an earlier run read them\n"
                "objects: {} compiled, {} as an earlier run compiled them\n",
-               front.sources_read, front.sources_kept, cache.compiled(), cache.reused());
+               front.rewritten.sources_read, front.rewritten.sources_kept, cache.compiled(), cache.reused());
   if (options.json)
     std::cout << nlohmann::ordered_json{{"kernels", json},
-                                        {"sources", {{"read", front.sources_read}, {"reused", front.sources_kept}}},
+                                        {"sources",
+                                         {{"read", front.rewritten.sources_read},
+                                          {"reused", front.rewritten.sources_kept}}},
                                         {"objects", {{"compiled", cache.compiled()}, {"reused", cache.reused()}}}}
                      .dump(2)
               << "\n";
@@ -134,6 +163,20 @@ void write_config(ProjectOptions const &project, std::vector<Lacking> const &lac
   std::string const file = project.configuration_file(true);
   write_if_changed(file, with_clauses(file, lacking));
   console.note(file + " now has what the pragma lacks; check it, and run again");
+}
+
+// False if a file is not what it would be.
+bool write_results(std::vector<Product> const &products, program::Front const &front, Options const &options) {
+  std::vector<OutputFile> files;
+  for (Product const &product : products) files.insert(files.end(), product.files.begin(), product.files.end());
+  if (options.check) return check_files(files);
+  for (std::string const &directory : {options.output, options.graph_file})
+    if (!directory.empty() && products.size() > 1) make_directory(directory);
+  require_writable(files);
+  write_files(files);
+  if (!options.depfile.empty())
+    write_if_changed(options.depfile, program::make_rule({program::make_escaped(files.front().path)}, front.read));
+  return true;
 }
 
 int run(CLI::App &command, Options &options, Session &session) {
@@ -146,39 +189,25 @@ int run(CLI::App &command, Options &options, Session &session) {
   request.run.floating_point = options.passes.mode;
   request.run.places = true;
   std::vector<Lacking> lacking;
-  auto const note_lacking = [&](program::Recorded const &one) { lacking.push_back({one.kernel, one.clauses}); };
-  auto front = run_front(request, options.source.project.calls, console, note_lacking);
-  if (front && options.source.front.keep) console.note("the build directory is " + front->workspace->path());
-  bool const is_refused = !front || !report_frozen(front->kernels, options.frozen, console);
-  if (is_refused && front)
-    for (program::Recorded const &one : front->kernels)
-      if (!one.clauses.empty()) note_lacking(one);
-  if (is_refused) {
+  program::Talk talk = console.talk();
+  talk.lacking = [&](program::Recorded const &one) { lacking.push_back({one.kernel, one.clauses}); };
+  program::Front front;
+  std::optional<std::vector<Product>> products;
+  with_driver(request, options.source.project.calls, talk, console,
+              [&](program::FrontRequest const &called, program::Talk const &called_talk) {
+                products = generate(called, options, called_talk, console, front);
+              });
+  if (!front.kernels.empty() && options.source.front.keep)
+    console.note("the build directory is " + front.workspace->path());
+  if (!products) {
     if (options.write_config && !lacking.empty()) write_config(options.source.project, lacking, console);
     return error;
   }
-
-  console.stage("optimising");
-  bool several = front->kernels.size() > 1;
-  std::vector<Product> products;
-  std::vector<OutputFile> files;
-  for (program::Recorded &recorded : front->kernels) {
-    products.push_back(make_product(recorded, options, several));
-    for (Diagnostic const &warning : products.back().warnings) console.report(warning);
-    files.insert(files.end(), products.back().files.begin(), products.back().files.end());
-  }
-  if (options.check) {
-    console.clear();
-    return check_files(files) ? clean : out_of_date;
-  }
-  for (std::string const &directory : {options.output, options.graph_file})
-    if (!directory.empty() && several) make_directory(directory);
-  require_writable(files);
-  write_files(files);
-  if (!options.depfile.empty())
-    write_if_changed(options.depfile, program::make_rule({program::make_escaped(files.front().path)}, front->read));
+  for (Product const &product : *products)
+    for (Diagnostic const &warning : product.warnings) console.report(warning);
   console.clear();
-  show(products, *front, options);
+  if (!write_results(*products, front, options)) return out_of_date;
+  if (!options.check) show(*products, front, options);
   return clean;
 }
 

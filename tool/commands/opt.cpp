@@ -60,28 +60,30 @@ Input read_input(Options const &options) {
   return {std::move(graph), std::move(schedule)};
 }
 
-std::vector<OutputFile> result_files(Input const &input, Graph const &graph, Options const &options) {
-  std::vector<Language const *> const languages = options.language.languages();
-  Schedule const *const plan = input.schedule ? &input.schedule->plan : nullptr;
-  if (!languages.empty()) {
-    std::string const path =
-        options.output.empty() ? graph.kernel + std::string(languages[0]->files.extension) : options.output;
-    require_source_name(path, languages);
-    return emitted_files(graph, options.emitter, options.passes.floating_point(), languages, path, plan);
-  }
+std::vector<OutputFile> result_files(Graph const &graph, Schedule const *read, Options const &options) {
   std::ostringstream text;
-  if (options.language.text == "graph")
+  if (options.language.text == "graph") {
     write_graph(text, graph);
-  else
-    write_schedule(text, plan ? *plan : schedule(graph));
-  return {{options.output, text.str()}};
+    return {{options.output, text.str()}};
+  }
+  Schedule const plan = read ? *read : schedule(graph, options.emitter.nesting());
+  std::vector<Language const *> const languages = options.language.languages();
+  if (languages.empty()) {
+    write_schedule(text, plan);
+    return {{options.output, text.str()}};
+  }
+  std::string const path =
+      options.output.empty() ? graph.kernel + std::string(languages[0]->files.extension) : options.output;
+  require_source_name(path, languages);
+  return emitted_files(plan, options.emitter, options.passes.floating_point(), languages, path);
 }
 
 void run(Options const &options) {
   require_sense(options);
   Input const input = read_input(options);
   Optimised const optimised = input.schedule ? Optimised{input.graph, {}} : optimise(input.graph, options.passes);
-  std::vector<OutputFile> files = result_files(input, optimised.graph, options);
+  Schedule const *const read = input.schedule ? &input.schedule->plan : nullptr;
+  std::vector<OutputFile> files = result_files(optimised.graph, read, options);
   KernelReport report{&input.graph, &optimised.graph, optimised.stages, {}, {}};
   if (options.output.empty()) {
     std::cout << files.front().text;

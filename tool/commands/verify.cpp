@@ -55,7 +55,9 @@ std::optional<program::Front> make_front(Options const &options, Session &sessio
   request.run.decisions = banner.decisions;
   request.run.floating_point = to_string(banner.mode);
   run = request.run;
-  std::optional<program::Front> front = run_front(request, options.source.project.calls, console);
+  std::optional<program::Front> front;
+  with_driver(request, options.source.project.calls, console.talk(), console,
+              [&](program::FrontRequest const &called, program::Talk const &talk) { front = run_front(called, talk); });
   if (front && request.keep) console.note("the build directory is " + front->workspace->path());
   return front;
 }

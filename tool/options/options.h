@@ -3,6 +3,7 @@
 
 #include "ops/floating_point.h"
 #include "program/front.h"
+#include "schedule/schedule.h"
 #include "tool/options/project_options.h"
 
 #include <CLI/CLI.hpp>
@@ -37,6 +38,7 @@ struct PassOptions {
 struct EmitterOptions {
   std::string prefix;
   bool mainline = false, trace_comments = false, check_values = false;
+  Nesting nesting() const { return check_values ? Nesting::none : Nesting::bounded; }
   std::string map_file;
 
   void add_to(CLI::App &app);

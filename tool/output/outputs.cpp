@@ -18,20 +18,17 @@ namespace symreal::tool {
 
 namespace fs = std::filesystem;
 
-std::vector<OutputFile> emitted_files(Graph const &graph, EmitterOptions const &options, FloatingPoint mode,
-                                      std::vector<Language const *> const &languages, std::string const &path,
-                                      Schedule const *plan) {
+std::vector<OutputFile> emitted_files(Schedule const &plan, EmitterOptions const &options, FloatingPoint mode,
+                                      std::vector<Language const *> const &languages, std::string const &path) {
   EmitOptions const emit{fs::path(path).stem().string(), options.prefix,      mode, options.mainline,
                          options.trace_comments,         options.check_values};
   std::vector<OutputFile> files;
-  for (Language const *language : languages) {
-    std::vector<EmittedFile> const emitted =
-        plan ? symreal::emit(*plan, *language, emit) : symreal::emit(graph, *language, emit);
-    for (EmittedFile const &file : emitted) {
+  for (Language const *language : languages)
+    for (EmittedFile const &file : symreal::emit(plan, *language, emit)) {
       files.push_back({(fs::path(path).parent_path() / file.name).string(), file.text});
-      if (!options.map_file.empty() && files.size() == 1) files.push_back({options.map_file, line_map(file, graph)});
+      if (!options.map_file.empty() && files.size() == 1)
+        files.push_back({options.map_file, line_map(file, *plan.graph)});
     }
-  }
   return files;
 }
 

@@ -1,16 +1,12 @@
 // The files that a run leaves: all of them or none.
 #pragma once
 
-#include "graph/graph.h"
+#include "schedule/schedule.h"
 #include "tool/options/language_option.h"
 #include "tool/options/options.h"
 
 #include <string>
 #include <vector>
-
-namespace symreal {
-struct Schedule;
-}
 
 namespace symreal::tool {
 
@@ -19,10 +15,9 @@ struct OutputFile {
 };
 
 // Generated code beside `path`, which gives it its name: of each language the source, its header and on request the
-// mainline. `plan`: of the graph, where it is not made here.
-std::vector<OutputFile> emitted_files(Graph const &graph, EmitterOptions const &options, FloatingPoint mode,
-                                      std::vector<Language const *> const &languages, std::string const &path,
-                                      Schedule const *plan = nullptr);
+// mainline.
+std::vector<OutputFile> emitted_files(Schedule const &plan, EmitterOptions const &options, FloatingPoint mode,
+                                      std::vector<Language const *> const &languages, std::string const &path);
 
 // Fails when a file of this name cannot be written; before the work is done, so that it is not done in vain.
 void require_writable(std::string const &path);

@@ -95,7 +95,7 @@ TEST_P(Emit, IntegersOf64BitsCrossChunks) {
   text += "%6000 = wide_add %4 %2\n%6001 = wide_low %6000\n%6002 = wide_select %5 %4 %2\n%6003 = wide_value %6002\n"
           "result 0 %6001\nresult 1 %6003\nresult 2 %5999\n";
   Graph const graph = read_graph(text, "test");
-  EXPECT_NE(emit(graph, *find_language("c"), {.base_name = "k"})[0].text.find("keep_integer(&v["), std::string::npos);
+  EXPECT_NE(emit(schedule(graph), *find_language("c"), {.base_name = "k"})[0].text.find("keep_integer(&v["), std::string::npos);
   Compiled const compiled = compile(graph);
   for (double x : {-1.0, 0.0, 1.0, 2.0, 12345.0, -98765.0, 0x1p62, 4503599627370495.0}) {
     std::vector<double> const input = {x, 1 - x}, output = compiled.run(input, 3);
@@ -122,7 +122,7 @@ TEST(EmittedC, ALongFunctionIsCutAndComputesTheSame) {
   for (std::size_t k = 0; k < 200; ++k)
     text += "result " + std::to_string(k) + " %" + std::to_string(count - 1 - 29 * k) + "\n";
   Graph const graph = read_graph(text, "test");
-  std::string const source = emit(graph, *find_language("c"), {.base_name = "k"})[0].text;
+  std::string const source = emit(schedule(graph), *find_language("c"), {.base_name = "k"})[0].text;
   EXPECT_NE(source.find("void compute_2("), std::string::npos);
   for (std::string const compiler : {"gcc", "clang-19"}) {
     Compiled const compiled(graph, compiler);
@@ -195,7 +195,7 @@ TEST(EmittedC, ADeepChainNeedsNoDeepStackAndNoLongLines) {
   std::size_t const depth = 200000;
   for (std::size_t k = 1; k <= depth; ++k) text += "%" + std::to_string(k) + " = sin %" + std::to_string(k - 1) + "\n";
   Graph const graph = read_graph(text + "result 0 %" + std::to_string(depth) + "\n", "test");
-  std::string const source = emit(graph, *find_language("c"), {})[0].text;
+  std::string const source = emit(schedule(graph), *find_language("c"), {})[0].text;
   EXPECT_NE(source.find("sin(sin("), std::string::npos);
   for (std::size_t at = 0; at < source.size();) {
     std::size_t const end = std::min(source.find('\n', at), source.size());

@@ -55,7 +55,7 @@ std::string compute_of(std::string const &nodes, std::size_t width = 120) {
                                  "%0 = input 0\n%1 = input 1\n%2 = input 2\n" +
                                      nodes,
                                  "test");
-  std::string const text = emit(graph, foreign(width), {.base_name = "k"})[0].text;
+  std::string const text = emit(schedule(graph), foreign(width), {.base_name = "k"})[0].text;
   return text.substr(text.find("end subroutine preprocess\n\n") + 27);
 }
 
@@ -109,7 +109,7 @@ TEST(Language, FunctionsAreCutAsTheTableSays) {
 void expect_refused(std::string const &lines, EmitOptions const &options, std::string const &what) {
   Graph const graph = read_graph("symreal-graph 1\nkernel \"k\"\ninput \"x\"\noutput \"y\"\n" + lines, "test");
   try {
-    emit(graph, foreign(), options);
+    emit(schedule(graph), foreign(), options);
     ADD_FAILURE() << what;
   } catch (DiagnosticError const &error) {
     EXPECT_EQ(error.diagnostic().id, DiagnosticId::bad_option);

@@ -70,7 +70,7 @@ std::size_t deepest_indent(std::string const &source) {
 }
 
 void expect_quiet_and_equal(Graph const &graph, std::vector<double> const &samples) {
-  EXPECT_LT(deepest_indent(emit(graph, *find_language("c"), {})[0].text), 80u);
+  EXPECT_LT(deepest_indent(emit(schedule(graph), *find_language("c"), {})[0].text), 80u);
   for (std::string const compiler : {"gcc", "clang-19"}) {
     Compiled const compiled(graph, compiler);
     for (double x : samples) {
@@ -137,8 +137,8 @@ TEST(Select, BlocksComputeWhatTheGraphMeans) {
 }
 
 TEST(Select, ManyAreScheduledInLinearTime) {
-  EXPECT_LT(emit(chain(30000), *find_language("c"), {})[0].text.size(), 40'000'000u);
-  EXPECT_LT(emit(cascade(30000), *find_language("c"), {})[0].text.size(), 40'000'000u);
+  EXPECT_LT(emit(schedule(chain(30000)), *find_language("c"), {})[0].text.size(), 40'000'000u);
+  EXPECT_LT(emit(schedule(cascade(30000)), *find_language("c"), {})[0].text.size(), 40'000'000u);
 }
 
 } // namespace
