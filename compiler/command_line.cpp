@@ -2,67 +2,18 @@
 
 #include "program/make_rule.h"
 #include "program/process.h"
+#include "rewrite/request/driver_options.h"
 #include "support/files.h"
 
 #include <algorithm>
 #include <filesystem>
-#include <iterator>
 
 namespace symreal::compiler {
+
+using rewrite::About;
+using rewrite::DriverOption;
+
 namespace {
-
-// Options of gcc and clang whose operand is the next word.
-constexpr std::string_view with_operand[] = {
-    "-D",
-    "-U",
-    "-I",
-    "-L",
-    "-l",
-    "-u",
-    "-z",
-    "-T",
-    "-e",
-    "-A",
-    "-B",
-    "-G",
-    "-include",
-    "-imacros",
-    "-iprefix",
-    "-iwithprefix",
-    "-isystem",
-    "-iquote",
-    "-isysroot",
-    "-idirafter",
-    "-iwithprefixbefore",
-    "-imultilib",
-    "-Xlinker",
-    "-Xclang",
-    "-mllvm",
-    "--param",
-    "-Xassembler",
-    "-Xpreprocessor",
-    "-aux-info",
-    "-wrapper",
-    "-dumpbase",
-    "-dumpdir",
-    "-target",
-    "--sysroot",
-    "-arch",
-    "-framework",
-    "-specs",
-    "--include",
-    "-rpath",
-    "-soname",
-    "-dumpbase-ext",
-};
-
-// With one of these the compiler only tells something.
-bool asks(std::string_view flag) {
-  for (std::string_view known : {"--version", "--help", "--target-help", "-###", "-dumpversion", "-dumpfullversion",
-                                 "-dumpmachine", "-dumpspecs", "-M", "-MM"})
-    if (flag == known) return true;
-  return flag.starts_with("-print-") || flag.starts_with("--print-") || flag.starts_with("--help=");
-}
 
 bool is_among(std::string_view word, std::initializer_list<std::string_view> words) {
   return std::find(words.begin(), words.end(), word) != words.end();
@@ -94,77 +45,73 @@ Words expanded(Words const &arguments, unsigned depth = 0) {
   return words;
 }
 
+// As CMake gives clang headers that were compiled ahead: before they were rewritten, so they are no use. The header
+// itself is named as well.
+bool is_compiled_ahead(DriverOption const &option, DriverOption const &next) {
+  return option.name == "-Xclang" && option.value.starts_with("-include") && next.name == "-Xclang";
+}
+
 class Parser {
 public:
   Parser(Words words, Language c_ending) : c_ending_(c_ending) { line_.words = std::move(words); }
 
   CommandLine parse() {
-    for (; at_ < line_.words.size(); ++at_) {
-      std::string const &word = line_.words[at_];
-      if (word.size() < 2 || word[0] != '-')
-        line_.inputs.push_back({word, language(word, language_, c_ending_), at_});
-      else if (!action(word) && !output(word) && !dependencies(word))
-        flag(word);
+    std::vector<DriverOption> const options = rewrite::driver_options(line_.words);
+    for (std::size_t k = 0; k < options.size(); ++k) {
+      DriverOption const &option = options[k];
+      if (option.about == About::input)
+        line_.inputs.push_back({option.value, language(option.value, language_, c_ending_), option.word});
+      else if (k + 1 < options.size() && is_compiled_ahead(option, options[k + 1])) {
+        if (option.value == "-include") line_.flags.insert(line_.flags.end(), {"-include", options[k + 1].value});
+        ++k;
+      } else if (!action(option) && !output(option) && !dependencies(option))
+        rewrite::append(line_.flags, option, line_.words);
     }
     if (line_.inputs.empty()) line_.action = Action::other; // -v, or an error that the compiler finds itself
     return std::move(line_);
   }
 
 private:
-  // The operand of an option that takes it in the same word or in the next.
-  std::string operand(std::string const &word, std::size_t length) {
-    if (word.size() > length) return word.substr(length);
-    return at_ + 1 < line_.words.size() ? line_.words[++at_] : std::string();
-  }
-
   // Whichever stops earliest counts.
   void stop_at(Action action) {
     if (line_.action == Action::other) return;
     line_.action = line_.action == Action::link ? action : std::max(line_.action, action);
   }
 
-  bool action(std::string const &word) {
-    if (word == "-c")
+  bool action(DriverOption const &option) {
+    if (option.name == "-c")
       stop_at(Action::compile);
-    else if (word == "-S")
+    else if (option.name == "-S")
       stop_at(Action::assembly);
-    else if (word == "-E")
+    else if (option.name == "-E")
       stop_at(Action::preprocess);
-    else if (word == "-fsyntax-only")
+    else if (option.name == "-fsyntax-only")
       stop_at(Action::check);
-    else if (asks(word))
+    else if (option.about == About::question)
       line_.action = Action::other;
     else
       return false;
     return true;
   }
 
-  bool output(std::string const &word) {
-    if (word.starts_with("-o")) {
-      line_.output = operand(word, 2);
-      return true;
-    }
-    if (word.starts_with("-x")) {
-      language_ = operand(word, 2);
-      if (language_ == "none") language_.clear();
-      return true;
-    }
-    return false;
+  bool output(DriverOption const &option) {
+    if (option.about == About::output) line_.output = option.value;
+    if (option.about == About::language) language_ = option.value == "none" ? "" : option.value;
+    return option.about == About::output || option.about == About::language;
   }
 
-  bool dependencies(std::string const &word) {
+  bool dependencies(DriverOption const &given) {
     DependencyOptions &options = line_.dependencies;
-    if (word == "-MD" || word == "-MMD") {
+    std::string const &word = line_.words[given.word];
+    if (given.name == "-MD" || given.name == "-MMD") {
       options.wanted = true;
-      options.system = word == "-MD";
-    } else if (word == "-MP") {
+      options.system = given.name == "-MD";
+    } else if (given.name == "-MP") {
       options.phony = true;
-    } else if (word.starts_with("-MF")) {
-      options.file = operand(word, 3);
-    } else if (word.starts_with("-MT") || word.starts_with("-MQ")) {
-      bool const quoted = word[2] == 'Q';
-      std::string const target = operand(word, 3);
-      options.targets.push_back(quoted ? program::make_escaped(target) : target);
+    } else if (given.name == "-MF") {
+      options.file = given.value;
+    } else if (given.name == "-MT" || given.name == "-MQ") {
+      options.targets.push_back(given.name == "-MQ" ? program::make_escaped(given.value) : given.value);
     } else if (word.starts_with("-Wp,-MD,") || word.starts_with("-Wp,-MMD,")) {
       options.wanted = true;
       options.system = word.starts_with("-Wp,-MD,");
@@ -175,22 +122,7 @@ private:
     return true;
   }
 
-  void flag(std::string const &word) {
-    // As CMake gives clang headers that were compiled ahead: before they were rewritten, so they are no use. The header
-    // itself is named as well.
-    if (word == "-Xclang" && at_ + 3 < line_.words.size() && line_.words[at_ + 1].starts_with("-include")) {
-      if (line_.words[at_ + 1] == "-include") line_.flags.insert(line_.flags.end(), {"-include", line_.words[at_ + 3]});
-      at_ += 3;
-      return;
-    }
-    line_.flags.push_back(word);
-    if (std::find(std::begin(with_operand), std::end(with_operand), word) != std::end(with_operand) &&
-        at_ + 1 < line_.words.size())
-      line_.flags.push_back(line_.words[++at_]);
-  }
-
   CommandLine line_;
-  std::size_t at_ = 0;
   std::string language_; // of -x
   Language const c_ending_;
 };

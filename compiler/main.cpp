@@ -10,6 +10,7 @@
 #include "diagnostics/diagnostic.h"
 #include "program/process.h"
 #include "program/workspace.h"
+#include "rewrite/request/driver_options.h"
 #include "support/files.h"
 
 #include <cerrno>
@@ -42,12 +43,9 @@ int pass_on(Words words, Words const &arguments) {
 
 // -x and its operand, or both in one word, become options that do nothing, so that the other words keep their numbers.
 void forget_language(Words &words) {
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    if (!words[i].starts_with("-x")) continue;
-    bool const is_apart = words[i].size() == 2 && i + 1 < words.size();
-    words[i] = "-w";
-    if (is_apart) words[++i] = "-w";
-  }
+  for (rewrite::DriverOption const &option : rewrite::driver_options(words))
+    if (option.about == rewrite::About::language)
+      for (std::size_t k = 0; k < option.length; ++k) words[option.word + k] = "-w";
 }
 
 enum class Way { as_it_is, preprocessed, symbolic };

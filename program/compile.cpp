@@ -3,12 +3,18 @@
 #include "program/compiler_errors.h"
 #include "program/parallel.h"
 #include "program/runtime_header.h"
+#include "rewrite/request/driver_options.h"
 #include "support/installation.h"
 
 #include <algorithm>
+#include <set>
 #include <thread>
 
 namespace symreal::program {
+
+using rewrite::About;
+using rewrite::DriverOption;
+
 namespace {
 
 bool is_rewritten(Variant variant) { return variant == Variant::symbolic || variant == Variant::replay; }
@@ -45,31 +51,34 @@ constexpr char const *no_speculation = "-ftrapping-math";
 
 bool is_c(rewrite::Compilation const &source) {
   bool c = source.source.ends_with(".c");
-  for (std::size_t i = 0; i < source.flags.size(); ++i) {
-    std::string const &flag = source.flags[i];
-    if (flag == "-x" && i + 1 < source.flags.size()) c = source.flags[i + 1] == "c";
-    if (flag.starts_with("-x") && flag != "-x") c = flag == "-xc";
-  }
+  for (DriverOption const &option : rewrite::driver_options(source.flags))
+    if (option.about == About::language) c = option.value == "c";
   return c;
 }
 
 bool brings_allocator(Words const &words) {
-  return std::any_of(words.begin(), words.end(),
-                     [](std::string const &word) { return word.starts_with("-fsanitize"); });
+  return std::ranges::any_of(rewrite::driver_options(words),
+                             [](DriverOption const &option) { return option.about == About::sanitizers; });
 }
 
 Command compiler_run(Words words, std::string const &directory) {
   return {.arguments = std::move(words), .directory = directory, .environment = {"LC_ALL=C", "GCC_COLORS="}};
 }
 
+// The last one counts; empty where none is named.
+static std::string named_standard(Words const &flags) {
+  std::string standard;
+  for (DriverOption const &option : rewrite::driver_options(flags))
+    if (option.about == About::standard) standard = option.value.empty() ? "c90" : option.value; // -ansi
+  return standard;
+}
+
+static bool ends_with_one_of(std::string_view standard, std::initializer_list<std::string_view> years) {
+  return std::ranges::any_of(years, [standard](std::string_view year) { return standard.ends_with(year); });
+}
+
 bool is_cxx20(Words const &flags) {
-  bool is = false;
-  for (std::string_view const flag : flags)
-    if (flag.starts_with("-std=") || flag.starts_with("--std=")) {
-      is = false;
-      for (std::string_view newer : {"++20", "++2a", "++23", "++2b", "++26", "++2c"}) is |= flag.ends_with(newer);
-    }
-  return is;
+  return ends_with_one_of(named_standard(flags), {"++20", "++2a", "++23", "++2b", "++26", "++2c"});
 }
 
 Words language_flags(Words const &flags, bool is_c, std::string const &compiler) {
@@ -80,13 +89,8 @@ Words language_flags(Words const &flags, bool is_c, std::string const &compiler)
   constexpr char const *arguments_first = "-DSYMREAL_ARGUMENTS_FIRST"; // before what is called (text.h)
   if (is_c) append(words, {"-fno-strong-eval-order", arguments_first});
   if (is_c) return words;
-  bool is_older = false;
-  for (std::string_view const flag : flags)
-    if (flag.starts_with("-std=") || flag.starts_with("--std=")) {
-      is_older = false;
-      for (std::string_view older : {"++98", "++03", "++0x", "++11", "++1y", "++14"}) is_older |= flag.ends_with(older);
-    }
-  if (is_older) append(words, {"-fstrong-eval-order=some", arguments_first});
+  if (ends_with_one_of(named_standard(flags), {"++98", "++03", "++0x", "++11", "++1y", "++14"}))
+    append(words, {"-fstrong-eval-order=some", arguments_first});
   return words;
 }
 
@@ -107,15 +111,7 @@ Words c_flags(Words const &flags) {
 
 namespace {
 
-bool is_before_c99(Words const &flags) {
-  bool before = false;
-  for (std::string_view const flag : flags) {
-    if (flag == "-ansi") before = true;
-    if (flag.starts_with("-std=") || flag.starts_with("--std="))
-      before = flag.ends_with("89") || flag.ends_with("90") || flag.ends_with("199409");
-  }
-  return before;
-}
+bool is_before_c99(Words const &flags) { return ends_with_one_of(named_standard(flags), {"89", "90", "199409"}); }
 
 // Each function and variable by itself, so that the linker can leave it out.
 void cut_up(BuildRequest const &request, Words &words) {
@@ -164,18 +160,19 @@ Words unchanged_command(BuildRequest const &request, rewrite::Compilation const 
 }
 
 // -l, -L and -Wl, among the compiler flags are meant for the linker too.
-bool is_for_linker(std::string_view flag) {
-  return flag.starts_with("-l") || flag.starts_with("-L") || flag.starts_with("-Wl,") || flag == "-pthread" ||
-         flag.starts_with("-fopenmp") || flag.starts_with("-fsanitize");
+bool is_for_linker(DriverOption const &option) {
+  return option.about == About::linking || option.about == About::openmp || option.about == About::sanitizers;
 }
 
 // Those among the compiler flags of all sources that the linker must have, each once.
 Words linker_flags(BuildRequest const &request) {
   Words words;
+  std::set<std::string> known;
   for (auto const *sources : {&request.sources, &request.unchanged})
     for (rewrite::Compilation const &source : *sources)
-      for (std::string const &flag : source.flags)
-        if (is_for_linker(flag) && std::find(words.begin(), words.end(), flag) == words.end()) words.push_back(flag);
+      for (DriverOption const &option : rewrite::driver_options(source.flags))
+        if (is_for_linker(option) && known.insert(option.name + " " + option.value).second)
+          rewrite::append(words, option, source.flags);
   append(words, request.link);
   return words;
 }

@@ -5,6 +5,7 @@
 #include "program/parallel.h"
 #include "program/process.h"
 #include "program/search_flags.h"
+#include "rewrite/request/driver_options.h"
 #include "support/files.h"
 #include "support/installation.h"
 
@@ -116,15 +117,10 @@ private:
 
 // Without what chooses outputs; an object is wanted, of machine code.
 Words compiling(Words const &flags) {
-  Words words;
-  for (std::size_t i = 0; i < flags.size(); ++i) {
-    std::string const &flag = flags[i];
-    if (flag == "-o" || flag == "-MF" || flag == "-MT" || flag == "-MQ")
-      ++i;
-    else if (flag != "-c" && flag != "-S" && flag != "-E" && !flag.starts_with("-M") && !flag.starts_with("-flto") &&
-             !flag.starts_with("-Werror"))
-      words.push_back(flag);
-  }
+  using rewrite::About;
+  Words words =
+      rewrite::without(flags, {About::output, About::action, About::dependencies, About::question, About::link_time});
+  std::erase_if(words, [](std::string const &word) { return word.starts_with("-Werror"); });
   return words;
 }
 

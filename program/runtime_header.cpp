@@ -1,5 +1,6 @@
 #include "program/runtime_header.h"
 
+#include "rewrite/request/driver_options.h"
 #include "support/files.h"
 #include "support/installation.h"
 
@@ -18,12 +19,10 @@ bool is_clang(Command const &compilation) { return compilation.arguments.front()
 
 // Where the words name the header, as the only one that they include; else 0.
 std::size_t header_position(Words const &words) {
-  auto const includes = [](std::string const &word) {
-    return word.starts_with("-include") || word.starts_with("-imacros");
-  };
   std::size_t const at = position_after(words, "-include");
+  auto const includes = [](rewrite::DriverOption const &option) { return option.about == rewrite::About::headers; };
   bool const is_ours = at != 0 && words[at].starts_with("symreal/");
-  return is_ours && std::count_if(words.begin(), words.end(), includes) == 1 ? at : 0;
+  return is_ours && std::ranges::count_if(rewrite::driver_options(words), includes) == 1 ? at : 0;
 }
 
 // How the header is compiled, to this file.

@@ -1,8 +1,6 @@
 #include "program/search_flags.h"
 
-#include <algorithm>
-#include <iterator>
-#include <string_view>
+#include "rewrite/request/driver_options.h"
 
 namespace symreal::program {
 
@@ -10,25 +8,16 @@ std::vector<std::string>
 search_flags(std::vector<std::string> const &flags,
              std::function<std::optional<std::string>(std::string const &name)> const &counterpart,
              std::vector<std::string> &searched) {
-  static constexpr std::string_view searching[] = {"-iquote", "-isystem", "-idirafter", "-I"};
   std::vector<std::string> words;
-  for (std::size_t i = 0; i < flags.size(); ++i) {
-    std::string const &flag = flags[i];
-    bool const has_operand = i + 1 < flags.size();
-    auto const option = std::find_if(std::begin(searching), std::end(searching),
-                                     [&](std::string_view one) { return flag.starts_with(one); });
-    if ((flag == "-include" || flag == "-imacros") && has_operand) {
-      words.insert(words.end(), {flag, counterpart(flags[i + 1]).value_or(flags[i + 1])});
-      ++i;
-    } else if (option == std::end(searching)) {
-      words.push_back(flag);
-    } else {
-      bool const apart = flag == *option && has_operand;
-      searched.push_back(apart ? flags[++i] : flag.substr(option->size()));
-      if (auto const found = counterpart(searched.back())) words.insert(words.end(), {std::string(*option), *found});
-      words.insert(words.end(), {std::string(*option), searched.back()});
-    }
-  }
+  for (rewrite::DriverOption const &option : rewrite::driver_options(flags))
+    if (option.about == rewrite::About::headers) {
+      words.insert(words.end(), {option.name, counterpart(option.value).value_or(option.value)});
+    } else if (option.about == rewrite::About::directories) {
+      searched.push_back(option.value);
+      if (auto const found = counterpart(option.value)) words.insert(words.end(), {option.name, *found});
+      words.insert(words.end(), {option.name, option.value});
+    } else
+      rewrite::append(words, option, flags);
   return words;
 }
 

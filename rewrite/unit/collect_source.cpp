@@ -4,6 +4,7 @@
 #include "rewrite/pragma/configured.h"
 #include "rewrite/pragma/pragma_handler.h"
 #include "rewrite/pragma/rounding_pragma.h"
+#include "rewrite/request/driver_options.h"
 #include "rewrite/source/quoted_arguments.h"
 #include "rewrite/source/source_map.h"
 #include "rewrite/source/spelled_types.h"
@@ -165,9 +166,9 @@ private:
 // and _OPENMP is defined in neither. <omp.h>, which a source may include all the same, lies among the compiler's own
 // headers.
 void read_serially(std::vector<std::string> &words) {
-  auto const is_openmp = [](std::string const &word) { return word.starts_with("-fopenmp"); };
-  if (std::none_of(words.begin(), words.end(), is_openmp)) return;
-  std::erase_if(words, is_openmp);
+  std::vector<std::string> serial = without(words, {About::openmp});
+  if (serial.size() == words.size()) return;
+  words = std::move(serial);
   std::error_code error;
   for (llvm::sys::fs::recursive_directory_iterator at("/usr/lib/gcc", error), end; at != end && !error;
        at.increment(error)) {
@@ -193,14 +194,9 @@ std::vector<std::string> command_line(Compilation const &compilation) {
                                     "-isystem",
                                     runtime_include(),
                                     "-ferror-limit=20"};
-  std::vector<std::string> const &flags = compilation.flags;
-  for (std::size_t i = 0; i < flags.size(); ++i) {
-    std::string const &flag = flags[i];
-    if (flag == "-o" || flag == "-MF" || flag == "-MT" || flag == "-MQ")
-      ++i;
-    else if (flag != "-c" && flag != "-S" && flag != "-E" && flag != "-Werror" && flag.rfind("-M", 0) != 0)
-      words.push_back(flag);
-  }
+  for (std::string const &flag :
+       without(compilation.flags, {About::output, About::action, About::dependencies, About::question}))
+    words.push_back(flag);
   read_serially(words);
   words.emplace_back("-Wno-everything"); // some are errors to Clang alone: -Wimplicit-int, -Wenum-constexpr-conversion
   words.push_back("--");
