@@ -1,19 +1,17 @@
 #include "program/compiler_errors.h"
 
+#include "program/message_line.h"
+
+#include <algorithm>
 #include <cstring>
 #include <optional>
-#include <regex>
+#include <span>
 #include <sstream>
 
 namespace symreal::program {
 namespace {
 
 constexpr std::size_t most_notes = 4;
-
-struct Message {
-  Place place;
-  std::string text;
-};
 
 std::vector<std::string> lines_of(std::string const &output) {
   std::vector<std::string> lines;
@@ -22,46 +20,71 @@ std::vector<std::string> lines_of(std::string const &output) {
   return lines;
 }
 
-std::optional<Message> match(std::string const &line, std::regex const &pattern, Overlay const &overlay) {
-  std::smatch found;
-  if (line.size() > 2000 || !std::regex_match(line, found, pattern)) return {};
-  Place place{found[1], static_cast<unsigned>(std::stoul(found[2])), 0};
-  if (found[3].matched) place.column = static_cast<unsigned>(std::stoul(found[3]));
-  return Message{overlay.original(place), found[4]};
+// A line of the output, with the place that the user has.
+struct Line {
+  std::optional<MessageLine> message; // none without a line's number
+
+  std::optional<std::string> error() const {
+    if (!message) return {};
+    std::optional<std::string> text = message->text("error");
+    return text ? text : message->text("fatal error");
+  }
+  // What it says besides errors, where that begins so.
+  std::optional<Note> says(std::initializer_list<std::string_view> beginnings, bool is_note) const {
+    if (!message) return {};
+    std::string const text = is_note ? message->text("note").value_or("") : message->text();
+    bool const fits = std::ranges::any_of(beginnings, [&](std::string_view one) { return text.starts_with(one); });
+    return fits ? std::optional<Note>({message->place, text}) : std::nullopt;
+  }
+};
+
+std::vector<Line> read_lines(std::vector<std::string> const &lines, Overlay const &overlay) {
+  std::vector<Line> read;
+  for (std::string const &line : lines) {
+    Line &one = read.emplace_back(Line{message_line(line)});
+    if (one.message && one.message->place.line == 0) one.message.reset();
+    if (one.message) one.message->place = overlay.original(one.message->place);
+  }
+  return read;
+}
+
+// The lines that belong to the error in line `at` stand before the next one.
+std::span<Line const> behind(std::vector<Line> const &lines, std::size_t at) {
+  std::size_t end = at + 1;
+  while (end < lines.size() && !lines[end].error()) ++end;
+  return std::span(lines).subspan(at + 1, end - at - 1);
 }
 
 // The last line of the user's own before `end` that says from where a template was instantiated.
-std::optional<Message> instantiation(std::vector<std::string> const &lines, std::size_t end, Overlay const &overlay) {
-  static std::regex const required("([^:]+):([0-9]+):(?:([0-9]+):)? +(required from.*|in instantiation of.*)");
+std::optional<Note> instantiation(std::vector<Line> const &lines, std::size_t end, Overlay const &overlay) {
   for (std::size_t i = end; i-- > 0 && end - i < 40;)
-    if (auto message = match(lines[i], required, overlay); message && overlay.contains(message->place.file))
-      return message;
+    if (auto note = lines[i].says({"required from", "in instantiation of"}, false);
+        note && overlay.contains(note->place.file))
+      return note;
   return {};
 }
 
 // In which instantiation the error in line `at` stands: gcc says so before it, clang after it.
-std::vector<Note> instantiations(std::vector<std::string> const &lines, std::size_t at, Overlay const &overlay) {
-  static std::regex const required("([^:]+):([0-9]+):(?:([0-9]+):)? +(required (?:from|by) .*)");
-  static std::regex const requested("([^:]+):([0-9]+):(?:([0-9]+):)? note: (in instantiation of .*)");
+std::vector<Note> instantiations(std::vector<Line> const &lines, std::size_t at) {
   std::vector<Note> notes;
   for (std::size_t i = at; i-- > 0 && notes.size() < most_notes;) {
-    auto const message = match(lines[i], required, overlay);
-    if (!message) break;
-    notes.insert(notes.begin(), {message->place, message->text});
+    auto const note = lines[i].says({"required from ", "required by "}, false);
+    if (!note) break;
+    notes.insert(notes.begin(), *note);
   }
-  for (std::size_t i = at + 1; i < lines.size() && lines[i].find(" error: ") == std::string::npos; ++i)
-    if (auto const message = match(lines[i], requested, overlay); message && notes.size() < most_notes)
-      notes.push_back({message->place, message->text});
+  for (Line const &line : behind(lines, at))
+    if (auto const note = line.says({"in instantiation of "}, true); note && notes.size() < most_notes)
+      notes.push_back(*note);
   return notes;
 }
 
-// The last line of the user's own after `begin` that says which macro the error stands in: ours stand in a header.
-std::optional<Message> expansion(std::vector<std::string> const &lines, std::size_t begin, Overlay const &overlay) {
-  static std::regex const expanded("([^:]+):([0-9]+):(?:([0-9]+):)? note: (in (?:definition|expansion) of macro .*)");
-  std::optional<Message> last;
-  for (std::size_t i = begin + 1; i < lines.size() && lines[i].find(" error: ") == std::string::npos; ++i)
-    if (auto message = match(lines[i], expanded, overlay); message && overlay.contains(message->place.file))
-      last = message;
+// The last line of the user's own behind the error that says which macro it stands in: ours stand in a header.
+std::optional<Note> expansion(std::vector<Line> const &lines, std::size_t at, Overlay const &overlay) {
+  std::optional<Note> last;
+  for (Line const &line : behind(lines, at))
+    if (auto const note = line.says({"in definition of macro ", "in expansion of macro "}, true);
+        note && overlay.contains(note->place.file))
+      last = note;
   return last;
 }
 
@@ -84,26 +107,27 @@ std::vector<Note> first_lines(std::vector<std::string> const &lines) {
 Diagnostic compiler_failure(std::vector<std::string> const &command, Captured const &result, Overlay const &overlay,
                             std::string const &mode) {
   if (auto missing = did_not_start(command, result)) return *missing;
-  static std::regex const error("([^:]+):([0-9]+):(?:([0-9]+):)? (?:fatal error|error): (.*)");
   Diagnostic diagnostic{DiagnosticId::build_failed, {}, ""};
-  std::vector<std::string> lines = lines_of(result.output);
+  std::vector<std::string> const output = lines_of(result.output);
+  std::vector<Line> const lines = read_lines(output, overlay);
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    auto message = match(lines[i], error, overlay);
-    if (!message || diagnostic.notes.size() > most_notes) continue;
-    std::optional<Message> cause;
-    if (!overlay.contains(message->place.file)) {
+    std::optional<std::string> const error = lines[i].error();
+    if (!error || diagnostic.notes.size() > most_notes) continue;
+    Place const &place = lines[i].message->place;
+    std::optional<Note> cause;
+    if (!overlay.contains(place.file)) {
       cause = expansion(lines, i, overlay);
       if (!cause) cause = instantiation(lines, i, overlay);
     }
     if (diagnostic.message.empty()) {
-      diagnostic.place = cause ? cause->place : message->place;
-      diagnostic.message = message->text;
+      diagnostic.place = cause ? cause->place : place;
+      diagnostic.message = *error;
       if (cause)
-        diagnostic.notes.push_back({message->place, "the compiler stopped here"});
+        diagnostic.notes.push_back({place, "the compiler stopped here"});
       else
-        diagnostic.notes = instantiations(lines, i, overlay);
+        diagnostic.notes = instantiations(lines, i);
     } else {
-      diagnostic.notes.push_back({cause ? cause->place : message->place, message->text});
+      diagnostic.notes.push_back({cause ? cause->place : place, *error});
     }
   }
   if (!diagnostic.message.empty()) {
@@ -111,27 +135,30 @@ Diagnostic compiler_failure(std::vector<std::string> const &command, Captured co
     return diagnostic;
   }
   diagnostic.message = "the compiler '" + command[0] + "' failed";
-  diagnostic.notes = first_lines(lines);
+  diagnostic.notes = first_lines(output);
   return diagnostic;
 }
 
+// With debug information the linker names the source: [LINKER: ]FILE:LINE: undefined reference to `...'
 Diagnostic linker_failure(std::vector<std::string> const &command, Captured const &result, Overlay const &overlay) {
   if (auto missing = did_not_start(command, result)) return *missing;
-  // With debug information the linker names the source: file:line: undefined reference to `...'
-  static std::regex const undefined(
-      "(?:[^ ]*/?ld: )?(?:([^:]+):([0-9]+):|[^`]*:)?(?:\\(.*\\):)? *(undefined reference to .*)");
+  constexpr std::string_view undefined = "undefined reference to ";
   Diagnostic diagnostic{DiagnosticId::link_failed, {}, "the symbolic program cannot be linked"};
-  std::vector<std::string> lines = lines_of(result.output);
+  std::vector<std::string> const lines = lines_of(result.output);
   for (std::string const &line : lines) {
-    std::smatch found;
-    if (line.size() > 2000 || !std::regex_match(line, found, undefined)) continue;
-    Place place;
-    if (found[1].matched) place = overlay.original({found[1], static_cast<unsigned>(std::stoul(found[2])), 0});
+    std::size_t const at = line.find(undefined);
+    if (at == line.npos) continue;
+    std::size_t const linker = line.find("ld: ");
+    std::size_t const begin = linker < at ? linker + 4 : 0;
+    std::optional<MessageLine> const message = message_line(std::string_view(line).substr(begin, at - begin));
+    bool const has_place = message && message->place.line != 0;
+    Note const note{has_place ? overlay.original({message->place.file, message->place.line, 0}) : Place(),
+                    line.substr(at)};
     if (diagnostic.place.file.empty() && diagnostic.notes.empty()) {
-      diagnostic.place = place;
-      diagnostic.message = found[3];
+      diagnostic.place = note.place;
+      diagnostic.message = note.message;
     } else if (diagnostic.notes.size() < most_notes) {
-      diagnostic.notes.push_back({place, found[3]});
+      diagnostic.notes.push_back(note);
     }
   }
   if (diagnostic.place.file.empty() && diagnostic.notes.empty()) diagnostic.notes = first_lines(lines);

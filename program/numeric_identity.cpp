@@ -1,5 +1,6 @@
 #include "program/numeric_identity.h"
 
+#include "program/message_line.h"
 #include "program/neighbours.h"
 #include "program/overlay.h"
 #include "program/parallel.h"
@@ -11,7 +12,6 @@
 
 #include <filesystem>
 #include <optional>
-#include <regex>
 #include <set>
 #include <sstream>
 
@@ -187,17 +187,12 @@ Pair prepare(rewrite::Compilation const &one, Shadow const &shadow, Compilers co
 
 // A line of a compiler's message, with the file's name and the column that the user has.
 std::string in_original(std::string const &line, Shadow const &shadow) {
-  static std::regex const located(
-      "(In file included from |                 from )?([^ :]+):([0-9]+)?(?::([0-9]+))?(.*)");
-  std::smatch found;
-  if (line.size() > 2000 || !std::regex_match(line, found, located)) return line;
-  rewrite::File const *file = shadow.file(found[2]);
+  std::optional<MessageLine> const message = message_line(line);
+  rewrite::File const *file = message ? shadow.file(message->place.file) : nullptr;
   if (!file) return line;
-  auto const number = [&](std::size_t group) {
-    return found[group].matched ? static_cast<unsigned>(std::stoul(found[group])) : 0;
-  };
-  Place const place = original_place(*file, {file->display_path, number(3), number(4)});
-  return found[1].str() + to_string(place) + (found[3].matched ? "" : ":") + found[5].str();
+  Place const &place = message->place;
+  return message->before + to_string(original_place(*file, {file->display_path, place.line, place.column})) +
+         message->rest;
 }
 
 std::string whole_message(std::string const &output, Shadow const &shadow) {
