@@ -103,7 +103,8 @@ std::vector<DriverOption> driver_options(std::span<std::string const> words) {
     if (!found.empty() && at < found.back().word + found.back().length) continue; // an operand that Clang does not know
     DriverOption option{about(*argument, words[at]), "", "", at, 1};
     bool const is_known = !argument->getOption().matches(options::OPT_UNKNOWN);
-    if (option.about != About::input) option.name = is_known ? argument->getOption().getPrefixedName().str() : words[at];
+    if (option.about != About::input)
+      option.name = is_known ? argument->getOption().getPrefixedName().str() : words[at];
     if (argument->getNumValues() > 0 && (is_known || option.about == About::input))
       option.value = argument->getValue(0);
     if (is_known && option.about != About::input)

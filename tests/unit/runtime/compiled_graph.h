@@ -20,7 +20,8 @@ public:
     std::string path = (std::filesystem::temp_directory_path() / "symreal-XXXXXX").string();
     EXPECT_NE(mkdtemp(path.data()), nullptr);
     directory_ = path;
-    for (EmittedFile const &file : emit(schedule(graph), *find_language(language), {.base_name = "k", .mainline = true}))
+    for (EmittedFile const &file :
+         emit(schedule(graph), *find_language(language), {.base_name = "k", .mainline = true}))
       std::ofstream(directory_ / file.name) << file.text;
     std::string flags = is_cpp_ ? " -std=c++17" : " -std=c99 -pedantic";
     flags += " -O1 -ffp-contract=off -fno-builtin -Wall -Wextra -Wconversion -Werror ";

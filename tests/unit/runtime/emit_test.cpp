@@ -95,7 +95,8 @@ TEST_P(Emit, IntegersOf64BitsCrossChunks) {
   text += "%6000 = wide_add %4 %2\n%6001 = wide_low %6000\n%6002 = wide_select %5 %4 %2\n%6003 = wide_value %6002\n"
           "result 0 %6001\nresult 1 %6003\nresult 2 %5999\n";
   Graph const graph = read_graph(text, "test");
-  EXPECT_NE(emit(schedule(graph), *find_language("c"), {.base_name = "k"})[0].text.find("keep_integer(&v["), std::string::npos);
+  EXPECT_NE(emit(schedule(graph), *find_language("c"), {.base_name = "k"})[0].text.find("keep_integer(&v["),
+            std::string::npos);
   Compiled const compiled = compile(graph);
   for (double x : {-1.0, 0.0, 1.0, 2.0, 12345.0, -98765.0, 0x1p62, 4503599627370495.0}) {
     std::vector<double> const input = {x, 1 - x}, output = compiled.run(input, 3);
