@@ -1,5 +1,6 @@
 #include "rewrite/decide/decide.h"
 #include "rewrite/decide/use_text.h"
+#include "rewrite/text/source_text.h"
 
 #include <algorithm>
 #include <cctype>
@@ -7,8 +8,6 @@
 
 namespace symreal::rewrite {
 namespace {
-
-bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 
 // A word that takes the place of punctuation is set apart from its neighbours.
 std::string set_apart(std::string word, std::string const &text, Span const &span) {

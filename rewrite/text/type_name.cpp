@@ -1,21 +1,12 @@
 #include "rewrite/text/type_name.h"
 
+#include "rewrite/text/raw_tokens.h"
 #include "rewrite/text/source_text.h"
 
 #include <algorithm>
 #include <string_view>
 
 namespace symreal::rewrite {
-namespace {
-
-std::size_t end_of_word(std::string const &text, std::size_t begin) {
-  std::size_t at = begin;
-  while (at < text.size() && is_word(text[at])) ++at;
-  return at;
-}
-
-} // namespace
-
 std::string choose_type_name(Request const &request, Facts const &facts, std::vector<Diagnostic> &diagnostics) {
   auto const refuse = [&](Place const &place, std::string const &name) {
     diagnostics.push_back({DiagnosticId::reserved_name, place, "the sources already use the name '" + name + "'"});
@@ -50,15 +41,17 @@ std::string with_type_name(std::string const &text, std::string const &type_name
 std::string with_renamed(std::string const &text, RenamedNames const &names) {
   bool const has_members = text.starts_with(" SYMREAL_REAL_MEMBERS(") || text.starts_with(" SYMREAL_REAL_LAYOUT(");
   std::string result;
-  for (std::size_t at = 0, end; at < text.size(); at = end) {
-    bool const is_literal = text[at] == '"' || text[at] == '\'';
-    end = is_literal ? end_of_literal(text, at) : std::max(end_of_word(text, at), at + 1);
-    std::string const word = text.substr(at, end - at);
+  std::size_t end = 0;
+  for (RawToken const &token : raw_tokens(text)) {
+    if (token.kind != RawToken::Kind::word) continue;
+    std::string const word = text.substr(token.begin, token.end - token.begin);
+    result.append(text, end, token.begin - end);
     bool const is_member = has_members || result.ends_with('.') || result.ends_with("->");
     bool const is_renamed = names.all.contains(word) || (!is_member && names.at_file_scope.contains(word));
     result += is_renamed ? "SYMREAL_REAL_NAME(" + word + ")" : word;
+    end = token.end;
   }
-  return result;
+  return result.append(text, end);
 }
 
 } // namespace symreal::rewrite
