@@ -62,11 +62,16 @@ void Collector::atomic_builtin(AtomicExpr const *call) {
 // Reading u.bits of `union { double number; uint64_t bits; }` is harmless as long as the number is an ordinary one.
 void Collector::union_member(MemberExpr const *member) {
   auto const *field = dyn_cast<FieldDecl>(member->getMemberDecl());
-  if (!field || !field->getParent()->isUnion() || field->getType()->isDependentType() || judged_.contains(member))
-    return;
+  if (!field || !field->getParent()->isUnion() || field->getType()->isDependentType()) return;
   QualType const type = field->getType();
   if (reals_.mentions_real(type) || type->isPointerType()) return;
   if (!reals_.carries_real(context_.getRecordType(field->getParent()))) return;
+  later([this, member, field] {
+    if (!judged_.contains(member)) bits_of_union(member, field);
+  });
+}
+
+void Collector::bits_of_union(MemberExpr const *member, FieldDecl const *field) {
   Expr const *base = member->getBase()->IgnoreParenImpCasts();
   bool const spelled = !member->isImplicitAccess() && base->getEndLoc() != member->getEndLoc();
   auto const *within = dyn_cast<MemberExpr>(base);
@@ -112,8 +117,8 @@ void Collector::reinterpretation(ExplicitCastExpr const *cast) {
     return type->isVoidType() || type->getKind() == BuiltinType::Char_S || type->getKind() == BuiltinType::Char_U ||
            type->getKind() == BuiltinType::UChar;
   };
-  // (double *)((char *)p + n) only counts in bytes, and so does a structure behind numbers; the outer cast is visited
-  // first. Integers there are looked at in the run.
+  // (double *)((char *)p + n) only counts in bytes, and so does a structure behind numbers. Integers there are looked
+  // at in the run.
   auto const *sum = dyn_cast<BinaryOperator>(cast->getSubExprAsWritten()->IgnoreParens());
   if (sum && sum->isAdditiveOp() && !(after && is_bytes(after))) {
     for (Expr const *side : {sum->getLHS(), sum->getRHS()}) counting_casts_.insert(side->IgnoreParenImpCasts());
@@ -125,8 +130,10 @@ void Collector::reinterpretation(ExplicitCastExpr const *cast) {
     view(cast, false);
   if (!before || !after || before->getKind() == after->getKind()) return;
   bool const was_double = before->getKind() == BuiltinType::Double, is_double = after->getKind() == BuiltinType::Double;
-  bool const only_counts = is_bytes(after) && counting_casts_.contains(cast);
-  if (was_double && !after->isVoidType() && !only_counts) view(cast, after->isInteger());
+  if (was_double && !after->isVoidType())
+    later([this, cast, is_byte = is_bytes(after), is_integer = after->isInteger()] {
+      if (!is_byte || !counting_casts_.contains(cast)) view(cast, is_integer);
+    });
   if (is_double && !is_bytes(before))
     report(DiagnosticId::reinterpretation, cast->getBeginLoc(), source.getAsString() + " is read as a REAL");
 }

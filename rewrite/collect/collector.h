@@ -10,6 +10,9 @@
 #include "rewrite/source/clang.h"
 #include "rewrite/source/source_map.h"
 
+#include <functional>
+#include <vector>
+
 namespace symreal::rewrite {
 
 class Collector {
@@ -23,6 +26,11 @@ public:
         surroundings_(surroundings),
         storage_(reals),
         facts_(facts) {}
+
+  // A handler that depends on what others tell of the same expression waits until all have told: so they may be called
+  // in any order. `finish` is called in the end.
+  void later(std::function<void()> handler) { waiting_.push_back({instance_, std::move(handler)}); }
+  void finish();
 
   // Types (types.cpp).
   void builtin_type(clang::BuiltinTypeLoc type, Passive passive);
@@ -55,6 +63,11 @@ public:
   void instantiated_value(clang::Expr const *value);
 
   // Everything else (expressions.cpp).
+  // Most implicit casts read a variable or take an address.
+  static bool may_convert(clang::ImplicitCastExpr const *cast) {
+    return cast->getCastKind() != clang::CK_LValueToRValue && cast->getCastKind() != clang::CK_ArrayToPointerDecay &&
+           cast->getCastKind() != clang::CK_FunctionToPointerDecay;
+  }
   void implicit_cast(clang::ImplicitCastExpr const *cast, bool decides);
   void explicit_cast(clang::ExplicitCastExpr const *cast);
   void compound_assignment(clang::CompoundAssignOperator const *assignment);
@@ -143,6 +156,7 @@ private:
   void environment(clang::Expr const *expression, char const *what, std::string const &name);
   void shows(clang::CallExpr const *call, clang::FunctionDecl const *function);
   void formatting(clang::CallExpr const *call, clang::FunctionDecl const *function);
+  void formatted(clang::CallExpr const *call, clang::FunctionDecl const *function);
   // `only_looks`: at the object, whose characters may be read later.
   void reads_text(clang::SourceLocation reader, clang::Expr const *text, bool only_looks = false);
 
@@ -169,6 +183,9 @@ private:
 
   void reinterpretation(clang::ExplicitCastExpr const *cast);
   void view(clang::ExplicitCastExpr const *cast, bool of_integers);
+  void bits_of_union(clang::MemberExpr const *member, clang::FieldDecl const *field);
+  bool use_of_view(clang::Expr const *value, clang::DeclRefExpr const *name);
+  void uses_of_views();
   void looked_into(clang::Expr const *address);
   void moved_bytes(clang::CallExpr const *call, clang::FunctionDecl const *function);
   void given_bytes(clang::FunctionDecl const *function, unsigned index, clang::Expr const *argument);
@@ -201,6 +218,7 @@ private:
                                std::string detail = {});
   // An implicit conversion that is written out.
   void convert(clang::Expr const *expression, Use use, std::string type);
+  void converted_number(clang::ImplicitCastExpr const *cast, bool decides);
   void report(DiagnosticId id, clang::SourceLocation location, std::string message,
               std::optional<Severity> unusual = {});
   // The literal of an initializer or argument: double, and double in the symbolic program too.
@@ -214,9 +232,16 @@ private:
   Storage const storage_;
   NamedVariableAnalysis named_variables_;
   Facts &facts_;
-  llvm::SmallPtrSet<clang::Expr const *, 32> judged_;           // names whose use is noted already
-  llvm::SmallPtrSet<clang::Expr const *, 4> counting_casts_;    // to bytes, which nobody looks at
-  llvm::SmallPtrSet<clang::VarDecl const *, 4> views_;          // local pointers to integers, where numbers lie
+  struct Waiting {
+    std::optional<Note> instance;
+    std::function<void()> handler;
+  };
+  std::vector<Waiting> waiting_;
+  // What handlers tell each other.
+  llvm::SmallPtrSet<clang::Expr const *, 32> judged_;        // names whose use is noted already
+  llvm::SmallPtrSet<clang::Expr const *, 4> counting_casts_; // to bytes, which nobody looks at
+  llvm::SmallPtrSet<clang::VarDecl const *, 4> views_;       // local pointers to integers, where numbers lie
+  std::vector<std::pair<clang::Expr const *, clang::DeclRefExpr const *>> through_pointers_; // may look through those
   llvm::SmallPtrSet<clang::Expr const *, 4> compared_exactly_;  // conversions to long double that change nothing
   llvm::SmallPtrSet<clang::Expr const *, 4> compared_pointers_; // conversions that C++ makes as well
   llvm::SmallPtrSet<clang::Expr const *, 8> promoted_;          // conversions of arguments that are written out

@@ -6,11 +6,13 @@ using namespace clang;
 void Collector::conversion(CastExpr const *cast) {
   Expr const *from = cast->getSubExpr();
   bool const to_integer = cast->getCastKind() == CK_FloatingToIntegral;
-  if ((!to_integer && cast->getCastKind() != CK_FloatingCast) || cast->isTypeDependent() || !reals_.is_real(from) ||
-      compared_exactly_.contains(cast))
+  if ((!to_integer && cast->getCastKind() != CK_FloatingCast) || cast->isTypeDependent() || !reals_.is_real(from))
     return;
-  if (std::optional<Span> const span = map_.range(from->getSourceRange()))
-    facts_.conversions.insert({*span, cast->getType().getUnqualifiedType().getAsString(map_.language()), to_integer});
+  later([this, cast, from, to_integer] {
+    std::optional<Span> const span = map_.range(from->getSourceRange());
+    if (span && !compared_exactly_.contains(cast))
+      facts_.conversions.insert({*span, cast->getType().getUnqualifiedType().getAsString(map_.language()), to_integer});
+  });
 }
 
 // x == 0.L: the same as in double where the constant is a double.

@@ -84,6 +84,21 @@ bool gives_real_by_macro(Stmt const *part) {
 
 } // namespace
 
+void Collector::converted_number(ImplicitCastExpr const *cast, bool decides) {
+  Expr const *from = cast->getSubExpr();
+  QualType const to = cast->getType();
+  if (auto const *first = conversion_by_class(from); first && reals_.is_real(from)) // two steps
+    return wrap(from, Use::conversion, spelled(decides ? first->getType() : to));
+  if (cast->isPartOfExplicitCast() || decides || !Reals::is_double(from->getType())) return;
+  if (!reals_.is_real(from) && !gives_real_by_macro(from)) return;
+  later([this, cast, from, to] {
+    if (compared_exactly_.contains(cast)) return;
+    if (to->isSpecificBuiltinType(BuiltinType::LongDouble)) // an operand, perhaps, with no context of its own
+      return wrap(from, Use::conversion, spelled(to));
+    convert(from, Use::conversion, reals_.keeps_integer(cast) ? "SYMREAL_REAL_INT(" + spelled(to) + ")" : spelled(to));
+  });
+}
+
 void Collector::implicit_cast(ImplicitCastExpr const *cast, bool decides) {
   Expr const *from = cast->getSubExpr();
   if (cast->isTypeDependent() || from->isTypeDependent()) return;
@@ -91,30 +106,25 @@ void Collector::implicit_cast(ImplicitCastExpr const *cast, bool decides) {
   switch (cast->getCastKind()) {
   case CK_FloatingToIntegral:
   case CK_FloatingToBoolean:
-  case CK_FloatingCast:
-    if (auto const *first = conversion_by_class(from); first && reals_.is_real(from)) // two steps
-      return wrap(from, Use::conversion, spelled(decides ? first->getType() : to));
-    if (cast->isPartOfExplicitCast() || decides || !Reals::is_double(from->getType())) return;
-    if (!reals_.is_real(from) && !gives_real_by_macro(from)) return;
-    if (compared_exactly_.contains(cast)) return;
-    if (to->isSpecificBuiltinType(BuiltinType::LongDouble)) // an operand, perhaps, with no context of its own
-      return wrap(from, Use::conversion, spelled(to));
-    convert(from, Use::conversion, reals_.keeps_integer(cast) ? "SYMREAL_REAL_INT(" + spelled(to) + ")" : spelled(to));
-    return;
+  case CK_FloatingCast: converted_number(cast, decides); return;
   case CK_ConstructorConversion:
     if (auto const *construction = dyn_cast<CXXConstructExpr>(from->IgnoreImplicit()))
       converting_construction(construction);
     return;
   case CK_BitCast: // to another type, or to one that is less const
   case CK_NoOp:
-    if (!cast->isPartOfExplicitCast() && !compared_pointers_.contains(cast) && is_pointer_of_c(cast))
-      convert(from, Use::cast, spelled(to));
+    if (!cast->isPartOfExplicitCast() && is_pointer_of_c(cast))
+      later([this, cast, from] {
+        if (!compared_pointers_.contains(cast)) convert(from, Use::cast, spelled(cast->getType()));
+      });
     return;
   case CK_IntegralToFloating: // an enumerator among numbers: a class has no built-in promotion
     if (auto const *first = conversion_by_class(from); first && Reals::is_double(to) && !cast->isPartOfExplicitCast())
       return wrap(from, Use::conversion, spelled(first->getType())); // two steps, of which the language takes one
-    if (Reals::is_double(to) && !cast->isPartOfExplicitCast() && !promoted_.contains(cast) && is_enumeration(from))
-      wrap(from->IgnoreImpCasts(), Use::conversion, spelled(counted_as(from)));
+    if (Reals::is_double(to) && !cast->isPartOfExplicitCast() && is_enumeration(from))
+      later([this, cast, from] {
+        if (!promoted_.contains(cast)) wrap(from->IgnoreImpCasts(), Use::conversion, spelled(counted_as(from)));
+      });
     return;
   case CK_IntegralCast:
     if (!map_.language().CPlusPlus && to->isEnumeralType() && !cast->isPartOfExplicitCast() &&
@@ -204,11 +214,13 @@ void Collector::explicit_cast(ExplicitCastExpr const *cast) {
 // sin as a value: the overload for REAL is one that has no address.
 void Collector::function_value(DeclRefExpr const *name) {
   auto const *function = dyn_cast<FunctionDecl>(name->getDecl());
-  if (!function || !reals_.is_math(function) || callees_.contains(name) || function->isVariadic()) return;
+  if (!function || !reals_.is_math(function) || function->isVariadic()) return;
   if (!Reals::is_double(function->getReturnType())) return;
   for (ParmVarDecl const *parameter : function->parameters())
     if (!Reals::is_double(parameter->getType()) || parameter->getType()->isReferenceType()) return;
-  wrap(name, Use::function, std::to_string(function->getNumParams()));
+  later([this, name, count = function->getNumParams()] {
+    if (!callees_.contains(name)) wrap(name, Use::function, std::to_string(count));
+  });
 }
 
 // __builtin_sqrt takes a double and nothing else.

@@ -43,6 +43,8 @@ public:
   bool TraverseCXXNoexceptExpr(CXXNoexceptExpr *) override { return true; }
   bool TraverseTypeLoc(TypeLoc) override { return true; }
 
+  void finish() { collect_.finish(); }
+
   bool VisitCallExpr(CallExpr *call) override {
     if (is_here(call)) collect_.instantiated_call(call);
     return true;
@@ -134,7 +136,9 @@ private:
 
 void collect_instances(ASTContext &context, SourceMap const &map, Reals const &reals, IntegerState const &integers,
                        Surroundings const &surroundings, Facts &facts) {
-  Instances(context, map, reals, integers, surroundings, facts).TraverseDecl(context.getTranslationUnitDecl());
+  Instances instances(context, map, reals, integers, surroundings, facts);
+  instances.TraverseDecl(context.getTranslationUnitDecl());
+  instances.finish();
 }
 
 } // namespace symreal::rewrite

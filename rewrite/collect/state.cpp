@@ -182,7 +182,10 @@ void Collector::state(VarDecl const *variable, Expr const *reference, bool is_de
   wrap(reference, variable->isStaticLocal() && !of_numbers ? Use::local_state : Use::state,
        to_string(map_.place(variable->getCanonicalDecl()->getLocation())));
   // Where types are not known yet, every mention counts as a use.
-  if (is_dependent && !judged_.contains(reference)) note(reference, Use::read);
+  if (is_dependent)
+    later([this, reference] {
+      if (!judged_.contains(reference)) note(reference, Use::read);
+    });
 }
 
 // Lets a class tell its members, so that a whole object can be looked through, the private ones included.

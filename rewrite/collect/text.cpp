@@ -62,7 +62,7 @@ bool is_standard_output(Expr const *stream) {
 
 } // namespace
 
-// Calls whose value nobody uses, met before the calls themselves.
+// Calls whose value nobody uses.
 void Collector::discarded(Stmt const *statement, FunctionDecl const *function) {
   auto const discard = [&](Stmt const *part) {
     auto const *expression = dyn_cast_or_null<Expr>(part);
@@ -118,6 +118,10 @@ void Collector::reads_text(SourceLocation reader, Expr const *text, bool only_lo
 }
 
 void Collector::formatting(CallExpr const *call, FunctionDecl const *function) {
+  later([this, call, function] { formatted(call, function); });
+}
+
+void Collector::formatted(CallExpr const *call, FunctionDecl const *function) {
   bool const is_list = function->getName().starts_with("v"); // of what another call was given
   bool has_number = is_list, has_text = false;
   for (unsigned i = function->isVariadic() ? function->getNumParams() : 0; i < call->getNumArgs(); ++i) {

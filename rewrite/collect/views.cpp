@@ -35,6 +35,13 @@ DeclRefExpr const *named_pointer(Expr const *pointer) {
   return named_pointer(sum->getLHS()->getType()->isPointerType() ? sum->getLHS() : sum->getRHS());
 }
 
+// What p[i] and *p look through; another expression is a pointer itself.
+Expr const *pointer_of(Expr const *value) {
+  if (auto const *element = dyn_cast<ArraySubscriptExpr>(value)) return element->getBase();
+  auto const *behind = dyn_cast<UnaryOperator>(value);
+  return behind && behind->getOpcode() == UO_Deref ? behind->getSubExpr() : value;
+}
+
 // Of a function that may look at what the pointer leads to.
 bool is_argument(Expr const *pointer, ASTContext &context) {
   for (Expr const *part = pointer;;) {
@@ -91,20 +98,34 @@ void Collector::view(ExplicitCastExpr const *cast, bool of_integers) {
 
 // What such a variable leads to is read, or it is handed on.
 void Collector::read_view(Expr const *value) {
-  if (views_.empty() || !value->isGLValue()) return;
+  if (!value->isGLValue()) return;
   value = value->IgnoreParens();
-  Expr const *pointer = value;
-  if (auto const *element = dyn_cast<ArraySubscriptExpr>(value)) pointer = element->getBase();
-  if (auto const *behind = dyn_cast<UnaryOperator>(value); behind && behind->getOpcode() == UO_Deref)
-    pointer = behind->getSubExpr();
-  bool const is_read = pointer != value;
-  auto const *name = named_pointer(pointer);
+  auto const *name = named_pointer(pointer_of(value));
   auto const *variable = name ? dyn_cast<VarDecl>(name->getDecl()) : nullptr;
-  if (!variable || !views_.contains(variable)) return;
-  if (is_read) return note(value, Use::bits);
+  if (variable && variable->hasLocalStorage()) through_pointers_.emplace_back(value, name);
+}
+
+// True if another variable has become one.
+bool Collector::use_of_view(Expr const *value, DeclRefExpr const *name) {
+  if (pointer_of(value) != value) {
+    note(value, Use::bits);
+    return false;
+  }
   Destination const to = destination(name, context_);
-  if (to.local && !to.is_kept) return (void)views_.insert(to.local);
+  if (to.local && !to.is_kept) return views_.insert(to.local).second;
   if (is_argument(name, context_)) note(name, Use::view);
+  return false;
+}
+
+void Collector::uses_of_views() {
+  for (bool again = !views_.empty(); again;) {
+    again = false;
+    std::erase_if(through_pointers_, [&](auto const &one) {
+      if (!views_.contains(cast<VarDecl>(one.second->getDecl()))) return false;
+      again |= use_of_view(one.first, one.second);
+      return true;
+    });
+  }
 }
 
 } // namespace symreal::rewrite

@@ -115,7 +115,8 @@ public:
   }
   bool VisitImplicitCastExpr(ImplicitCastExpr *cast) override {
     if (passive_) return true;
-    collect_.implicit_cast(cast, decisions_.count(cast) != 0);
+    if (Collector::may_convert(cast))
+      collect_.later([this, cast] { collect_.implicit_cast(cast, decisions_.contains(cast)); });
     if (no_state_ || cast->isTypeDependent()) return true;
     if (cast->getCastKind() == CK_LValueToRValue) {
       collect_.read(cast->getSubExpr());
@@ -282,6 +283,8 @@ public:
     return !binary->isLogicalOp() || (decide(binary->getLHS()) && decide(binary->getRHS()));
   }
 
+  void finish() { collect_.finish(); }
+
 private:
   void named_type(TypeLoc type, bool qualified, bool within_type) {
     if (passive_) return;
@@ -326,6 +329,7 @@ void collect_tree(ASTContext &context, SourceMap const &map, PragmaIndex const &
   Surroundings const surroundings(context, map, reals, integers, facts);
   Visitor visitor(context, map, reals, integers, surroundings, index, facts);
   visitor.TraverseDecl(context.getTranslationUnitDecl());
+  visitor.finish();
   collect_instances(context, map, reals, integers, surroundings, facts);
   collect_operand_order(context, map, reals, facts);
   collect_layouts(context, map, reals, facts);
