@@ -14,6 +14,7 @@ public:
 
   bool shouldVisitTemplateInstantiations() const { return walk_.shouldVisitTemplateInstantiations(); }
   bool shouldVisitImplicitCode() const { return walk_.shouldVisitImplicitCode(); }
+  bool shouldTraversePostOrder() const { return walk_.shouldTraversePostOrder(); }
 
   bool TraverseDecl(Decl *declaration) { return walk_.TraverseDecl(declaration); }
   bool TraverseTypeLoc(TypeLoc type) { return walk_.TraverseTypeLoc(type); }

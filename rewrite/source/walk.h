@@ -29,6 +29,7 @@ public:
 
   virtual bool shouldVisitTemplateInstantiations() const { return false; }
   virtual bool shouldVisitImplicitCode() const { return false; }
+  virtual bool shouldTraversePostOrder() const { return false; }
 
   // Enter a part of the tree; false ends the walk. An override that calls the function of this class goes on below.
   bool TraverseStmt(clang::Stmt *);

@@ -32,11 +32,12 @@ class Visitor : public ContextWalk {
 
 public:
   Visitor(ASTContext &context, SourceMap const &map, Reals const &reals, IntegerState const &integers,
-          Surroundings const &surroundings, PragmaIndex const &index, Facts &facts)
+          Surroundings const &surroundings, PragmaIndex const &index, bool children_first, Facts &facts)
       : ContextWalk(map, reals),
         context_(context),
         integers_(integers),
         index_(index),
+        children_first_(children_first),
         facts_(facts),
         collect_(context, map, reals, integers, surroundings, facts) {}
 
@@ -284,6 +285,7 @@ public:
   }
 
   void finish() { collect_.finish(); }
+  bool shouldTraversePostOrder() const override { return children_first_; }
 
 private:
   void named_type(TypeLoc type, bool qualified, bool within_type) {
@@ -313,6 +315,7 @@ private:
   ASTContext const &context_;
   IntegerState const &integers_;
   PragmaIndex const &index_;
+  bool const children_first_;
   Facts &facts_;
   Collector collect_;
   llvm::SmallPtrSet<Expr const *, 32> decisions_;
@@ -327,7 +330,7 @@ void collect_tree(ASTContext &context, SourceMap const &map, PragmaIndex const &
   collect_symbolic_ints(context, map, facts, reals);
   IntegerState const integers(context, map);
   Surroundings const surroundings(context, map, reals, integers, facts);
-  Visitor visitor(context, map, reals, integers, surroundings, index, facts);
+  Visitor visitor(context, map, reals, integers, surroundings, index, request.children_first, facts);
   visitor.TraverseDecl(context.getTranslationUnitDecl());
   visitor.finish();
   collect_instances(context, map, reals, integers, surroundings, facts);

@@ -1,6 +1,6 @@
 // Prints what the rewriter makes of its arguments: rewrite_dump [--diff | --text | --refusals] [--root DIR]...
 // SOURCE...
-// [-- FLAG...]; with --facts what it has collected, and with --decide FILE what it makes of such facts. A tool of the
+// [-- FLAG...]; with --facts what it has collected (--children-first: in that order of visits), and with --decide FILE what it makes of such facts. A tool of the
 // tests: the library's result without a driver around it. Exits 1 when there is an error.
 #include "rewrite/collected.h"
 #include "rewrite/decide/decide.h"
@@ -55,6 +55,8 @@ int main(int argc, char **argv) {
       refusals = true;
     else if (word == "--facts")
       facts = true;
+    else if (word == "--children-first")
+      request.children_first = true;
     else if (word == "--decide" && i + 1 < argc)
       facts_file = argv[++i];
     else if (word == "--text")
