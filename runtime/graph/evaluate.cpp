@@ -154,7 +154,7 @@ static std::vector<char> own_infinities(Graph const &graph, std::span<double con
   for (std::size_t id = 0; id < graph.nodes.size(); ++id) {
     Node const &node = graph.nodes[id];
     if (!std::isinf(values[id])) continue;
-    is_own[id] = node.is_constant();
+    is_own[id] = node.is_constant() ? 1 : 0;
     if (is_leaf(node.op) || !hands_on(node.op)) continue;
     for (NodeId operand : active_operands(node, values)) // the magnitude is that of one of them
       if (operand != no_node && std::isinf(values[operand]) && is_own[operand]) is_own[id] = 1;

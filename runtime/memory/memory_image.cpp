@@ -144,7 +144,7 @@ std::vector<Known> MemoryImage::owned(Known object, std::vector<HeapBlock> const
       char const *old = before(one.begin + k);
       for (char const *from : {one.begin + k, old}) {
         if (!from) continue;
-        std::memcpy(&pointer, from, sizeof pointer);
+        std::memcpy(static_cast<void *>(&pointer), from, sizeof pointer);
         Part const *part = part_at(pointer);
         if (part && part->region == Region::heap_block && met.insert(part->begin).second)
           result.push_back({part->begin, part->size});

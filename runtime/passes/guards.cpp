@@ -59,7 +59,7 @@ public:
     if (!comparison.constant) return false;
     Interval const known = ranges_.range(comparison.x);
     if (is_point_excluded(comparison)) return *comparison.constant < known.low || *comparison.constant > known.high;
-    return known.within(allowed(comparison));
+    return known.within(allowed(comparison, *comparison.constant));
   }
 
   // False when nothing can satisfy both the literal and what was learnt before.
@@ -74,7 +74,7 @@ public:
       if (known.low == *comparison.constant) known.low = after(known.low);
       if (known.high == *comparison.constant) known.high = before(known.high);
     } else {
-      Interval const other = allowed(comparison);
+      Interval const other = allowed(comparison, *comparison.constant);
       known = {std::max(known.low, other.low), std::min(known.high, other.high), known.nan && other.nan};
     }
     ranges_.narrow(comparison.x, known);
@@ -122,9 +122,8 @@ private:
     return (comparison.set & any & ~unordered) == (less | greater);
   }
 
-  static Interval allowed(Comparison const &comparison) {
+  static Interval allowed(Comparison const &comparison, double c) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
-    double const c = *comparison.constant;
     bool const with_equal = comparison.set & equal;
     Interval result{with_equal ? c : after(c), with_equal ? c : before(c), (comparison.set & unordered) != 0};
     if (comparison.set & less) result.low = -infinity;

@@ -132,9 +132,9 @@ void flush_events() {
   append("decision", log().decisions);
   append("carried", log().carried);
   append("settled", log().settled);
-  for (auto const &[id, meetings] : log().interrupted)
-    meetings.for_each([&text, id](std::size_t count, std::string const &message, auto const &stack) {
-      text += joined({"met", code(id), message, hexadecimal(stack), std::to_string(count)}) + '\n';
+  for (auto const &interrupted : log().interrupted)
+    interrupted.second.for_each([&](std::size_t count, std::string const &message, auto const &stack) {
+      text += joined({"met", code(interrupted.first), message, hexadecimal(stack), std::to_string(count)}) + '\n';
     });
   try {
     write_if_changed(record_directory() + "/events", text);
