@@ -1,7 +1,8 @@
 // Prints what the rewriter makes of its arguments: rewrite_dump [--diff | --text | --refusals] [--root DIR]...
 // SOURCE...
-// [-- FLAG...]; with --facts what it has collected (--children-first: in that order of visits), and with --decide FILE what it makes of such facts. A tool of the
-// tests: the library's result without a driver around it. Exits 1 when there is an error.
+// [-- FLAG...]; with --facts what it has collected (--children-first: in that order of visits), and with --decide FILE
+// what it makes of such facts. A tool of the tests: the library's result without a driver around it. Exits 1 when there
+// is an error.
 #include "rewrite/collected.h"
 #include "rewrite/decide/decide.h"
 #include "rewrite/edit/mirror.h"
