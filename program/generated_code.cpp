@@ -3,6 +3,7 @@
 #include "emit/c/externals.h"
 #include "emit/cpp/parts.h"
 #include "emit/language/banner.h"
+#include "emit/languages/languages.h"
 #include "graph/complex_function.h"
 #include "program/process.h"
 #include "support/files.h"
@@ -37,6 +38,11 @@ bool is_generated_cpp(std::string const &path) { return std::filesystem::path(pa
 
 Banner read_banner(std::string const &path) {
   std::string text = read_file(path);
+  for (Language const &language : languages())
+    if (path.ends_with(language.files.extension) && language.name != "c" && language.name != "cpp")
+      refuse(path, fmt::format("this is {}, and C and C++ are compared with the original; C from the same recording "
+                               "computes the same",
+                               language.doc.substr(0, language.doc.find(';'))));
   std::string_view const line = banner_of(text);
   if (line.empty()) refuse(path, "the file does not begin with the line that symreal writes");
   auto json = nlohmann::json::parse(line, nullptr, false);

@@ -4,6 +4,7 @@
 # %tools helper scripts, %version the tool's version, %cxx %cc %clang compilers.
 import os
 import platform
+import shutil
 
 import lit.formats
 
@@ -18,6 +19,10 @@ config.test_exec_root = os.path.join(config.binary_dir, "tests")
 # Leaks into foreign code are trapped there.
 if platform.system() == "Linux" and platform.machine() == "x86_64":
     config.available_features.add("x86_64-linux")
+
+# What a language needs that not every machine has; a test that requires it is reported as unsupported without.
+if shutil.which("rustc"):
+    config.available_features.add("rustc")
 
 config.substitutions += [
     (r"%symreal(?=-)", os.path.join(config.binary_dir, "tool", "symreal")),

@@ -61,7 +61,7 @@ for page in pages:
         link = re.search(r"\[(.*?)\]\((.*?)\)", name)
         if link and (page.parent / link[2]).resolve() != (root / link[1]):
             wrong.append(f"{page.name}: {link[1]} is not where the link leads")
-        if link and not (root / link[1]).is_file():
+        if link and not (root / link[1]).exists():
             wrong.append(f"{page.name}: {link[1]} does not exist")
         if not link and "/" in name:
             new = root / name.strip()

@@ -1,4 +1,4 @@
-// Emitted C or C++, compiled with every warning an error and loaded.
+// Emitted C, C++ or Rust, compiled with every warning an error and loaded.
 #pragma once
 
 #include "emit/emit.h"
@@ -13,7 +13,7 @@ namespace symreal {
 
 class Compiled {
 public:
-  // `graph`: of a kernel "k". `compiler`: of C; in C++ the one of its family.
+  // `graph`: of a kernel "k". `compiler`: of C; in C++ the one of its family. In Rust it is rustc.
   Compiled(Graph const &graph, std::string compiler, std::string const &language = "c")
       : guarded_(!graph.guards.empty()),
         is_cpp_(language == "cpp") {
@@ -23,6 +23,22 @@ public:
     for (EmittedFile const &file :
          emit(schedule(graph), *find_language(language), {.base_name = "k", .mainline = true}))
       std::ofstream(directory_ / file.name) << file.text;
+    if (language == "rust")
+      build_rust(graph, path);
+    else
+      build(path, compiler);
+    library_ = dlopen((path + "/k.so").c_str(), RTLD_NOW | RTLD_LOCAL);
+    EXPECT_NE(library_, nullptr) << dlerror();
+  }
+  ~Compiled() {
+    if (library_) dlclose(library_);
+    std::error_code ignored;
+    std::filesystem::remove_all(directory_, ignored);
+  }
+  static bool has_rust() { return std::system("rustc --version > /dev/null 2>&1") == 0; }
+
+private:
+  void build(std::string const &path, std::string compiler) {
     std::string flags = is_cpp_ ? " -std=c++17" : " -std=c99 -pedantic";
     flags += " -O1 -ffp-contract=off -fno-builtin -Wall -Wextra -Wconversion -Werror ";
     // clang computes what it takes to be harmless before it is known to be needed, unless told that flags matter.
@@ -32,14 +48,20 @@ public:
     std::string const build = compiler + flags + "-fPIC -shared " + path + "/k" + end + " -o " + path + "/k.so -lm";
     EXPECT_EQ(std::system(build.c_str()), 0);
     EXPECT_EQ(std::system((compiler + flags + "-fsyntax-only " + path + "/k_main" + end).c_str()), 0);
-    library_ = dlopen((path + "/k.so").c_str(), RTLD_NOW | RTLD_LOCAL);
-    EXPECT_NE(library_, nullptr) << dlerror();
   }
-  ~Compiled() {
-    if (library_) dlclose(library_);
-    std::error_code ignored;
-    std::filesystem::remove_all(directory_, ignored);
+  // With a function that has C's interface around it.
+  void build_rust(Graph const &graph, std::string const &path) {
+    std::ofstream(directory_ / "k_shared.rs")
+        << "#[path = \"k.rs\"]\nmod k;\n#[no_mangle]\n"
+           "pub unsafe extern \"C\" fn compute(input: *const f64, _: *const f64, output: *mut f64)"
+        << (guarded_ ? " -> i32" : "") << " {\n    k::compute(std::slice::from_raw_parts(input, " << graph.input_count()
+        << "), &[], std::slice::from_raw_parts_mut(output, " << graph.output_count() << "))\n}\n";
+    std::string const rustc = "rustc --edition 2021 -D warnings -C opt-level=1 ";
+    EXPECT_EQ(std::system((rustc + "--crate-type cdylib " + path + "/k_shared.rs -o " + path + "/k.so").c_str()), 0);
+    EXPECT_EQ(std::system((rustc + "--emit metadata " + path + "/k_main.rs -o " + path + "/k_main.rmeta").c_str()), 0);
   }
+
+public:
   std::vector<double> run(std::vector<double> const &input, std::size_t outputs) const {
     std::vector<double> output(outputs);
     run(input, output);

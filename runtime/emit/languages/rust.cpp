@@ -1,0 +1,118 @@
+#include "emit/languages/languages.h"
+#include "emit/rust/parts.h"
+
+#include <array>
+
+namespace symreal {
+
+static constexpr auto keywords = std::to_array<std::string_view>(
+    {"Self",     "abstract", "as",       "async",   "await", "become", "bool",   "box",   "break",  "const",
+     "continue", "crate",    "do",       "dyn",     "else",  "enum",   "extern", "f64",   "false",  "final",
+     "fn",       "for",      "if",       "impl",    "in",    "let",    "loop",   "macro", "match",  "mod",
+     "move",     "mut",      "override", "priv",    "pub",   "ref",    "return", "self",  "static", "std",
+     "struct",   "super",    "trait",    "true",    "try",   "type",   "typeof", "u64",   "union",  "unsafe",
+     "unsized",  "use",      "usize",    "virtual", "where", "while",  "yield"});
+
+// What a processor has is a method; the rest is called from C's library. Casts of a number are those of C within the
+// range of the type.
+static constexpr OperationSpelling spellings[] = {
+    {Op::abs, "f64::abs($x)"},
+    {Op::sqrt, "f64::sqrt($x)"},
+    {Op::fma, "f64::mul_add($x, $y, $z)"},
+    {Op::floor, "f64::floor($x)"},
+    {Op::ceil, "f64::ceil($x)"},
+    {Op::trunc, "f64::trunc($x)"},
+    {Op::copysign, "f64::copysign($x, $y)"},
+    {Op::f32, "f64::from($x:14 as f32)"},
+    {Op::wrap_int8, "f64::from($x:14 as i64 as i8)"},
+    {Op::wrap_int16, "f64::from($x:14 as i64 as i16)"},
+    {Op::wrap_int32, "f64::from($x:14 as i64 as i32)"},
+    {Op::wrap_uint8, "f64::from($x:14 as i64 as u8)"},
+    {Op::wrap_uint16, "f64::from($x:14 as i64 as u16)"},
+    {Op::wrap_uint32, "f64::from($x:14 as i64 as u32)"},
+    {Op::within_int32, "($x)"},
+    {Op::within_uint32, "($x)"},
+    {Op::within_double, "($x)"},
+    {Op::wide_add, "u64::wrapping_add($x, $y)"},
+    {Op::wide_sub, "u64::wrapping_sub($x, $y)"},
+    {Op::wide_mul, "u64::wrapping_mul($x, $y)"},
+    {Op::wide_select, "if $x { $y } else { $z }", 3},
+    {Op::wide_value, "($x:14 as i64 as f64)"},
+    {Op::wide_uvalue, "($x:14 as f64)"},
+    {Op::wide_low, "f64::from($x:14 as u32)"},
+    {Op::select, "if $x { $y } else { $z }", 3},
+};
+
+Language language_rust() {
+  Language rust;
+  rust.names = {keywords, false};
+  rust.comment = {"// ", "// ", ""};
+  rust.lines = {.width = 100, .least = 60, .continuation = ""};
+  rust.numbers = {"f64::NAN", "-f64::NAN", "f64::INFINITY", "f64::NEG_INFINITY"};
+  rust.number = {"f64", "0.0"};
+  rust.truth = {"bool", "false"};
+  rust.wide = {"u64", "0"};
+  rust.expressions = {
+      .call_prefix = "libm::",
+      .operations = spellings,
+      .element = "$array[$index]",
+      .yes = "true",
+      .truth_as_number = "f64::from(u8::from($x))",
+      .small_integer = "${value}_u64",
+      .large_integer = "${value}_u64",
+      .kept_integer = "$element.to_bits()",
+      .hidden = "at_run($x)",
+      .table_index = "table_index($index, $extent)",
+  };
+  rust.statements = {
+      .variable = "let mut $name: $type = $value;",
+      .constant = "let $name: $type = $value;",
+      .set = "$name = $value;",
+      .keep_integer = "$element = f64::from_bits($value);",
+      .array = "let $name = &mut [0.0_f64; $count];",
+      .zero_array = "let $name = &mut [0.0_f64; $count];",
+      .open = "if $condition {",
+      .otherwise = "} else {",
+      .close = "}",
+      .check = "if $condition { return $number; }",
+  };
+  rust.functions = {
+      .head = "pub fn $name($parameters)$result {",
+      .local_head = "fn $name($parameters)$result {",
+      .end = "}",
+      .no_result = "",
+      .status = " -> i32",
+      .input = "$name: &[f64]",
+      .output = "$name: &mut [f64]",
+      .unused = "let _ = $name;",
+      .success = "0",
+      .call = "$name($arguments);",
+      .checked_call = "let failed = $name($arguments);\nif failed != 0 { return failed; }",
+  };
+  rust.tables = {
+      .begin = "static $name: [f64; $count] = [",
+      .end = "];",
+      .index_helper = "// An index outside of its table reads the nearest element.\n"
+                      "fn table_index(index: f64, extent: usize) -> usize {\n"
+                      "    if !(index > 0.0) { return 0; }\n"
+                      "    if index < extent as f64 { index as usize } else { extent - 1 }\n"
+                      "}\n\n",
+  };
+  rust.files = {
+      .extension = ".rs",
+      .fast_when = " Any compiler flags.",
+      .begin = rust_begin,
+      .integer_functions = rust_integer_functions,
+      .hide_helper =
+          "// An argument that is constant on some path: a compiler would evaluate the call there, and round\n"
+          "// otherwise than the library.\n"
+          "fn at_run(x: f64) -> f64 {\n"
+          "    unsafe { std::ptr::read_volatile(&x) }\n"
+          "}\n\n",
+      .end = rust_end,
+      .mainline = {"_main.rs", rust_mainline},
+  };
+  return rust;
+}
+
+} // namespace symreal

@@ -1,0 +1,87 @@
+#include "emit/print/source.h"
+#include "emit/rust/parts.h"
+#include "graph/names.h"
+
+#include <fmt/format.h>
+
+namespace symreal {
+
+namespace {
+
+// Quotation marks and backslashes are as in C; braces are not in a format string here.
+std::string in_quotes(std::string const &text) {
+  std::string result = "\"";
+  for (char c : text) {
+    if (c == '\n') c = ' ';
+    if (c == '"' || c == '\\') result += '\\';
+    result += c;
+  }
+  return result + '"';
+}
+
+std::string array(std::string const &name, std::string_view type, std::vector<std::string> const &values) {
+  std::string list;
+  for (std::string const &value : values) list += (list.empty() ? "" : ", ") + value;
+  return fmt::format("    let {}: [{}; {}] = [{}];\n", name, type, values.size(), list);
+}
+
+std::vector<std::string> constants(Emission const &emission, std::vector<double> const &values) {
+  std::vector<std::string> texts;
+  for (double const value : values) texts.push_back(constant(emission.language, value));
+  return texts;
+}
+
+} // namespace
+
+std::string rust_end(Emission const &emission) {
+  Graph const &graph = emission.graph();
+  if (graph.guards.empty()) return {};
+  std::string list;
+  for (Guard const &guard : graph.guards) list += "        " + in_quotes(guard_text(graph, guard)) + ",\n";
+  return fmt::format(
+      "\n/// The condition of a guard and its places in the source.\npub fn {0}(guard: i32) -> &'static str {{\n"
+      "    const TEXT: [&str; {1}] = [\n{2}    ];\n"
+      "    if guard > 0 && guard <= {1} {{ TEXT[guard as usize - 1] }} else {{ \"\" }}\n}}\n",
+      emission.name("guard_text"), graph.guards.size(), list);
+}
+
+std::string rust_mainline(Emission const &emission) {
+  Graph const &graph = emission.graph();
+  std::vector<std::string> labels, names = identifiers(graph.outputs, emission.language.names);
+  for (std::size_t i = 0; i < graph.outputs.size(); ++i)
+    for (std::uint32_t k = 0; k < graph.outputs[i].count; ++k)
+      labels.push_back(in_quotes(element_name(names[i], graph.outputs[i], k) + "\\0"));
+  for (std::string &label : labels) label = label.replace(label.size() - 4, 4, "\\0\"");
+  std::string const guards = graph.guards.empty()
+                                 ? "    kernel::" + emission.name("compute") + "(&input, &constants, &mut output);\n"
+                                 : fmt::format("    let guard = kernel::{}(&input, &constants, &mut output);\n"
+                                               "    if guard != 0 {{\n"
+                                               "        eprintln!(\"guard {{}} does not hold: {{}}\", guard, "
+                                               "kernel::{}(guard));\n"
+                                               "        std::process::exit(1);\n    }}\n",
+                                               emission.name("compute"), emission.name("guard_text"));
+  return banner(emission) +
+         fmt::format(
+             "#[path = \"{}.rs\"]\nmod kernel;\n\n"
+             "extern \"C\" {{\n    fn printf(format: *const u8, ...) -> i32;\n    fn fflush(file: *mut u8) -> i32;\n"
+             "    fn strtod(text: *const u8, end: *mut u8) -> f64;\n}}\n\n"
+             "// Runs the kernel once and prints its outputs. Arguments replace the recorded inputs in order, then\n"
+             "// the parameters.\nfn main() {{\n",
+             emission.options.base_name) +
+         array("mut input", "f64", constants(emission, graph.input_values)) +
+         array("mut parameters", "f64", constants(emission, graph.parameter_values)) + array("name", "&str", labels) +
+         fmt::format("    let mut constants = [0.0_f64; {}];\n    let mut output = [0.0_f64; {}];\n"
+                     "    for (i, argument) in std::env::args().skip(1).enumerate() {{\n"
+                     "        let value = unsafe {{ strtod((argument + \"\\0\").as_ptr(), std::ptr::null_mut()) }};\n"
+                     "        if i < input.len() {{\n            input[i] = value;\n"
+                     "        }} else if i < input.len() + parameters.len() {{\n"
+                     "            parameters[i - input.len()] = value;\n        }}\n    }}\n"
+                     "    kernel::{}(&parameters, &mut constants);\n",
+                     emission.plan.constant_count, graph.output_count(), emission.name("preprocess")) +
+         guards +
+         "    for i in 0..output.len() {\n"
+         "        unsafe { printf(\"%s = %.17g\\n\\0\".as_ptr(), name[i].as_ptr(), output[i]) };\n    }\n"
+         "    unsafe { fflush(std::ptr::null_mut()) };\n}\n";
+}
+
+} // namespace symreal
