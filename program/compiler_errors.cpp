@@ -111,9 +111,10 @@ Diagnostic compiler_failure(std::vector<std::string> const &command, Captured co
   std::vector<std::string> const output = lines_of(result.output);
   std::vector<Line> const lines = read_lines(output, overlay);
   for (std::size_t i = 0; i < lines.size(); ++i) {
+    std::optional<MessageLine> const &message = lines[i].message;
     std::optional<std::string> const error = lines[i].error();
-    if (!error || diagnostic.notes.size() > most_notes) continue;
-    Place const &place = lines[i].message->place;
+    if (!message || !error || diagnostic.notes.size() > most_notes) continue;
+    Place const &place = message->place;
     std::optional<Note> cause;
     if (!overlay.contains(place.file)) {
       cause = expansion(lines, i, overlay);

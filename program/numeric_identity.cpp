@@ -90,7 +90,7 @@ public:
     std::string const within = name.substr(0, name.rfind('/') + 1), last = name.substr(within.size());
     auto const found = shadow_.counterpart(fs::path(directory_) / within);
     if (!found || !fs::exists(*found + "/" + last)) return std::nullopt;
-    std::string const path = link(*found, within, "/") + last;
+    std::string path = link(*found, within, "/") + last;
     // What a file beside includes is "file.h" to gcc, and "./file.h" to clang.
     if (is_clang_ && within.empty()) {
       maps.back() += "./";
@@ -188,7 +188,8 @@ Pair prepare(rewrite::Compilation const &one, Shadow const &shadow, Compilers co
 // A line of a compiler's message, with the file's name and the column that the user has.
 std::string in_original(std::string const &line, Shadow const &shadow) {
   std::optional<MessageLine> const message = message_line(line);
-  rewrite::File const *file = message ? shadow.file(message->place.file) : nullptr;
+  if (!message) return line;
+  rewrite::File const *file = shadow.file(message->place.file);
   if (!file) return line;
   Place const &place = message->place;
   return message->before + to_string(original_place(*file, {file->display_path, place.line, place.column})) +

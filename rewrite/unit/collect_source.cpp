@@ -135,7 +135,7 @@ private:
     for (auto at = search.search_dir_begin(); at != search.search_dir_end(); ++at) {
       if (!at->isNormalDir()) continue;
       llvm::SmallString<256> absolute(at->getName());
-      compiler_.getFileManager().getVirtualFileSystem().makeAbsolute(absolute);
+      if (compiler_.getFileManager().getVirtualFileSystem().makeAbsolute(absolute)) continue; // there is no such place
       std::string const name = absolute.str().str();
       std::vector<std::string> &known = facts_.include_dirs;
       if (std::find(known.begin(), known.end(), name) == known.end()) known.push_back(name);
@@ -184,16 +184,11 @@ void read_serially(std::vector<std::string> &words) {
 
 // The compiler's command line without what only concerns its outputs.
 std::vector<std::string> command_line(Compilation const &compilation) {
-  std::vector<std::string> words = {"clang",
-                                    "-fsyntax-only",
-                                    "-Qunused-arguments",
-                                    "-fno-caret-diagnostics",
-                                    "-resource-dir=" SYMREAL_CLANG_RESOURCES,
-                                    "-isystem",
-                                    runtime_include() + "/reading",
-                                    "-isystem",
-                                    runtime_include(),
-                                    "-ferror-limit=20"};
+  std::string const resources = "-resource-dir=" SYMREAL_CLANG_RESOURCES;
+  std::vector<std::string> words = {
+      "clang",           "-fsyntax-only",   "-Qunused-arguments",           "-fno-caret-diagnostics",
+      resources,         "-isystem",        runtime_include() + "/reading", "-isystem",
+      runtime_include(), "-ferror-limit=20"};
   for (std::string const &flag :
        without(compilation.flags, {About::output, About::action, About::dependencies, About::question}))
     words.push_back(flag);

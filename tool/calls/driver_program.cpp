@@ -38,8 +38,8 @@ bool names(CallSpec const &spec, Callable const &function) {
 }
 
 // Where the object is made by naming its class.
-bool is_of_class(CallSpec const &spec, Callable const &function) {
-  std::string const named = spec.object->substr(0, spec.object->find_first_of("({<"));
+bool is_of_class(std::string const &object, Callable const &function) {
+  std::string const named = object.substr(0, object.find_first_of("({<"));
   return function.object == named || function.object.ends_with("::" + named) ||
          function.object.starts_with(named + "<");
 }
@@ -61,9 +61,9 @@ Call choose(CallSpec const &spec, rewrite::Request const &request) {
   std::vector<Callable> candidates;
   std::copy_if(found.begin(), found.end(), std::back_inserter(candidates),
                [&](Callable const &one) { return names(spec, one); });
-  if (spec.object &&
-      std::any_of(candidates.begin(), candidates.end(), [&](Callable const &one) { return is_of_class(spec, one); }))
-    std::erase_if(candidates, [&](Callable const &one) { return !is_of_class(spec, one); });
+  if (spec.object && std::any_of(candidates.begin(), candidates.end(),
+                                 [&](Callable const &one) { return is_of_class(*spec.object, one); }))
+    std::erase_if(candidates, [&](Callable const &one) { return !is_of_class(*spec.object, one); });
   if (candidates.empty())
     fail(DiagnosticId::configured_function, spec.function.place,
          "no source defines a function '" + name + "'" + (found.empty() ? "" : "; there are:"), list(found));
