@@ -18,7 +18,7 @@ static std::string describe(Emission const &emission, std::string const &role, s
 
 static std::string guard_list(Emission const &emission) {
   if (emission.graph().guards.empty()) return {};
-  return guard_remark(emission, c_guard_returns) +
+  return guard_remark(emission) +
          fmt::format("enum {{ {} = {} }};\n/* The condition of a guard and its places in the source. */\n"
                      "char const *{}(int guard);\n\n",
                      emission.name("guard_count"), emission.graph().guards.size(), emission.name("guard_text"));

@@ -1,6 +1,7 @@
 #include "emit/c/parts.h"
+#include "emit/print/recorded.h"
 #include "emit/print/source.h"
-#include "graph/names.h"
+#include "support/quoted.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -15,18 +16,10 @@ static std::string array(std::string const &type, std::string const &name, std::
                      list.empty() ? "0" : list);
 }
 
-static std::vector<std::string> constants(Language const &language, std::vector<double> const &values) {
-  std::vector<std::string> texts;
-  for (double value : values) texts.push_back(constant(language, value));
-  return texts;
-}
-
 std::string mainline(Emission const &emission, MainlineWords const &words) {
   Graph const &graph = emission.graph();
-  std::vector<std::string> labels, names = identifiers(graph.outputs);
-  for (std::size_t i = 0; i < graph.outputs.size(); ++i)
-    for (std::uint32_t k = 0; k < graph.outputs[i].count; ++k)
-      labels.push_back("\"" + element_name(names[i], graph.outputs[i], k) + "\"");
+  std::vector<std::string> labels = output_names(emission);
+  for (std::string &label : labels) label = quoted(label);
 
   std::string out = banner(emission);
   out += fmt::format("#include \"{}\"\n\n{}\n", words.header, words.includes);

@@ -23,10 +23,6 @@ std::string c_integer_includes(Emission const &emission);
 // With guards only: the function that gives their texts, and its name with what it takes.
 std::string c_guard_text(Emission const &emission);
 
-// Where guard k does not hold.
-inline constexpr char const *c_guard_returns =
-    "compute returns 0, or the number of the first guard that does not hold; output is left untouched then.";
-
 // What reports values that are not finite, where they are checked.
 std::string c_value_checks(Emission const &emission);
 

@@ -55,7 +55,7 @@ std::string overloads(std::string const &result) {
 
 std::string guard_list(Emission const &emission) {
   if (emission.graph().guards.empty()) return {};
-  return guard_remark(emission, c_guard_returns) +
+  return guard_remark(emission) +
          fmt::format(
              "inline constexpr int guard_count = {};\n/* The condition of a guard and its places in the source. */\n"
              "char const *guard_text(int guard);\n\n",

@@ -17,9 +17,10 @@ std::string frozen_remark(Emission const &emission) {
   return comment(emission.language, lines, true) + "\n\n";
 }
 
-std::string guard_remark(Emission const &emission, std::string const &what_is_returned) {
+std::string guard_remark(Emission const &emission) {
   Graph const &graph = emission.graph();
-  std::vector<std::string> lines = {what_is_returned,
+  std::vector<std::string> lines = {"compute returns 0, or the number of the first guard that does not hold; output is "
+                                    "left untouched then.",
                                     "The code is right where the original decides as it did while it was recorded:"};
   for (std::size_t k = 0; k < graph.guards.size(); ++k)
     lines.push_back(fmt::format("{:>3}  {}", k + 1, in_comment(guard_text(graph, graph.guards[k]))));

@@ -8,7 +8,7 @@ namespace symreal {
 // The state that is baked in; empty where none is.
 std::string frozen_remark(Emission const &emission);
 
-// The guards. `what_is_returned` where one does not hold, as a sentence.
-std::string guard_remark(Emission const &emission, std::string const &what_is_returned);
+// The guards, and what compute returns.
+std::string guard_remark(Emission const &emission);
 
 } // namespace symreal

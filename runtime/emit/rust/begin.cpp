@@ -2,6 +2,7 @@
 #include "emit/rust/parts.h"
 #include "graph/names.h"
 
+#include <algorithm>
 #include <cctype>
 #include <fmt/format.h>
 
@@ -34,10 +35,11 @@ std::string places(Emission const &emission, std::string const &role, std::vecto
 // C's functions, by which every language that calls them computes the same bits. A compiler replaces powers with
 // constant exponents by products that round otherwise, unless it cannot see them.
 std::string library(Emission const &emission) {
+  std::span<OperationSpelling const> const exceptions = emission.language.expressions.operations;
   std::string declarations, functions;
   for (OperationInfo const &operation : operations()) {
     if (operation.form != Form::call || !emission.uses.operations[static_cast<std::size_t>(operation.op)]) continue;
-    if (emission.spellings.apply(operation.op, "", "", "").find("libm::") == std::string::npos) continue;
+    if (std::ranges::find(exceptions, operation.op, &OperationSpelling::op) != exceptions.end()) continue;
     std::string parameters, arguments;
     for (unsigned i = 0; i < operation.arity; ++i) {
       std::string const name(1, "xyz"[i]), separator = i == 0 ? "" : ", ";
@@ -69,10 +71,7 @@ std::string rust_begin(Emission const &emission) {
   text += "\n" + places(emission, "input", graph.inputs) + places(emission, "parameter", graph.parameters) +
           places(emission, "output", graph.outputs);
   text += frozen_remark(emission);
-  if (!graph.guards.empty())
-    text += guard_remark(emission, "compute returns 0, or the number of the first guard that does not hold; output is "
-                                   "left untouched then.") +
-            "\n";
+  if (!graph.guards.empty()) text += guard_remark(emission) + "\n";
   return text + library(emission);
 }
 

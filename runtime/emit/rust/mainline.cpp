@@ -1,34 +1,19 @@
+#include "emit/print/recorded.h"
 #include "emit/print/source.h"
 #include "emit/rust/parts.h"
-#include "graph/names.h"
+#include "support/quoted.h"
 
+#include <algorithm>
 #include <fmt/format.h>
 
 namespace symreal {
 
 namespace {
 
-// Quotation marks and backslashes are as in C; braces are not in a format string here.
-std::string in_quotes(std::string const &text) {
-  std::string result = "\"";
-  for (char c : text) {
-    if (c == '\n') c = ' ';
-    if (c == '"' || c == '\\') result += '\\';
-    result += c;
-  }
-  return result + '"';
-}
-
 std::string array(std::string const &name, std::string_view type, std::vector<std::string> const &values) {
   std::string list;
   for (std::string const &value : values) list += (list.empty() ? "" : ", ") + value;
   return fmt::format("    let {}: [{}; {}] = [{}];\n", name, type, values.size(), list);
-}
-
-std::vector<std::string> constants(Emission const &emission, std::vector<double> const &values) {
-  std::vector<std::string> texts;
-  for (double const value : values) texts.push_back(constant(emission.language, value));
-  return texts;
 }
 
 } // namespace
@@ -37,7 +22,11 @@ std::string rust_end(Emission const &emission) {
   Graph const &graph = emission.graph();
   if (graph.guards.empty()) return {};
   std::string list;
-  for (Guard const &guard : graph.guards) list += "        " + in_quotes(guard_text(graph, guard)) + ",\n";
+  for (Guard const &guard : graph.guards) {
+    std::string text = guard_text(graph, guard);
+    std::ranges::replace(text, '\n', ' ');
+    list += "        " + quoted(text) + ",\n";
+  }
   return fmt::format(
       "\n/// The condition of a guard and its places in the source.\npub fn {0}(guard: i32) -> &'static str {{\n"
       "    const TEXT: [&str; {1}] = [\n{2}    ];\n"
@@ -47,11 +36,8 @@ std::string rust_end(Emission const &emission) {
 
 std::string rust_mainline(Emission const &emission) {
   Graph const &graph = emission.graph();
-  std::vector<std::string> labels, names = identifiers(graph.outputs, emission.language.names);
-  for (std::size_t i = 0; i < graph.outputs.size(); ++i)
-    for (std::uint32_t k = 0; k < graph.outputs[i].count; ++k)
-      labels.push_back(in_quotes(element_name(names[i], graph.outputs[i], k) + "\\0"));
-  for (std::string &label : labels) label = label.replace(label.size() - 4, 4, "\\0\"");
+  std::vector<std::string> labels = output_names(emission);
+  for (std::string &label : labels) label = '"' + escaped(label) + "\\0\"";
   std::string const guards = graph.guards.empty()
                                  ? "    kernel::" + emission.name("compute") + "(&input, &constants, &mut output);\n"
                                  : fmt::format("    let guard = kernel::{}(&input, &constants, &mut output);\n"
@@ -68,8 +54,9 @@ std::string rust_mainline(Emission const &emission) {
              "// Runs the kernel once and prints its outputs. Arguments replace the recorded inputs in order, then\n"
              "// the parameters.\nfn main() {{\n",
              emission.options.base_name) +
-         array("mut input", "f64", constants(emission, graph.input_values)) +
-         array("mut parameters", "f64", constants(emission, graph.parameter_values)) + array("name", "&str", labels) +
+         array("mut input", "f64", constants(emission.language, graph.input_values)) +
+         array("mut parameters", "f64", constants(emission.language, graph.parameter_values)) +
+         array("name", "&str", labels) +
          fmt::format("    let mut constants = [0.0_f64; {}];\n    let mut output = [0.0_f64; {}];\n"
                      "    for (i, argument) in std::env::args().skip(1).enumerate() {{\n"
                      "        let value = unsafe {{ strtod((argument + \"\\0\").as_ptr(), std::ptr::null_mut()) }};\n"
