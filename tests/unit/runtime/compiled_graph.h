@@ -37,6 +37,23 @@ public:
   }
   static bool has_rust() { return std::system("rustc --version > /dev/null 2>&1") == 0; }
 
+  std::vector<double> run(std::vector<double> const &input, std::size_t outputs) const {
+    std::vector<double> output(outputs);
+    run(input, output);
+    return output;
+  }
+  // The guard that does not hold, or 0.
+  int run(std::vector<double> const &input, std::vector<double> &output) const {
+    char const *const name = is_cpp_ ? "_ZN1k7computeEPKdS1_Pd" : "compute"; // k::compute
+    if (guarded_) {
+      auto compute = reinterpret_cast<int (*)(double const *, double const *, double *)>(dlsym(library_, name));
+      return compute(input.data(), nullptr, output.data());
+    }
+    auto compute = reinterpret_cast<void (*)(double const *, double const *, double *)>(dlsym(library_, name));
+    compute(input.data(), nullptr, output.data());
+    return 0;
+  }
+
 private:
   void build(std::string const &path, std::string compiler) {
     std::string flags = is_cpp_ ? " -std=c++17" : " -std=c99 -pedantic";
@@ -61,25 +78,6 @@ private:
     EXPECT_EQ(std::system((rustc + "--emit metadata " + path + "/k_main.rs -o " + path + "/k_main.rmeta").c_str()), 0);
   }
 
-public:
-  std::vector<double> run(std::vector<double> const &input, std::size_t outputs) const {
-    std::vector<double> output(outputs);
-    run(input, output);
-    return output;
-  }
-  // The guard that does not hold, or 0.
-  int run(std::vector<double> const &input, std::vector<double> &output) const {
-    char const *const name = is_cpp_ ? "_ZN1k7computeEPKdS1_Pd" : "compute"; // k::compute
-    if (guarded_) {
-      auto compute = reinterpret_cast<int (*)(double const *, double const *, double *)>(dlsym(library_, name));
-      return compute(input.data(), nullptr, output.data());
-    }
-    auto compute = reinterpret_cast<void (*)(double const *, double const *, double *)>(dlsym(library_, name));
-    compute(input.data(), nullptr, output.data());
-    return 0;
-  }
-
-private:
   std::filesystem::path directory_;
   void *library_ = nullptr;
   bool guarded_, is_cpp_;

@@ -46,6 +46,14 @@ INSTANTIATE_TEST_SUITE_P(Languages, Emit,
                            return std::string(std::get<0>(info.param)).substr(0, 3) + "_" + std::get<1>(info.param);
                          });
 
+// Nodes for several chunks, from `begin` to `end`, each of the one before.
+std::string chain(std::size_t begin, std::size_t end) {
+  std::string text;
+  for (std::size_t k = begin; k < end; ++k)
+    text += "%" + std::to_string(k) + " = hypot %" + std::to_string(k - 1) + " %" + std::to_string(k % 2) + "\n";
+  return text;
+}
+
 TEST_P(Emit, EveryOperationComputesTheReference) {
   Graph const graph = graph_of_all();
   Compiled const compiled = compile(graph);
@@ -72,9 +80,7 @@ TEST_P(Emit, CallsAndLookupsComputeTheSameAcrossChunks) {
                      "external 0 \"modf\" pure returns number takes number output 1\n"
                      "%0 = input 0\n%1 = input 1\n%2 = argument 0 %0\n%3 = call %2 0\n"
                      "%4 = lookup 0 %0\n%5 = lookup2 1 %0 %1\n%6 = sin %0\n";
-  std::size_t const count = 2000;
-  for (std::size_t k = 7; k < count; ++k)
-    text += "%" + std::to_string(k) + " = hypot %" + std::to_string(k - 1) + " %" + std::to_string(k % 2) + "\n";
+  text += chain(7, 2000);
   text += "%2000 = returned %3 0\n%2001 = returned %3 1\nresult 0 %2000\nresult 1 %2001\nresult 2 %4\nresult 3 %5\n"
           "result 4 %1999\n";
   Graph const graph = read_graph(text, "test");
@@ -95,9 +101,7 @@ TEST_P(Emit, IntegersOf64BitsCrossChunks) {
   std::string text = "symreal-graph 1\nkernel \"k\"\ninput \"x\" [2]\noutput \"y\" [3]\n%0 = input 0\n%1 = input 1\n"
                      "%2 = wide_int %0\n%3 = wide 1481765933 1284865837\n%4 = wide_mul %2 %3\n%5 = wide_less %4 %2\n"
                      "%6 = sin %0\n";
-  std::size_t const count = 6000;
-  for (std::size_t k = 7; k < count; ++k)
-    text += "%" + std::to_string(k) + " = hypot %" + std::to_string(k - 1) + " %" + std::to_string(k % 2) + "\n";
+  text += chain(7, 6000);
   text += "%6000 = wide_add %4 %2\n%6001 = wide_low %6000\n%6002 = wide_select %5 %4 %2\n%6003 = wide_value %6002\n"
           "result 0 %6001\nresult 1 %6003\nresult 2 %5999\n";
   Graph const graph = read_graph(text, "test");
