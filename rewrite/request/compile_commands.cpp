@@ -1,3 +1,4 @@
+#include "rewrite/request/driver_options.h"
 #include "rewrite/request/request.h"
 
 #include <clang/Tooling/JSONCompilationDatabase.h>
@@ -28,19 +29,15 @@ Compilation compilation(tooling::CompileCommand const &command) {
   if (!command.CommandLine.empty()) result.compiler = command.CommandLine[0];
   std::string const source = absolute(command.Directory, command.Filename);
   bool says_language = false;
-  for (std::size_t i = 1; i < command.CommandLine.size(); ++i) {
-    std::string const &word = command.CommandLine[i];
-    if (word == "--") continue;
-    if (word == "-o") {
-      ++i;
-      continue;
-    }
-    if (word[0] != '-' && absolute(command.Directory, word) == source) {
-      result.source = word; // as __FILE__ has it
-      continue;
-    }
-    says_language |= word.starts_with("-x");
-    result.flags.push_back(word);
+  std::vector<std::string> words = command.CommandLine;
+  if (!words.empty()) words.erase(words.begin());
+  std::erase(words, "--");
+  for (DriverOption const &option : driver_options(words)) {
+    says_language |= option.about == About::language;
+    if (option.about == About::input && absolute(command.Directory, option.value) == source)
+      result.source = option.value; // as __FILE__ has it
+    else if (option.about != About::output)
+      append(result.flags, option, words);
   }
   // g++ compiles all of its sources as C++.
   if (!says_language && llvm::sys::path::filename(result.compiler).contains("++") && result.source.ends_with(".c"))
