@@ -77,19 +77,20 @@ static bool ends_with_one_of(std::string_view standard, std::initializer_list<st
   return std::ranges::any_of(years, [standard](std::string_view year) { return standard.ends_with(year); });
 }
 
-bool is_cxx20(Words const &flags) {
-  return ends_with_one_of(named_standard(flags), {"++20", "++2a", "++23", "++2b", "++26", "++2c"});
+static bool is_cxx20(std::string_view standard) {
+  return ends_with_one_of(standard, {"++20", "++2a", "++23", "++2b", "++26", "++2c"});
 }
 
 Words language_flags(Words const &flags, bool is_c, std::string const &compiler) {
   Words words;
-  if (is_c || !is_cxx20(flags)) words.emplace_back("-fno-char8_t");
-  if (!is_c && !is_cxx20(flags)) words.emplace_back("-DSYMREAL_BEFORE_CXX20"); // for allocator.h
+  std::string const standard = named_standard(flags);
+  if (is_c || !is_cxx20(standard)) words.emplace_back("-fno-char8_t");
+  if (!is_c && !is_cxx20(standard)) words.emplace_back("-DSYMREAL_BEFORE_CXX20"); // for allocator.h
   if (compiler.find("clang") != compiler.npos) return words;
   constexpr char const *arguments_first = "-DSYMREAL_ARGUMENTS_FIRST"; // before what is called (text.h)
   if (is_c) append(words, {"-fno-strong-eval-order", arguments_first});
   if (is_c) return words;
-  if (ends_with_one_of(named_standard(flags), {"++98", "++03", "++0x", "++11", "++1y", "++14"}))
+  if (ends_with_one_of(standard, {"++98", "++03", "++0x", "++11", "++1y", "++14"}))
     append(words, {"-fstrong-eval-order=some", arguments_first});
   return words;
 }
