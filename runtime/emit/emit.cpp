@@ -5,8 +5,7 @@
 
 namespace symreal {
 
-std::vector<EmittedFile> emit(Schedule const &plan, Language const &language, EmitOptions const &options) {
-  require_expressible(*plan.graph, language, options);
+static std::vector<EmittedFile> print(Schedule const &plan, Language const &language, EmitOptions const &options) {
   Emission emission{plan, language, options};
   std::vector<EmittedFile> files = {print_source(emission)};
   auto const add = [&](Companion const &companion) {
@@ -15,6 +14,12 @@ std::vector<EmittedFile> emit(Schedule const &plan, Language const &language, Em
   for (Companion const &companion : language.files.companions) add(companion);
   if (options.mainline) add(language.files.mainline);
   return files;
+}
+
+std::vector<EmittedFile> emit(Schedule const &plan, Language const &language, EmitOptions const &options) {
+  require_expressible(*plan.graph, language, options);
+  if (language.has_blocks) return print(plan, language, options);
+  return print(schedule(*plan.graph, Nesting::bounded, Arms::computed), language, options);
 }
 
 } // namespace symreal

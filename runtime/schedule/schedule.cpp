@@ -42,9 +42,10 @@ Reach reach(Graph const &graph, std::vector<NodeId> const &roots, std::vector<st
 class Layout {
 public:
   Layout(Graph const &graph, std::vector<NodeId> const &results, std::vector<NodeId> const &conditions, NodeId effect,
-         std::vector<std::uint32_t> const *constant_slot, Nesting nesting)
+         std::vector<std::uint32_t> const *constant_slot, Nesting nesting, Arms arms)
       : graph_(graph),
         nesting_(nesting),
+        arms_(arms),
         results_(results),
         conditions_(conditions),
         effect_(effect),
@@ -65,7 +66,8 @@ public:
   }
 
   FunctionBody run() {
-    Placement placement = place(graph_, roots(), needs_.needed, is_read_);
+    Placement placement = arms_ == Arms::in_blocks ? place(graph_, roots(), needs_.needed, is_read_)
+                                                   : Placement{Regions(graph_.nodes.size()), {}};
     std::vector<NodeId> variables = choose_variables();
     if (placement.conditional()) {
       give_variables_to_conditions(placement, variables);
@@ -170,6 +172,7 @@ private:
 
   Graph const &graph_;
   Nesting nesting_;
+  Arms arms_;
   std::vector<NodeId> const &results_, &conditions_;
   NodeId effect_;
   Reach const needs_;
@@ -184,7 +187,7 @@ std::vector<std::uint32_t> constant_slots(Graph const &graph, std::vector<NodeId
   return slots;
 }
 
-Schedule schedule(Graph const &graph, Nesting nesting) {
+Schedule schedule(Graph const &graph, Nesting nesting, Arms arms) {
   std::vector<NodeId> stored = graph.precomputed, conditions, roots = graph.results;
   std::vector<std::uint32_t> constant_slot = constant_slots(graph, stored);
   for (Guard const &guard : graph.guards) conditions.push_back(guard.condition);
@@ -197,8 +200,9 @@ Schedule schedule(Graph const &graph, Nesting nesting) {
       constant_slot[id] = static_cast<std::uint32_t>(stored.size());
       stored.push_back(static_cast<NodeId>(id));
     }
-  FunctionBody preprocess = Layout(graph, stored, {}, no_node, nullptr, nesting).run();
-  FunctionBody compute = Layout(graph, graph.results, conditions, graph.last_effect, &constant_slot, nesting).run();
+  FunctionBody preprocess = Layout(graph, stored, {}, no_node, nullptr, nesting, arms).run();
+  FunctionBody compute =
+      Layout(graph, graph.results, conditions, graph.last_effect, &constant_slot, nesting, arms).run();
   return {&graph, std::move(preprocess), std::move(compute), std::move(constant_slot), stored.size()};
 }
 

@@ -42,10 +42,12 @@ std::vector<std::uint32_t> constant_slots(Graph const &graph, std::vector<NodeId
 
 // Whether expressions nest, or every operation is a statement of its own.
 enum class Nesting { bounded, none };
+// Whether what one arm of a select needs waits for the condition, or is computed in any case.
+enum class Arms { in_blocks, computed };
 
 // The order of statements is the order of recording: measured against depth-first, Sethi-Ullman and kill-most orders it
 // keeps live ranges shortest. What is computed under a condition waits for the condition. `graph` must outlive the
 // program.
-Schedule schedule(Graph const &graph, Nesting nesting = Nesting::bounded);
+Schedule schedule(Graph const &graph, Nesting nesting = Nesting::bounded, Arms arms = Arms::in_blocks);
 
 } // namespace symreal

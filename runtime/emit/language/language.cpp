@@ -12,6 +12,7 @@ std::string constant(Language const &language, double value) {
   NumberSyntax const &syntax = language.numbers;
   if (std::isnan(value)) return std::string(std::signbit(value) ? syntax.negative_nan : syntax.nan);
   if (std::isinf(value)) return std::string(value < 0 ? syntax.negative_infinity : syntax.infinity);
+  if (value == 0 && std::signbit(value) && !syntax.negative_zero.empty()) return std::string(syntax.negative_zero);
   std::string text = shortest(value);
   std::size_t const exponent = text.find('e');
   if (exponent != text.npos) return text.replace(exponent, 1, syntax.exponent);
@@ -19,13 +20,41 @@ std::string constant(Language const &language, double value) {
   return text += syntax.suffix;
 }
 
+// A line of a comment in which its mark, such as *), stands apart.
+static std::string without(std::string line, std::string_view mark) {
+  while (mark.starts_with(' ')) mark.remove_prefix(1);
+  while (mark.ends_with(' ')) mark.remove_suffix(1);
+  if (mark.size() != 2 || mark == "//") return line;
+  for (std::size_t at = 0; (at = line.find(mark, at)) != line.npos;) line.insert(++at, " ");
+  return line;
+}
+
 std::string comment(Language const &language, std::vector<std::string> const &lines, bool closed_apart) {
   auto const &[open, next, close] = language.comment;
   std::string text;
-  for (std::string const &line : lines) text.append(text.empty() ? open : next).append(line) += '\n';
+  for (std::string const &line : lines)
+    text.append(text.empty() ? open : next).append(without(without(line, close), open)) += '\n';
   text.pop_back();
   if (closed_apart && !close.empty()) text += "\n";
   return text += closed_apart ? close.substr(std::min(close.size(), close.find_first_not_of(' '))) : close;
+}
+
+std::string literal(Language const &language, std::string_view text) {
+  StringSyntax const &syntax = language.strings;
+  std::string result(syntax.quote);
+  std::size_t length = 0;
+  for (char c : text) {
+    if (c == '\n') c = ' ';
+    if (syntax.most != 0 && ++length > syntax.most) {
+      result.append(syntax.quote).append(syntax.joint).append(syntax.quote);
+      length = 1;
+    }
+    bool const is_quote = syntax.quote.front() == c;
+    if (syntax.doubles_quotes ? is_quote : syntax.escaped.find(c) != syntax.escaped.npos)
+      result += syntax.doubles_quotes ? c : '\\';
+    result += c;
+  }
+  return result.append(syntax.quote);
 }
 
 std::string element(Language const &language, std::string_view array, std::size_t index) {

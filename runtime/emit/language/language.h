@@ -5,6 +5,7 @@
 // binding strengths are those of the table of operations, C's.
 #pragma once
 
+#include "emit/language/module.h"
 #include "graph/graph.h"
 #include "graph/names.h"
 
@@ -31,18 +32,20 @@ struct CommentSyntax {
   std::string_view open = {}, next = {}, close = {};
 };
 
-// Lines are broken at blanks.
+// Lines are broken at blanks. Functions are indented by `base`, and what stands in a block by `step` more.
 struct LineLimits {
   std::size_t width = 100;
   std::size_t least = 0;              // so much is kept for the text however deep it is indented, beyond the width
   std::string_view continuation = {}; // what ends a line that goes on in the next
+  std::size_t base = 0, step = 2;
 };
 
 // Numbers are printed so that they read back to the same bits.
 struct NumberSyntax {
   std::string_view nan = {}, negative_nan = {}, infinity = {}, negative_infinity = {};
-  std::string_view exponent = "e"; // between mantissa and exponent
-  std::string_view suffix = {};    // of numbers without an exponent
+  std::string_view exponent = "e";     // between mantissa and exponent
+  std::string_view suffix = {};        // of numbers without an exponent
+  std::string_view negative_zero = {}; // where it is not -0.0
 };
 
 // A variable holds a number, a truth value, or an integer of 64 bits.
@@ -57,7 +60,7 @@ struct ExpressionSyntax {
   std::size_t first_index = 0;                             // of an array
   std::string_view yes = {};                               // a condition that always holds
   std::string_view truth_as_number = {};                   // $x; empty: a truth value is a number
-  std::string_view small_integer = {}, large_integer = {}; // $value: of 31 bits, of 64
+  std::string_view small_integer = {}, large_integer = {}; // $value $signed $hex: of 31 bits, of 64
   std::string_view kept_integer = {};                      // $element of an array of numbers that has an integer's bits
   std::string_view hidden = {};                            // $x, of which compilers must not know that it is constant
   std::string_view table_index = {};                       // $index $extent: the nearest within 0..extent-1
@@ -80,21 +83,31 @@ struct StatementSyntax {
 struct FunctionSyntax {
   std::string_view head = {}, local_head = {},
                    end = {}; // $result $name $parameters; of the interface; of this file; behind the last
-  std::string_view no_result = {}, status = {};                     // $result
-  std::string_view input = {}, output = {};                         // $name: a parameter that is an array of numbers
+  std::string_view no_result = {}, status = {}; // $result
+  // $name: a parameter that is an array of numbers; no output: the function returns the array
+  std::string_view input = {}, output = {}, local_output = {};      // local: of this file's functions; empty: as output
   std::string_view input_declaration = {}, output_declaration = {}; // $name: where the types stand in the body
   std::string_view unused = {};                                     // $name of a parameter that the body does not use
+  std::string_view results = {};                                    // $name $count: before the results are stored
   std::string_view success = {};                                    // the end of a function with guards
+  std::string_view finish = {}, local_finish = {};                  // $name: the last statement of every function
   std::string_view failed = {};                                     // declares what takes a status
+  std::string_view status_declaration = {};                         // of the parameter that does, where it is one
   std::string_view call = {},
-                   checked_call = {}; // $name $arguments: of a part of this function; checked: return its status
+                   checked_call = {}; // $name $group $arguments: of a part of this function; checked: return its status
   std::size_t most_statements = 500;  // longer ones are cut: compilers take more than linear time on one function
+  // Where a class may have only so many functions: $name of the class around these parts.
+  std::string_view group_begin = {}, group_end = {};
+  std::size_t group_size = 0;
 };
 
 // A table of constants: `begin`, lines of numbers, `end`.
 struct TableSyntax {
   std::string_view begin = {}, end = {}; // $name $count
   std::string_view index_helper = {};    // the function that table_index calls
+  // Longer ones are made of parts, where a language bounds what stands in one: $name $parts, a list of names.
+  std::size_t most_values = 0;
+  std::string_view joined = {};
 };
 
 // A call of an external function: with an expression for each argument, its results go to the elements of an array of
@@ -130,6 +143,7 @@ struct FileSyntax {
   Part begin = nullptr, open = nullptr;
   Part integer_functions = nullptr; // those that the functions call; nothing where there are no such integers
   std::string_view hide_helper = {};
+  std::span<Helper const> helpers = {}; // each is written where something that is printed names it
   Part end = nullptr;
   std::span<Companion const> companions = {};
   Companion mainline = {};
@@ -149,6 +163,10 @@ struct Language {
   TableSyntax tables;
   ExternalSyntax externals;
   FileSyntax files;
+  ModuleSyntax module;
+  StringSyntax strings;
+  std::span<Op const> lacks = {}; // what it cannot compute
+  bool has_blocks = true;         // otherwise both arms of a select are computed
 };
 
 // A number in the language.
@@ -156,6 +174,9 @@ std::string constant(Language const &language, double value);
 
 // Lines as one comment, without a newline behind it. `closed_apart`: what closes it stands on a line of its own.
 std::string comment(Language const &language, std::vector<std::string> const &lines, bool closed_apart = false);
+
+// Text as a literal in one line, but for the joints of a long one.
+std::string literal(Language const &language, std::string_view text);
 
 // "a[3]", counted from 0 here.
 std::string element(Language const &language, std::string_view array, std::size_t index);

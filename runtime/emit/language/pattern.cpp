@@ -4,17 +4,22 @@
 
 #include <algorithm>
 #include <cctype>
+#include <vector>
 
 namespace symreal {
 
-std::string fill(std::string_view pattern,
-                 std::initializer_list<std::pair<std::string_view, std::string_view>> values) {
+std::string fill(std::string_view pattern, std::span<std::pair<std::string_view, std::string_view> const> values) {
   std::string text;
   while (true) {
     std::size_t const dollar = std::min(pattern.find('$'), pattern.size());
     text += pattern.substr(0, dollar);
     if (dollar == pattern.size()) return text;
     pattern.remove_prefix(dollar + 1);
+    if (pattern.starts_with('$')) {
+      text += '$';
+      pattern.remove_prefix(1);
+      continue;
+    }
     bool const braced = pattern.starts_with('{');
     if (braced) pattern.remove_prefix(1);
     auto const is_letter = [](unsigned char c) { return std::isalpha(c) || c == '_'; };
@@ -25,6 +30,34 @@ std::string fill(std::string_view pattern,
     text += value->second;
     pattern.remove_prefix(length + (braced ? 1 : 0));
   }
+}
+
+static std::string capital(std::string text, bool joins) {
+  std::string result;
+  bool begins = true;
+  for (char const c : text) {
+    if (joins && c == '_') {
+      begins = true;
+      continue;
+    }
+    if (result.empty() && !std::isalpha(static_cast<unsigned char>(c))) result += 'X';
+    result += begins ? static_cast<char>(std::toupper(static_cast<unsigned char>(c))) : c;
+    begins = false;
+  }
+  return result;
+}
+
+Filling &Filling::set_name(std::string const &name, std::string const &value, bool joins) {
+  auto const upper = [](std::string text) {
+    for (char &c : text) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+    return text;
+  };
+  return set(name, value).set(capital(name, true), capital(value, joins)).set(upper(name), upper(value));
+}
+
+std::string Filling::operator()(std::string_view pattern) const {
+  std::vector<std::pair<std::string_view, std::string_view>> values(values_.begin(), values_.end());
+  return fill(pattern, values);
 }
 
 } // namespace symreal

@@ -130,7 +130,8 @@ void BodyPrinter::check_value(std::size_t statement, std::size_t indent, CodeTex
   if (!is_leaf(graph.nodes[id].op)) text += " = " + std::string(info(graph.nodes[id].op).name);
   if (std::string const place = describe_locations(graph, locations_of(graph, {id})); !place.empty())
     text += " at " + place;
-  out.lines(std::string(indent, ' ') +
+  LineLimits const &lines = language_.lines;
+  out.lines(std::string(lines.base + indent / 2 * lines.step, ' ') +
             fill(language_.statements.value_check, {{"name", name}, {"text", escaped(text)}}) + "\n");
 }
 
@@ -159,6 +160,8 @@ std::string BodyPrinter::stored(std::string const &element, NodeId id, std::stri
 }
 
 void BodyPrinter::results(std::string const &target, CodeText &out) {
+  out.statement(2,
+                fill(language_.functions.results, {{"name", target}, {"count", std::to_string(body_.results.size())}}));
   for (std::size_t slot = 0; slot < body_.results.size(); ++slot) {
     NodeId const id = body_.results[slot];
     std::string const element = context_.element(target, slot);

@@ -14,6 +14,7 @@ void CodeText::end_line() {
 void CodeText::statement(std::size_t indent, std::string_view text, Origin origin) {
   if (text.empty()) return;
   LineLimits const &limits = language_->lines;
+  indent = limits.base + indent / 2 * limits.step;
   std::size_t const first_line = line_, width = std::max(limits.width, indent + limits.least), first_indent = indent;
   std::size_t const mark = limits.continuation.size();
   while (true) {
@@ -25,7 +26,7 @@ void CodeText::statement(std::size_t indent, std::string_view text, Origin origi
     text_.append(text.substr(0, cut)).append(limits.continuation);
     end_line();
     text.remove_prefix(cut + 1);
-    indent = first_indent + 4;
+    indent = first_indent + 2 * limits.step;
   }
   text_.append(text);
   if (!origin.comment.empty()) {

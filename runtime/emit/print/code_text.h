@@ -21,6 +21,7 @@ public:
   explicit CodeText(Language const &language) : language_(&language) {}
 
   // A statement, broken at blanks so that lines stay readable; it has no string literals. Nothing, if it is empty.
+  // `indent`: 2 for each block around it.
   void statement(std::size_t indent, std::string_view text, Origin origin = {});
   // Whole lines as they are, each with its newline.
   void lines(std::string_view text);

@@ -16,7 +16,8 @@ namespace symreal {
 
 // Noted while functions are printed: what the rest of the file must provide.
 struct Uses {
-  std::array<bool, op_count> operations{};
+  std::array<bool, op_count> operations{}; // that are printed
+  std::array<bool, op_count> spelled{};    // whose spelling is, besides those a condition that is negated or compared
   std::set<std::string_view> integer_functions; // by their names in the table of operations
   std::set<std::size_t> tables, externals;
   bool kept_integer = false, keep_integer = false; // integers of 64 bits that stand in arrays of numbers

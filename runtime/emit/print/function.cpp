@@ -33,50 +33,72 @@ public:
       printer_.begin(last);
       if (may_fail) last.statement(2, syntax_.failed);
       for (std::size_t chunk = 0; chunk < printer_.chunk_count(); ++chunk) print_chunk(chunk, out, last);
+      end_group(printer_.chunk_count(), out);
       for (std::string const &input : inputs_) printer_.note_array(input); // the calls pass them on
     }
     printer_.results(target_, last);
     if (may_fail) last.statement(2, syntax_.success);
-    append(out, syntax_.head, may_fail, name_, target_, last);
+    last.statement(2, fill(syntax_.finish, {{"name", target_}}));
+    append(out, syntax_.head, syntax_.output, may_fail, name_, target_, last);
     return out;
   }
 
 private:
+  std::string group(std::size_t chunk) const {
+    return syntax_.group_size == 0 ? "" : fmt::format("{}_part_{}", name_, chunk / syntax_.group_size + 1);
+  }
+  // Behind so many chunks.
+  void end_group(std::size_t chunks, CodeText &out) const {
+    if (syntax_.group_size == 0) return;
+    out.statement(0, fill(syntax_.group_end, {{"name", group(chunks - 1)}}));
+    out.lines("\n");
+  }
+
   void print_chunk(std::size_t chunk, CodeText &out, CodeText &calls) {
+    if (syntax_.group_size != 0 && chunk % syntax_.group_size == 0) {
+      if (chunk != 0) end_group(chunk, out);
+      out.statement(0, fill(syntax_.group_begin, {{"name", group(chunk)}}));
+    }
     CodeText text(language_);
     bool const checks = printer_.statements(chunk, text);
     if (checks) text.statement(2, syntax_.success);
+    text.statement(2, fill(syntax_.local_finish, {{"name", "v"}}));
     std::string const name = fmt::format("{}_{}", name_, chunk + 1);
-    append(out, syntax_.local_head, checks, name, "v", text);
-    out.lines("\n");
+    append(out, syntax_.local_head, syntax_.local_output.empty() ? syntax_.output : syntax_.local_output, checks, name,
+           "v", text);
+    if (chunk + 1 < printer_.chunk_count() || syntax_.group_size == 0) out.lines("\n");
     std::string const arguments = fmt::format("{}, v", fmt::join(inputs_, ", "));
     for (std::string_view rest = checks ? syntax_.checked_call : syntax_.call; !rest.empty();) { // a statement a line
       std::size_t const end = std::min(rest.find('\n'), rest.size());
-      calls.statement(2, fill(rest.substr(0, end), {{"name", name}, {"arguments", arguments}}));
+      calls.statement(2,
+                      fill(rest.substr(0, end), {{"name", name}, {"group", group(chunk)}, {"arguments", arguments}}));
       rest.remove_prefix(std::min(end + 1, rest.size()));
     }
   }
 
   // A parameter that the text does not use is marked, or compilers warn.
-  void append(CodeText &out, std::string_view head, bool may_fail, std::string const &name, std::string const &last,
-              CodeText const &text) {
+  void append(CodeText &out, std::string_view head, std::string_view output, bool may_fail, std::string const &name,
+              std::string const &last, CodeText const &text) {
     std::set<std::string_view> const used = printer_.take_arrays();
     std::string parameters;
-    for (std::string const &input : inputs_) parameters += fill(syntax_.input, {{"name", input}}) + ", ";
-    parameters += fill(syntax_.output, {{"name", last}});
-    out.statement(0, fill(head, {{"result", may_fail ? syntax_.status : syntax_.no_result},
-                                 {"name", name},
-                                 {"parameters", parameters}}));
+    for (std::string const &input : inputs_)
+      parameters += (parameters.empty() ? "" : ", ") + fill(syntax_.input, {{"name", input}});
+    if (!output.empty()) parameters += ", " + fill(output, {{"name", last}});
+    out.statement(0, Filling()
+                         .set("result", std::string(may_fail ? syntax_.status : syntax_.no_result))
+                         .set_name("name", name)
+                         .set("parameters", parameters)(head));
     for (std::string const &input : inputs_) out.statement(2, fill(syntax_.input_declaration, {{"name", input}}));
     out.statement(2, fill(syntax_.output_declaration, {{"name", last}}));
+    if (may_fail) out.statement(2, syntax_.status_declaration);
     out.append(printer_.take_declarations());
     auto const mark_unused = [&](std::string const &parameter) {
       if (!used.contains(parameter)) out.statement(2, fill(syntax_.unused, {{"name", parameter}}));
     };
     for (std::string const &input : inputs_) mark_unused(input);
-    mark_unused(last);
+    if (!output.empty()) mark_unused(last);
     out.append(text);
-    out.statement(0, fill(syntax_.end, {{"name", name}}));
+    out.statement(0, Filling().set_name("name", name)(syntax_.end));
   }
 
   Language const &language_;

@@ -3,7 +3,10 @@
 namespace symreal {
 
 std::string print_gate(FunctionContext &context, NodeId gate) {
-  Spellings const &spellings = context.emission.spellings;
+  auto const apply = [&](Op op, std::string const &x, std::string const &y) {
+    context.emission.uses.spelled[static_cast<std::size_t>(op)] = true;
+    return context.emission.spellings.apply(op, x, y);
+  };
   auto const in_parentheses = [](std::string const &text) {
     return text.find(' ') == text.npos ? text : "(" + text + ")";
   };
@@ -12,10 +15,10 @@ std::string print_gate(FunctionContext &context, NodeId gate) {
     std::string all;
     for (Literal const &literal : context.body.regions.literals(alternative)) {
       std::string const one = in_parentheses(print_condition(context, literal));
-      all = all.empty() ? one : spellings.apply(Op::logical_and, all, one);
+      all = all.empty() ? one : apply(Op::logical_and, all, one);
     }
     if (all.empty()) return std::string(context.emission.language.expressions.yes);
-    any = any.empty() ? in_parentheses(all) : spellings.apply(Op::logical_or, any, in_parentheses(all));
+    any = any.empty() ? in_parentheses(all) : apply(Op::logical_or, any, in_parentheses(all));
   }
   return any.empty() ? std::string(context.emission.language.expressions.yes) : any;
 }

@@ -4,6 +4,7 @@
 #include "emit/print/expression_printer.h"
 #include "graph/opaque.h"
 
+#include <fmt/format.h>
 #include <symreal/integer_functions.h>
 
 namespace symreal {
@@ -26,7 +27,10 @@ void ExpressionPrinter::print_integer_constant(Node const &node) {
   std::uint64_t const value =
       integers::bits(evaluate(node.op, this->node(node.operand[0]).value(), this->node(node.operand[1]).value(), 0));
   ExpressionSyntax const &syntax = language_.expressions;
-  text_ += fill(value <= 0x7FFFFFFFu ? syntax.small_integer : syntax.large_integer, {{"value", std::to_string(value)}});
+  text_ += fill(value <= 0x7FFFFFFFu ? syntax.small_integer : syntax.large_integer,
+                {{"value", std::to_string(value)},
+                 {"signed", std::to_string(static_cast<std::int64_t>(value))},
+                 {"hex", fmt::format("{:X}", value)}});
 }
 
 void ExpressionPrinter::print_operation(Node const &node, int binding) {
@@ -56,6 +60,7 @@ void ExpressionPrinter::push_comparison(Op op, NodeId id) {
 }
 
 void ExpressionPrinter::push_pattern(Op op, std::vector<Item> const &operands, NodeId hidden) {
+  context_.emission.uses.spelled[static_cast<std::size_t>(op)] = true;
   std::vector<Spellings::Piece> const &pieces = context_.emission.spellings[op].pieces;
   for (std::size_t i = pieces.size(); i-- > 0;) {
     if (pieces[i].operand < 0) {

@@ -1,8 +1,10 @@
 #include "emit/print/requirements.h"
 
+#include "graph/names.h"
+
 namespace symreal {
 
-static bool has_live(Graph const &graph, bool (*test)(Op)) {
+template <class Test> static bool has_live(Graph const &graph, Test const &test) {
   std::vector<char> const live = live_nodes(graph);
   for (std::size_t id = 0; id < graph.nodes.size(); ++id)
     if (live[id] && !is_leaf(graph.nodes[id].op) && test(graph.nodes[id].op)) return true;
@@ -14,13 +16,20 @@ void require_expressible(Graph const &graph, Language const &language, EmitOptio
     if (is_wanted && !is_there)
       fail(DiagnosticId::bad_option, {}, what + ", which --lang=" + std::string(language.name) + " does not have");
   };
+  if (language.module.is_named_after_file && identifier(options.base_name, language.names) != options.base_name)
+    fail(DiagnosticId::bad_option, {},
+         "a file of --lang=" + std::string(language.name) + " is called as what it contains, and '" +
+             options.base_name + "' is no name there: give another with -o");
   std::string const kernel = "kernel '" + graph.kernel + "' needs ";
   require(language.externals.call, has_live(graph, is_call), kernel + "external functions");
   require(!language.tables.begin.empty(), has_live(graph, [](Op op) { return op == Op::lookup || op == Op::lookup2; }),
           kernel + "tables");
-  require(language.files.integer_functions,
-          has_live(graph, [](Op op) { return info(op).form == Form::local || is_wide(op); }),
+  bool const has_integers = language.files.integer_functions || !language.files.helpers.empty();
+  require(has_integers, has_live(graph, [](Op op) { return info(op).form == Form::local || is_wide(op); }),
           kernel + "integers of 64 bits");
+  for (Op const op : language.lacks)
+    require(false, has_live(graph, [&](Op other) { return other == op; }),
+            kernel + "operation " + std::string(info(op).name));
   require(!language.statements.check.empty(), !graph.guards.empty(), kernel + "guards");
   require(!language.statements.value_check.empty(), options.check_values, "--check-values needs reports of values");
   require(language.files.mainline.text, options.mainline, "--mainline needs a main program");

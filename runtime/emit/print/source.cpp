@@ -1,6 +1,8 @@
 #include "emit/print/source.h"
 
 #include "emit/print/function.h"
+#include "emit/print/helpers.h"
+#include "emit/print/module.h"
 #include "emit/print/tables.h"
 
 namespace symreal {
@@ -16,9 +18,12 @@ EmittedFile print_source(Emission &emission) {
   text.lines(part(files.begin));
   text.lines(part(emission.language.externals.declarations));
   text.lines(part(files.open));
-  text.lines(print_tables(emission));
+  text.lines(indented(emission.language, print_tables(emission)));
   text.lines(part(files.integer_functions));
   if (emission.uses.hidden) text.lines(files.hide_helper);
+  text.lines(indented(emission.language, print_helpers(emission, true)));
+  text.lines(emission.language.module.contains);
+  text.lines(indented(emission.language, print_helpers(emission, false)));
   text.append(functions);
   text.lines(part(files.end));
   return {emission.options.base_name + std::string(files.extension), text.text(), text.origins()};

@@ -60,6 +60,12 @@ Spellings::Spellings(Language const &language) {
     spellings_[static_cast<std::size_t>(exception.op)] = {parse(exception.pattern), exception.precedence};
 }
 
+std::string Spellings::words(Op op) const {
+  std::string text;
+  for (Piece const &piece : (*this)[op].pieces) text += piece.operand < 0 ? piece.text : " ";
+  return text;
+}
+
 std::string Spellings::apply(Op op, std::string_view x, std::string_view y, std::string_view z) const {
   std::array const operands = {x, y, z};
   std::string text;

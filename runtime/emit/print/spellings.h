@@ -33,6 +33,8 @@ public:
 
   Spelling const &operator[](Op op) const { return spellings_[static_cast<std::size_t>(op)]; }
 
+  // What stands in its spelling besides operands.
+  std::string words(Op op) const;
   // The operation on operands that are text already.
   std::string apply(Op op, std::string_view x, std::string_view y = {}, std::string_view z = {}) const;
 

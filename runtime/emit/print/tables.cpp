@@ -2,26 +2,51 @@
 
 #include "emit/language/pattern.h"
 
+#include <algorithm>
+#include <span>
+
 namespace symreal {
 
-static std::string print_table(Emission const &emission, std::size_t number) {
-  Language const &language = emission.language;
-  Table const &table = emission.graph().tables[number];
-  std::string label; // a comment must not end in the user's text
-  for (char c : table.name) label += c == '*' || c == '/' ? ' ' : c;
-  std::string const name = "table_" + std::to_string(number), count = std::to_string(table.values.size());
-  std::string text =
-      comment(language, {label}) + "\n" + fill(language.tables.begin, {{"name", name}, {"count", count}});
-  std::size_t const row = table.extents.back(), most = language.lines.width - 4;
+namespace {
+
+// The values from `first` on as lines of an array of this name.
+std::string print_values(Language const &language, std::string const &name, std::span<double const> values,
+                         std::size_t first, std::size_t row) {
+  std::string const count = std::to_string(values.size()), mark(language.lines.continuation);
+  std::string text = fill(language.tables.begin, {{"name", name}, {"count", count}});
+  std::size_t const most = language.lines.width - 4;
   std::size_t width = 0;
-  for (std::size_t k = 0; k < table.values.size(); ++k) {
-    std::string const value = constant(language, table.values[k]) + (k + 1 < table.values.size() ? "," : "");
-    bool const breaks = k % row == 0 || width + value.size() + language.lines.continuation.size() > most;
-    text += breaks ? std::string(language.lines.continuation) + "\n    " + value : " " + value;
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    std::string const value = constant(language, values[k]) + (k + 1 < values.size() ? "," : "");
+    bool const breaks = (first + k) % row == 0 || k == 0 || width + value.size() + mark.size() > most;
+    text += breaks ? mark + "\n    " + value : " " + value;
     width = (breaks ? 0 : width + 1) + value.size();
   }
   return text + fill(language.tables.end, {{"name", name}, {"count", count}}) + "\n";
 }
+
+std::string print_table(Emission const &emission, std::size_t number) {
+  Language const &language = emission.language;
+  Table const &table = emission.graph().tables[number];
+  std::string label; // a comment must not end in the user's text
+  for (char c : table.name) label += c == '*' || c == '/' ? ' ' : c;
+  std::string const name = "table_" + std::to_string(number);
+  std::string text = comment(language, {label}) + "\n";
+  std::size_t const row = table.extents.back();
+  std::span<double const> const values = table.values;
+  std::size_t const most = language.tables.most_values;
+  if (most == 0 || values.size() <= most) return text + print_values(language, name, values, 0, row);
+  std::string parts;
+  for (std::size_t first = 0; first < values.size(); first += most) {
+    std::string const part = name + "_" + std::to_string(first / most + 1);
+    text += print_values(language, part, values.subspan(first, std::min(most, values.size() - first)), first, row);
+    parts += (parts.empty() ? "" : ", ") + part;
+  }
+  return text +
+         fill(language.tables.joined, {{"name", name}, {"parts", parts}, {"count", std::to_string(values.size())}});
+}
+
+} // namespace
 
 std::string print_tables(Emission const &emission) {
   std::string text;

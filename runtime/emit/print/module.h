@@ -1,0 +1,17 @@
+// The parts of a file that a language's module.h patterns say.
+#pragma once
+
+#include "emit/print/emission.h"
+
+namespace symreal {
+
+// Sizes, where objects begin, structures of them, remarks.
+std::string module_begin(Emission const &emission);
+// The texts of the guards, and the end.
+std::string module_end(Emission const &emission);
+std::string module_main(Emission const &emission);
+
+// Lines as they stand between the functions of a file.
+std::string indented(Language const &language, std::string const &text);
+
+} // namespace symreal
