@@ -5,6 +5,7 @@
 import os
 import platform
 import shutil
+import subprocess
 
 import lit.formats
 
@@ -21,8 +22,11 @@ if platform.system() == "Linux" and platform.machine() == "x86_64":
     config.available_features.add("x86_64-linux")
 
 # What a language needs that not every machine has; a test that requires it is reported as unsupported without.
-if shutil.which("rustc"):
-    config.available_features.add("rustc")
+for program, feature in [("rustc", "rustc"), ("gfortran", "fortran"), ("javac", "java"), ("node", "javascript"), ("go", "go")]:
+    if shutil.which(program):
+        config.available_features.add(feature)
+if subprocess.run(["/usr/bin/python3", "-c", "import numpy"], capture_output=True).returncode == 0:
+    config.available_features.add("python")
 
 config.substitutions += [
     (r"%symreal(?=-)", os.path.join(config.binary_dir, "tool", "symreal")),

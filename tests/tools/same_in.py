@@ -1,0 +1,124 @@
+#!/usr/bin/env python3
+"""same_in.py LANGUAGE BASE [--ulps FILE] [--all-operations TABLE RUNS | INPUTS...]: builds and runs the main program of
+LANGUAGE (BASE_main.*) and that of C beside it, and compares their outputs for each list of inputs. Numbers must have the
+same bits, but for the units in the last place that FILE grants to an output op_NAME of this language ("javascript sin
+1") and to others ("javascript * 2"); any NaN equals any NaN. Both must end with the same status and tell the same guard."""
+import argparse
+import math
+import os
+import struct
+import subprocess
+import sys
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+
+
+def build(language, base):
+    """The command that runs the program, after what it takes to build it."""
+    where, name = os.path.split(os.path.abspath(base))
+    run = {
+        "javascript": [["node", f"{name}_main.mjs"]],
+        "java": [["javac", "-Xlint:all", "-Werror", "-d", f"{name}.classes", f"{name}.java", f"{name}_main.java"],
+                 ["java", "-Xshare:auto", "-cp", f"{name}.classes", f"{name}_main"]],
+        "go": [["go", "build", "-o", f"{name}.run_go", f"{name}.go", f"{name}_main.go"], [f"./{name}.run_go"]],
+        "rust": [["rustc", "--edition", "2021", "-D", "warnings", "-C", "opt-level=1", f"{name}_main.rs", "-o",
+                  f"{name}.run_rust"], [f"./{name}.run_rust"]],
+        "fortran": [["gfortran", "-std=f2018", "-Wall", "-Wextra", "-Werror", "-Wno-compare-reals", "-Wno-unused-dummy-argument", "-O1",
+                     "-ffp-contract=off", f"{name}.f90", f"{name}_main.f90", "-o", f"{name}.run_fortran"],
+                    [f"./{name}.run_fortran"]],
+        "python": [["/usr/bin/python3", "-W", "error", f"{name}_main.py"]],
+        "matlab": [["octave-cli", "--no-gui", "--quiet", "--no-init-file", f"{name}_main.m"]],
+    }[language]
+    environment = dict(os.environ, GO111MODULE="off", GOFLAGS="", PYTHONDONTWRITEBYTECODE="1")
+    for command in run[:-1]:
+        subprocess.run(command, cwd=where, check=True, env=environment)
+    return lambda inputs: subprocess.run(run[-1] + inputs, cwd=where, capture_output=True, text=True, env=environment)
+
+
+def build_c(base):
+    where, name = os.path.split(os.path.abspath(base))
+    subprocess.run(["gcc", "-std=c99", "-O1", "-ffp-contract=off", "-fno-builtin", f"{name}.c", f"{name}_main.c", "-lm",
+                    "-o", f"{name}.run_c"], cwd=where, check=True)
+    return lambda inputs: subprocess.run([f"./{name}.run_c"] + inputs, cwd=where, capture_output=True, text=True)
+
+
+def ordered(x):
+    """Doubles as integers in their order: neighbours differ by 1, and -0 is 0."""
+    bits = struct.unpack("<q", struct.pack("<d", x))[0]
+    return bits if bits >= 0 else -(bits & 0x7FFFFFFFFFFFFFFF)
+
+
+def distance(x, y):
+    if math.isnan(x) or math.isnan(y):
+        return 0 if math.isnan(x) and math.isnan(y) else math.inf
+    if x == y:
+        return 0 if math.copysign(1, x) == math.copysign(1, y) else math.inf
+    if math.isinf(x) or math.isinf(y):
+        return math.inf
+    return abs(ordered(x) - ordered(y))
+
+
+def outputs(text):
+    return [(name, float(value)) for name, value in (line.rsplit(" = ", 1) for line in text.splitlines())]
+
+
+def granted(path, language):
+    table = {}
+    for line in open(path) if path else []:
+        words = line.split("#")[0].split()
+        if words and words[0] == language:
+            table[words[1]] = float(words[2])
+    return table
+
+
+def compare(language, expected, got, ulps, worst):
+    problems = []
+    if expected.returncode != got.returncode:
+        problems.append(f"ends with {got.returncode}, not {expected.returncode}: {got.stderr}")
+    if expected.stderr.split() != got.stderr.split():
+        problems.append(f"tells '{got.stderr}', not '{expected.stderr}'")
+    if problems:
+        return problems
+    left, right = outputs(expected.stdout), outputs(got.stdout)
+    if [name for name, _ in left] != [name for name, _ in right]:
+        return [f"prints {[name for name, _ in right]}"]
+    for (name, x), (_, y) in zip(left, right):
+        operation = name[3:] if name.startswith("op_") else "*"
+        far = distance(x, y)
+        worst[operation] = max(worst.get(operation, 0), far)
+        if far > ulps.get(operation, 0):
+            problems.append(f"{name} = {y!r}, in C {x!r}: {far} units in the last place")
+    return problems
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("language")
+    parser.add_argument("base")
+    parser.add_argument("--ulps")
+    parser.add_argument("--all-operations", nargs=2)
+    parser.add_argument("--show", action="store_true", help="print the largest distance of each operation")
+    options, runs = parser.parse_known_args()
+    lists = [run.split() for run in runs] or [[]]
+    if options.all_operations:
+        table, count = options.all_operations
+        lists = [subprocess.run([sys.executable, f"{HERE}/all_operations.py", "--inputs", str(run), table], check=True,
+                                capture_output=True, text=True).stdout.split() for run in range(int(count))]
+    ulps = granted(options.ulps, options.language)
+    in_c, in_it, worst, failed = build_c(options.base), build(options.language, options.base), {}, False
+    for run, inputs in enumerate(lists):
+        expected, got = in_c(inputs), in_it(inputs)
+        problems = compare(options.language, expected, got, ulps, worst)
+        for problem in problems:
+            print(f"run {run}: {problem}")
+        failed = failed or bool(problems)
+        if not options.all_operations:
+            print(expected.stdout + expected.stderr, end="")
+    if options.show:
+        for operation, far in sorted(worst.items()):
+            if far:
+                print(f"{options.language} {operation} {far}")
+    sys.exit(1 if failed else 0)
+
+
+main()
