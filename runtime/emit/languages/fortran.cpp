@@ -1,0 +1,436 @@
+#include "emit/languages/languages.h"
+#include "emit/print/module.h"
+
+#include <algorithm>
+#include <array>
+
+namespace symreal {
+
+static constexpr auto keywords = std::to_array<std::string_view>(
+    {"call",   "case", "contains",   "do",      "double", "else",      "end",     "function",
+     "guard",  "if",   "implicit",   "integer", "intent", "interface", "logical", "module",
+     "none",   "only", "parameter",  "program", "pure",   "real",      "result",  "return",
+     "select", "stop", "subroutine", "then",    "type",   "use",       "while"});
+static_assert(std::ranges::is_sorted(keywords));
+
+// The functions of C's library are called by their names there; what follows is what Fortran itself has.
+static constexpr OperationSpelling spellings[] = {
+    {Op::abs, "abs($x)"},
+    {Op::sqrt, "sqrt($x)"},
+    {Op::trunc, "aint($x)"},
+    {Op::copysign, "sign($x, $y)"},
+    {Op::f32, "real(real($x, c_float), c_double)"},
+    {Op::wrap_int8, "wrapped($x, 8)"},
+    {Op::wrap_int16, "wrapped($x, 16)"},
+    {Op::wrap_int32, "wrapped($x, 32)"},
+    {Op::wrap_uint8, "low_bits($x, 8)"},
+    {Op::wrap_uint16, "low_bits($x, 16)"},
+    {Op::wrap_uint32, "low_bits($x, 32)"},
+    {Op::within_int32, "($x)"},
+    {Op::within_uint32, "($x)"},
+    {Op::within_double, "($x)"},
+    {Op::wide_add, "wide_add($x, $y)"},
+    {Op::wide_sub, "wide_add(wide_add($x, not($y)), 1_c_int64_t)"},
+    {Op::wide_mul, "wide_mul($x, $y)"},
+    {Op::wide_select, "merge($y, $z, $x)"},
+    {Op::wide_uless, "wide_uless($x, $y)"},
+    {Op::wide_value, "real($x, c_double)"},
+    {Op::wide_uvalue, "wide_uvalue($x)"},
+    {Op::wide_low, "real(ibits($x, 0, 32), c_double)"},
+    {Op::logical_and, "$x:12 .and. $y:12", 5},
+    {Op::logical_or, "$x:12 .or. $y:12", 4},
+    {Op::logical_not, ".not. $x:14", 6},
+    {Op::ne, "$x:12 /= $y:12", 9},
+    {Op::select, "merge($y, $z, $x)"},
+};
+
+#define OF_ONE(name)                                                                                                   \
+  {"c_" #name,                                                                                                         \
+   "interface\n  pure function c_" #name "(x) bind(c, name='" #name                                                    \
+   "') result(y)\n    import :: c_double\n    real(c_double), value :: x\n    real(c_double) :: y\n  end function\n"   \
+   "end interface\n",                                                                                                  \
+   true}
+#define OF_TWO(name)                                                                                                   \
+  {"c_" #name,                                                                                                         \
+   "interface\n  pure function c_" #name "(x, y) bind(c, name='" #name                                                 \
+   "') result(z)\n    import :: c_double\n    real(c_double), value :: x, y\n    real(c_double) :: z\n"                \
+   "  end function\nend interface\n",                                                                                  \
+   true}
+
+static constexpr Helper helpers[] = {
+    OF_ONE(cbrt),
+    OF_TWO(hypot),
+    {"c_fma", R"(interface
+  pure function c_fma(x, y, z) bind(c, name='fma') result(r)
+    import :: c_double
+    real(c_double), value :: x, y, z
+    real(c_double) :: r
+  end function
+end interface
+)",
+     true},
+    OF_TWO(fmin),
+    OF_TWO(fmax),
+    OF_TWO(fdim),
+    OF_TWO(fmod),
+    OF_TWO(remainder),
+    OF_ONE(floor),
+    OF_ONE(ceil),
+    OF_ONE(round),
+    OF_ONE(rint),
+    OF_TWO(nextafter),
+    OF_ONE(logb),
+    OF_ONE(sin),
+    OF_ONE(cos),
+    OF_ONE(tan),
+    OF_ONE(asin),
+    OF_ONE(acos),
+    OF_ONE(atan),
+    OF_TWO(atan2),
+    OF_ONE(sinh),
+    OF_ONE(cosh),
+    OF_ONE(tanh),
+    OF_ONE(asinh),
+    OF_ONE(acosh),
+    OF_ONE(atanh),
+    OF_ONE(exp),
+    OF_ONE(exp2),
+    OF_ONE(expm1),
+    OF_ONE(log),
+    OF_ONE(log2),
+    OF_ONE(log10),
+    OF_ONE(log1p),
+    OF_TWO(pow),
+    OF_ONE(erf),
+    OF_ONE(erfc),
+    OF_ONE(tgamma),
+    OF_ONE(lgamma),
+    {"infinity", "real(c_double), parameter :: infinity = transfer(int(z'7FF0000000000000', c_int64_t), 0.0d0)\n",
+     true},
+    {"not_a_number",
+     "real(c_double), parameter :: not_a_number = transfer(int(z'7FF8000000000000', c_int64_t), 0.0d0)\n", true},
+    {"table_index", R"(! An index outside of its table reads the nearest element.
+pure function table_index(index, extent) result(at)
+  real(c_double), intent(in) :: index
+  integer, intent(in) :: extent
+  integer :: at
+  at = 0
+  if (index > 0) at = extent - 1
+  if (index > 0 .and. index < extent) at = int(index)
+end function
+)"},
+    {"wide_int", R"(pure function wide_int(x) result(y)
+  real(c_double), intent(in) :: x
+  integer(c_int64_t) :: y
+  y = ibset(0_c_int64_t, 63)
+  if (x >= -9223372036854775808.0d0 .and. x < 9223372036854775808.0d0) y = int(x, c_int64_t)
+end function
+)"},
+    {"wide_uint", R"(pure function wide_uint(x) result(y)
+  real(c_double), intent(in) :: x
+  integer(c_int64_t) :: y
+  if (x >= 9223372036854775808.0d0) then
+    y = ieor(wide_int(x - 9223372036854775808.0d0), ibset(0_c_int64_t, 63))
+  else
+    y = wide_int(x)
+  end if
+end function
+)"},
+    {"wide", R"(pure function wide(high, low) result(y)
+  real(c_double), intent(in) :: high, low
+  integer(c_int64_t) :: y
+  y = ior(ishft(wide_int(high), 32), ibits(wide_int(low), 0, 32))
+end function
+)"},
+    {"low_bits", R"(pure function low_bits(x, width) result(y)
+  real(c_double), intent(in) :: x
+  integer, intent(in) :: width
+  real(c_double) :: y
+  y = real(ibits(wide_int(x), 0, width), c_double)
+end function
+)"},
+    {"wrapped", R"(pure function wrapped(x, width) result(y)
+  real(c_double), intent(in) :: x
+  integer, intent(in) :: width
+  real(c_double) :: y
+  y = low_bits(x, width)
+  if (y >= 2.0d0**(width - 1)) y = y - 2.0d0**width
+end function
+)"},
+    {"to_int32", R"(pure function to_int32(x) result(y)
+  real(c_double), intent(in) :: x
+  real(c_double) :: y
+  y = -2147483648.0d0
+  if (x > -2147483649.0d0 .and. x < 2147483648.0d0) y = aint(x) + 0.0d0
+end function
+)"},
+    {"to_int64", R"(pure function to_int64(x) result(y)
+  real(c_double), intent(in) :: x
+  real(c_double) :: y
+  y = real(wide_int(x), c_double)
+end function
+)"},
+    {"int_div", R"(pure function int_div(x, y) result(z)
+  real(c_double), intent(in) :: x, y
+  real(c_double) :: z
+  z = aint(x/y) + 0.0d0
+end function
+)"},
+    {"int_neg", R"(pure function int_neg(x) result(y)
+  real(c_double), intent(in) :: x
+  real(c_double) :: y
+  y = -x
+  if (x == 0) y = 0
+end function
+)"},
+    {"mul_uint32", R"(pure function mul_uint32(x, y) result(z)
+  real(c_double), intent(in) :: x, y
+  real(c_double) :: z
+  z = real(ibits(wide_mul(wide_int(x), wide_int(y)), 0, 32), c_double)
+end function
+)"},
+    {"wide_add", R"(! Integers wrap: Fortran leaves overflow undefined, so sums are made of halves.
+pure function wide_add(x, y) result(z)
+  integer(c_int64_t), intent(in) :: x, y
+  integer(c_int64_t) :: z, low, high
+  low = ibits(x, 0, 32) + ibits(y, 0, 32)
+  high = ishft(x, -32) + ishft(y, -32) + ishft(low, -32)
+  z = ior(ishft(high, 32), ibits(low, 0, 32))
+end function
+)"},
+    {"wide_mul", R"(pure function wide_mul(x, y) result(z)
+  integer(c_int64_t), intent(in) :: x, y
+  integer(c_int64_t) :: z, part
+  integer :: k
+  z = 0
+  do k = 0, 48, 16
+    part = ibits(y, k, 16)
+    z = wide_add(z, ishft(ibits(x, 0, 32)*part, k))
+    z = wide_add(z, ishft(ishft(x, -32)*part, k + 32))
+  end do
+end function
+)"},
+    {"wide_uless", R"(pure function wide_uless(x, y) result(z)
+  integer(c_int64_t), intent(in) :: x, y
+  logical :: z
+  z = ieor(x, ibset(0_c_int64_t, 63)) < ieor(y, ibset(0_c_int64_t, 63))
+end function
+)"},
+    {"wide_less", R"(pure function wide_less(x, y) result(z)
+  integer(c_int64_t), intent(in) :: x, y
+  logical :: z
+  z = x < y
+end function
+)"},
+    {"wide_uvalue", R"(pure function wide_uvalue(x) result(y)
+  integer(c_int64_t), intent(in) :: x
+  real(c_double) :: y
+  if (x >= 0) then
+    y = real(x, c_double)
+  else
+    y = real(ior(ishft(x, -1), iand(x, 1_c_int64_t)), c_double)*2
+  end if
+end function
+)"},
+    {"wide_udiv", R"(pure function wide_udiv(x, y) result(z)
+  integer(c_int64_t), intent(in) :: x, y
+  integer(c_int64_t) :: z, rest
+  integer :: k
+  z = 0
+  rest = 0
+  if (y == 0) return
+  do k = 63, 0, -1
+    if (rest < 0 .or. wide_uless(ior(ishft(rest, 1), ibits(x, k, 1)), y) .eqv. .false.) then
+      rest = wide_add(wide_add(ior(ishft(rest, 1), ibits(x, k, 1)), not(y)), 1_c_int64_t)
+      z = ibset(z, k)
+    else
+      rest = ior(ishft(rest, 1), ibits(x, k, 1))
+    end if
+  end do
+end function
+)"},
+    {"wide_urem", R"(pure function wide_urem(x, y) result(z)
+  integer(c_int64_t), intent(in) :: x, y
+  integer(c_int64_t) :: z
+  z = 0
+  if (y /= 0) z = wide_add(wide_add(x, not(wide_mul(wide_udiv(x, y), y))), 1_c_int64_t)
+end function
+)"},
+    {"wide_div", R"(pure function wide_div(x, y) result(z)
+  integer(c_int64_t), intent(in) :: x, y
+  integer(c_int64_t) :: z
+  z = 0
+  if (y == -1) then
+    z = wide_add(not(x), 1_c_int64_t)
+  else if (y /= 0) then
+    z = x/y
+  end if
+end function
+)"},
+    {"wide_rem", R"(pure function wide_rem(x, y) result(z)
+  integer(c_int64_t), intent(in) :: x, y
+  integer(c_int64_t) :: z
+  z = 0
+  if (y /= 0 .and. y /= -1) z = mod(x, y)
+end function
+)"},
+    {"wide_and", R"(pure function wide_and(x, y) result(z)
+  integer(c_int64_t), intent(in) :: x, y
+  integer(c_int64_t) :: z
+  z = iand(x, y)
+end function
+)"},
+    {"wide_or", R"(pure function wide_or(x, y) result(z)
+  integer(c_int64_t), intent(in) :: x, y
+  integer(c_int64_t) :: z
+  z = ior(x, y)
+end function
+)"},
+    {"wide_xor", R"(pure function wide_xor(x, y) result(z)
+  integer(c_int64_t), intent(in) :: x, y
+  integer(c_int64_t) :: z
+  z = ieor(x, y)
+end function
+)"},
+    {"wide_shl", R"(pure function wide_shl(x, n) result(z)
+  integer(c_int64_t), intent(in) :: x, n
+  integer(c_int64_t) :: z
+  z = ishft(x, int(ibits(n, 0, 6)))
+end function
+)"},
+    {"wide_shr", R"(pure function wide_shr(x, n) result(z)
+  integer(c_int64_t), intent(in) :: x, n
+  integer(c_int64_t) :: z
+  z = shifta(x, int(ibits(n, 0, 6)))
+end function
+)"},
+    {"wide_ushr", R"(pure function wide_ushr(x, n) result(z)
+  integer(c_int64_t), intent(in) :: x, n
+  integer(c_int64_t) :: z
+  z = ishft(x, -int(ibits(n, 0, 6)))
+end function
+)"},
+};
+
+Language language_fortran() {
+  Language fortran;
+  fortran.names = {keywords, true};
+  fortran.comment = {"! ", "! ", ""};
+  fortran.lines = {.width = 100, .continuation = " &", .base = 2};
+  fortran.numbers = {"not_a_number", "not_a_number", "infinity", "(-infinity)", "d", "d0"};
+  fortran.number = {"real(c_double)", "0.0d0"};
+  fortran.truth = {"logical", ".false."};
+  fortran.wide = {"integer(c_int64_t)", "0_c_int64_t"};
+  fortran.expressions = {
+      .call_prefix = "c_",
+      .operations = spellings,
+      .element = "$array($index)",
+      .first_index = 1,
+      .yes = ".true.",
+      .truth_as_number = "merge(1.0d0, 0.0d0, $x)",
+      .small_integer = "${value}_c_int64_t",
+      .large_integer = "int(z'$hex', c_int64_t)",
+      .kept_integer = "transfer($element, 0_c_int64_t)",
+      .table_index = "table_index($index, $extent)",
+  };
+  fortran.statements = {
+      .first_declaration = "$type :: $name",
+      .variable = "$name = $value",
+      .constant = "$name = $value",
+      .set = "$name = $value",
+      .keep_integer = "$element = transfer($value, 0.0d0)",
+      .array = "real(c_double) :: $name($count)",
+      .zero_array = "real(c_double) :: $name($count)",
+      .open = "if ($condition) then",
+      .otherwise = "else",
+      .close = "end if",
+      .check = "if ($condition) then; guard = $number; return; end if",
+  };
+  fortran.functions = {
+      .head = "pure subroutine $name($parameters$result)",
+      .local_head = "pure subroutine $name($parameters$result)",
+      .end = "end subroutine $name",
+      .no_result = "",
+      .status = ", guard",
+      .input = "$name",
+      .output = "$name",
+      .input_declaration = "real(c_double), intent(in) :: $name(*)",
+      .output_declaration = "real(c_double), intent(inout) :: $name(*)",
+      .success = "guard = 0",
+      .status_declaration = "integer, intent(out) :: guard",
+      .call = "call $name($arguments)",
+      .checked_call = "call $name($arguments, guard)\nif (guard /= 0) return",
+  };
+  fortran.tables = {.begin = "real(c_double), parameter :: $name($count) = [",
+                    .end = "]",
+                    .most_values = 700, // a statement has 255 continuation lines
+                    .joined = "real(c_double), parameter :: $name($count) = [$parts]\n"};
+  fortran.files = {
+      .extension = ".f90",
+      .kept_when = ", when compiled with\n-ffp-contract=off and without -ffast-math",
+      .fast_when = " Any compiler flags.",
+      .begin = module_begin,
+      .helpers = helpers,
+      .end = module_end,
+      .mainline = {"_main.f90", module_main},
+  };
+  fortran.strings = {.quote = "'", .doubles_quotes = true, .most = 80, .joint = " // &\n        "};
+  fortran.module = {
+      .indent = 2,
+      .begin = "module ${module}_kernel\n  use, intrinsic :: iso_c_binding, only: c_double, c_float, c_int64_t\n"
+               "  implicit none\n  private :: c_double, c_float, c_int64_t\n\n",
+      .size = "  integer, parameter :: $name = $value\n",
+      .places = {.begin = "\n  ! The index of the first number of each $role.\n",
+                 .object = "  integer, parameter :: ${role}_$name = $first\n"},
+      .structure = {.begin =
+                        "\n  ! The numbers of the $role: transfer makes one of the other. Extents are those of C in "
+                        "reverse.\n  type :: ${role}_type\n",
+                    .end = "  end type\n",
+                    .object = "    real(c_double) :: $name$reversed_shape\n"},
+      .functions = "\n",
+      .contains = "contains\n\n",
+      .guards_begin = "\n  ! The condition of a guard and its places in the source.\n"
+                      "  function $guard_text(guard) result(text)\n    integer, intent(in) :: guard\n"
+                      "    character(len=:), allocatable :: text\n    select case (guard)\n",
+      .guard = "    case ($number)\n      text = $text\n",
+      .guards_end = "    case default\n      text = ''\n    end select\n  end function $guard_text\n",
+      .end = "end module ${module}_kernel\n",
+      .main =
+          R"(! Runs the kernel once and prints its outputs. Arguments replace the recorded inputs in order, then the parameters.
+program ${unit}_main
+  use, intrinsic :: iso_c_binding, only: c_double, c_int64_t
+  use, intrinsic :: iso_fortran_env, only: error_unit
+  use ${module}_kernel, only: $preprocess, $compute$guard_text_import
+  implicit none
+  real(c_double), parameter :: infinity = transfer(int(z'7FF0000000000000', c_int64_t), 0.0d0)
+  real(c_double), parameter :: not_a_number = transfer(int(z'7FF8000000000000', c_int64_t), 0.0d0)
+  real(c_double) :: given($inputs + $parameters) = [real(c_double) :: $all_values]
+  character(len=$longest), parameter :: names($outputs) = [character(len=$longest) :: $labels]
+  real(c_double) :: constants($constants), output($outputs), number
+  character(len=64) :: argument
+  integer :: i, guard
+  do i = 1, command_argument_count()
+    call get_command_argument(i, argument)
+    read (argument, *) number
+    if (i <= size(given)) given(i) = number
+  end do
+  guard = 0
+  call $preprocess(given($inputs + 1:), constants)
+  $call
+  do i = 1, size(output)
+    write (*, '(a, " = ", es25.16e3)') trim(names(i)), output(i)
+  end do
+  if (.false.) write (error_unit, *) infinity, not_a_number, guard
+end program
+)",
+      .call = "call $compute(given, constants, output)",
+      .checked_call = R"(call $compute(given, constants, output, guard)
+  if (guard /= 0) then
+    write (error_unit, '(a, i0, a, a)') 'guard ', guard, ' does not hold: ', $guard_text(guard)
+    stop 1, quiet=.true.
+  end if)",
+  };
+  return fortran;
+}
+
+} // namespace symreal
