@@ -5,7 +5,8 @@
 
 namespace symreal {
 
-// Those that the printed spellings name, and those that these name, in the order of the table: declarations, or functions.
+// Those that the printed spellings name, and those that these name, in the order of the table: declarations, or
+// functions.
 std::string print_helpers(Emission const &emission, bool declarations);
 
 } // namespace symreal
