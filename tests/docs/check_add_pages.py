@@ -1,6 +1,7 @@
 """The pages docs/add-*.md against the tables and the tree:
 
-   the files that a page lists are there, unless it says that they are new; they are as many as it says;
+   the files that a page lists are there; those that it says are new, if the tables have the rows that it shows; they are as
+   many as it says;
    a row that it shows has the columns of the table's legend, and is the table's own if the table has one of that name.
 
    check_add_pages.py REPOSITORY
@@ -54,6 +55,9 @@ for page in pages:
     if not files or not count:
         wrong.append(f"{page.name}: does not say which files change, or how many")
         continue
+    # What the page shows is in the tables: then its new files are there as well.
+    shows = [row in known for macro, (_, _, known) in tables.items() for row in rows(text, macro)]
+    is_added = bool(shows) and all(shows)
     listed = [line.split("|")[1:3] for line in files[1].splitlines()]
     if len(listed) != int(count[1]):
         wrong.append(f"{page.name}: says {count[1]} files and lists {len(listed)}")
@@ -65,8 +69,8 @@ for page in pages:
             wrong.append(f"{page.name}: {link[1]} does not exist")
         if not link and "/" in name:
             new = root / name.strip()
-            if "new: " not in change or new.exists() or not new.parent.is_dir():
-                wrong.append(f"{page.name}: {name.strip()} is not a new file of an existing folder")
+            if "new: " not in change or new.exists() != is_added or not new.parent.is_dir():
+                wrong.append(f"{page.name}: {name.strip()} is not a new file of an existing folder, or its row is missing")
     for macro, columns in re.findall(r"`([A-Z][A-Z_]+)\(((?:\w+, )*\w+)\)`", text):
         if macro not in tables or columns.split(", ") != tables[macro][1]:
             wrong.append(f"{page.name}: no table has the columns {macro}({columns})")
