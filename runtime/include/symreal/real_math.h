@@ -71,7 +71,6 @@ namespace symreal {
 #undef SYMREAL_MIXED_3
 
 inline RealNumber fabs(RealNumber x) noexcept { return abs(x); }
-inline RealNumber nearbyint(RealNumber x) noexcept { return rint(x); }
 inline RealNumber ldexp(RealNumber x, int exponent) noexcept {
   RealNumber const product = x * RealNumber(std::ldexp(1.0, exponent));
   if (product.is_node()) detail::may_set_error(product);
@@ -149,7 +148,6 @@ inline SymbolicBool isunordered(RealNumber x, RealNumber y) noexcept { return is
 // C code calls them unqualified, C++ code as std::; both reach the overloads.
 #define SYMREAL_CALL_NAMES                                                                                             \
   SYMREAL_NAME(fabs)                                                                                                   \
-  SYMREAL_NAME(nearbyint)                                                                                              \
   SYMREAL_NAME(ldexp)                                                                                                  \
   SYMREAL_NAME(scalbn)                                                                                                 \
   SYMREAL_NAME(modf)                                                                                                   \

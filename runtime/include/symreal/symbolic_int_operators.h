@@ -256,7 +256,6 @@ SymbolicInt<T> clamp(SymbolicInt<T> x, typename detail::Given<SymbolicInt<T>>::T
 #include <symreal/operations.def>
 #undef OPERATION
 SYMREAL_CALL_1(fabs)
-SYMREAL_CALL_1(nearbyint)
 #undef SYMREAL_CALL_1
 #undef SYMREAL_CALL_2
 #undef SYMREAL_CALL_3
@@ -296,14 +295,12 @@ std::basic_ostream<Character, Traits> &operator<<(std::basic_ostream<Character, 
 #define OPERATION(id, arity, form, ...) SYMREAL_FORM_##form(id)
 #include <symreal/operations.def>
 using symreal::fabs;
-using symreal::nearbyint;
 namespace std {
 #include <symreal/operations.def>
 using symreal::clamp;
 using symreal::fabs;
 using symreal::max;
 using symreal::min;
-using symreal::nearbyint;
 } // namespace std
 #undef OPERATION
 #undef SYMREAL_FORM_infix
