@@ -73,6 +73,7 @@ void ArmWalker::statement(Stmt const *statement, bool is_last) {
   case Stmt::GCCAsmStmtClass:
   case Stmt::MSAsmStmtClass: return block(statement->getBeginLoc(), {ReasonId::assembly});
   case Stmt::CXXTryStmtClass: return block(statement->getBeginLoc(), {ReasonId::tries});
+  case Stmt::CoroutineBodyStmtClass: return block(statement->getBeginLoc(), {ReasonId::coroutine});
   default: return block(statement->getBeginLoc(), {ReasonId::statement_kind, statement->getStmtClassName()});
   }
 }
