@@ -72,6 +72,7 @@ public:
   void explicit_cast(clang::ExplicitCastExpr const *cast);
   void compound_assignment(clang::CompoundAssignOperator const *assignment);
   void choice(clang::ConditionalOperator const *choice);
+  void thrown(clang::CXXThrowExpr const *expression);
   void constant_initializer(clang::Expr const *initializer);
   void deduced_variable(clang::VarDecl const *variable);
   void deduced_return(clang::Stmt const *body);

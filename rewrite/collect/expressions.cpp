@@ -265,6 +265,14 @@ void Collector::choice(ConditionalOperator const *choice) {
   if (Reals::is_double(literal->getType())) wrap(literal, Use::literal);
 }
 
+// throw 2.5, which `catch (double)` takes: that handler takes a REAL now. A comparison is no bool.
+void Collector::thrown(CXXThrowExpr const *expression) {
+  Expr const *value = expression->getSubExpr();
+  if (!value || value->isTypeDependent()) return;
+  if (is_plain_double(value) || may_be_truth(value))
+    wrap(value->IgnoreImpCasts(), Use::thrown, spelled(value->getType()));
+}
+
 // constexpr double k = half(2.): the variable stays double, and what the rewritten function returns does not.
 void Collector::constant_initializer(Expr const *initializer) {
   if (!initializer || initializer->isTypeDependent()) return;
