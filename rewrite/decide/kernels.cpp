@@ -112,6 +112,8 @@ void check(PragmaFact const &pragma, Result &result) {
     if (clause.clause == Clause::range && (clause.items.size() != 2 || !after_input))
       report(result, DiagnosticId::pragma_syntax, clause.place,
              "range(low, high) stands after input(...) and has two numbers");
+    if (clause.clause == Clause::within && (clause.items.size() != 1 || !after_input))
+      report(result, DiagnosticId::pragma_syntax, clause.place, "within(b) stands after input(...) and has one number");
     if (clause.clause == Clause::generate && (clause.items.size() != 1 || clause.argument.front() != '"'))
       report(result, DiagnosticId::pragma_syntax, clause.place,
              "generate takes the name of a file, as in generate(\"step.c\")");
