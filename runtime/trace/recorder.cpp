@@ -139,6 +139,9 @@ public:
   void set_range(double low, double high) override {
     if (graph_.inputs.empty()) return;
     Place const last = graph_.inputs.back().place;
+    if (!(low <= high))
+      report({DiagnosticId::empty_range, last,
+              "the range of '" + graph_.inputs.back().label + "' ends below where it begins"});
     // Those of the pragma that no range before this one was given to.
     for (Object &input : graph_.inputs)
       if (!input.range && input.place.line == last.line && input.place.file == last.file) input.range = {low, high};
