@@ -2,12 +2,14 @@
 
    the files that a page lists are there; those that it says are new, if the tables have the rows that it shows; they are as
    many as it says;
+   the commit that it names as an example changes only files that it lists, where the history is at hand;
    a row that it shows has the columns of the table's legend, and is the table's own if the table has one of that name.
 
    check_add_pages.py REPOSITORY
 """
 import pathlib
 import re
+import subprocess
 import sys
 
 root = pathlib.Path(sys.argv[1]).resolve()
@@ -48,10 +50,18 @@ for path in sorted(root.glob("r*/**/*.def")) + sorted(root.glob("tool/**/*.def")
 
 pages = sorted(root.glob("docs/add-*.md"))
 shown = 0
+
+
+def files_of_commit(commit):
+    """None where there is no history, as in an archive of the sources."""
+    shown = subprocess.run(["git", "-C", root, "show", "--name-only", "--format=", commit], capture_output=True, text=True)
+    return set(shown.stdout.split())
+
+
 for page in pages:
     text = page.read_text()
     files = re.search(r"^\| File \| Change \|\n\|---\|---\|\n((?:\|.*\n)+)", text, re.MULTILINE)
-    count = re.search(r"^Files that change: (\d+)\.$", text, re.MULTILINE)
+    count = re.search(r"^Files that change: (\d+)\.(?: An example: `git show --stat (\w+)`\.)?$", text, re.MULTILINE)
     if not files or not count:
         wrong.append(f"{page.name}: does not say which files change, or how many")
         continue
@@ -61,6 +71,9 @@ for page in pages:
     listed = [line.split("|")[1:3] for line in files[1].splitlines()]
     if len(listed) != int(count[1]):
         wrong.append(f"{page.name}: says {count[1]} files and lists {len(listed)}")
+    names = {link[1] if (link := re.search(r"\[(.*?)\]", name)) else name.strip() for name, _ in listed}
+    for name in files_of_commit(count[2]) - names if count[2] else ():
+        wrong.append(f"{page.name}: its example {count[2]} changes {name}, which it does not list")
     for name, change in listed:
         link = re.search(r"\[(.*?)\]\((.*?)\)", name)
         if link and (page.parent / link[2]).resolve() != (root / link[1]):
