@@ -32,7 +32,7 @@ std::string fill(std::string_view pattern, std::span<std::pair<std::string_view,
   }
 }
 
-static std::string capital(std::string text, bool joins) {
+static std::string capital(std::string const &text, bool joins) {
   std::string result;
   bool begins = true;
   for (char const c : text) {
