@@ -1,6 +1,6 @@
 # What stands in RUN lines: %symreal the tool (what it generates is compiled as well), %tool the executable itself,
 # %rewrite prints rewritten text, %dump that with what else there is (also the facts), %decide what becomes of facts, %same compares object code,
-# %source the repository, %inputs the example programs, %runtime_include the public headers, %runtime the directory of the runtime,
+# %source the repository, %venv the programs of tests/requirements.txt, %inputs the example programs, %runtime_include the public headers, %runtime the directory of the runtime,
 # %tools helper scripts, %version the tool's version, %cxx %cc %clang compilers.
 import os
 import platform
@@ -21,8 +21,12 @@ config.test_exec_root = os.path.join(config.binary_dir, "tests")
 if platform.system() == "Linux" and platform.machine() == "x86_64":
     config.available_features.add("x86_64-linux")
 
+# The Python packages of tests/requirements.txt.
+venv = os.path.join(config.source_dir, "build", "venv", "bin")
 # What a language needs that not every machine has; a test that requires it is reported as unsupported without.
-for program, feature in [("rustc", "rustc"), ("gfortran", "fortran"), ("javac", "java"), ("node", "javascript"), ("go", "go")]:
+for program, feature in [("rustc", "rustc"), ("gfortran", "fortran"), ("javac", "java"), ("node", "javascript"), ("go", "go"),
+                         ("octave-cli", "matlab"), ("mkoctfile", "mex"), ("giac", "maple"), (venv + "/mathics", "mathematica"),
+                         (venv + "/fmpy", "fmpy"), (venv + "/dask", "dask")]:
     if shutil.which(program):
         config.available_features.add(feature)
 if subprocess.run(["/usr/bin/python3", "-c", "import numpy"], capture_output=True).returncode == 0:
@@ -40,6 +44,7 @@ config.substitutions += [
      + os.path.join(config.binary_dir, "rewrite", "symreal-rewrite-dump") + " "
      + os.path.join(config.binary_dir, "runtime", "include")),
     (r"%source\b", config.source_dir),
+    (r"%venv\b", venv),
     (r"%inputs\b", os.path.join(config.source_dir, "inputs")),
     (r"%runtime_include\b", os.path.join(config.binary_dir, "runtime", "include")),
     (r"%runtime\b", os.path.join(config.source_dir, "runtime")),
@@ -55,7 +60,7 @@ config.substitutions += [
 config.environment["XDG_CACHE_HOME"] = os.path.join(config.test_exec_root, "cache")
 config.environment["SYMREAL_UNDER_TEST"] = os.path.join(config.binary_dir, "tool", "symreal")
 # FileCheck and count; `not` is built into lit. At the end of PATH: the compilers are the system's.
-config.environment["PATH"] = os.pathsep.join([os.environ["PATH"], os.path.join(config.llvm_tools, "bin")])
+config.environment["PATH"] = os.pathsep.join([os.environ["PATH"], os.path.join(config.llvm_tools, "bin"), venv])
 # Of the mutation test: the rule that a build for it leaves out.
 if "SYMREAL_DROP_RULE" in os.environ:
     config.environment["SYMREAL_DROP_RULE"] = os.environ["SYMREAL_DROP_RULE"]

@@ -11,7 +11,7 @@ void report(Result &result, DiagnosticId id, Place const &place, std::string mes
 }
 
 void check_item(ClauseFact const &clause, ItemFact const &item, Result &result) {
-  auto const wrong = [&](std::string message) {
+  auto const wrong = [&](std::string const &message) {
     report(result, DiagnosticId::pragma_item, item.place, "'" + item.label + "' " + message);
   };
   if (item.is_return && clause.clause != Clause::output) return wrong("can only be an output");
