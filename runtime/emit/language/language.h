@@ -82,9 +82,10 @@ struct StatementSyntax {
 
 struct FunctionSyntax {
   std::string_view head = {}, local_head = {},
-                   end = {}; // $result $name $parameters; of the interface; of this file; behind the last
+                   end = {}; // $result $name $parameters $target; of the interface; of this file; behind the last
   std::string_view no_result = {}, status = {}; // $result
-  // $name: a parameter that is an array of numbers; no output: the function returns the array
+  // $target: the array that a function fills. $name: a parameter that is an array of numbers; no output: the function
+  // returns the array
   std::string_view input = {}, output = {}, local_output = {};      // local: of this file's functions; empty: as output
   std::string_view input_declaration = {}, output_declaration = {}; // $name: where the types stand in the body
   std::string_view unused = {};                                     // $name of a parameter that the body does not use

@@ -45,6 +45,7 @@ struct ModuleSyntax {
   std::string_view functions = {};                                 // behind them
   std::string_view contains = {};                                  // between declarations and functions
   std::string_view guards_begin = {}, guard = {}, guards_end = {}; // $number $text, a literal
+  std::string_view no_guards = {};                                 // in their place where there are none
   std::string_view end = {};
   // The main program: $input_values, $parameter_values, $all_values (of both) and $labels are lists; $call is one of
   // the two below.

@@ -33,7 +33,7 @@ static constexpr OperationSpelling spellings[] = {
     {Op::round, "math.Round($x)"},
     {Op::rint, "math.RoundToEven($x)"},
     {Op::copysign, "math.Copysign($x, $y)"},
-    {Op::nextafter, "math.Nextafter($x, $y)"},
+    {Op::nextafter, "nextafter($x, $y)"},
     {Op::logb, "math.Logb($x)"},
     {Op::f32, "float64(float32($x))"},
     {Op::wrap_int8, "float64(int8(signed(wide_int($x))))"},
@@ -78,6 +78,14 @@ static constexpr OperationSpelling spellings[] = {
 };
 
 static constexpr Helper helpers[] = {
+    {"nextafter", R"(// Of zeros the second, as in C.
+func nextafter(x, y float64) float64 {
+    if x == y {
+        return y
+    }
+    return math.Nextafter(x, y)
+}
+)"},
     {"table_index", R"(// An index outside of its table reads the nearest element.
 func table_index(index float64, extent int) int {
     if !(index > 0) {

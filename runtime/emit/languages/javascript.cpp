@@ -141,8 +141,8 @@ function pow(x, y) {
 )"},
     {"fma", R"(// Numbers as integers times a power of two.
 function fma(x, y, z) {
-  if (!Number.isFinite(x) || !Number.isFinite(y) || !Number.isFinite(z) || x * y === 0 && (x === 0 || y === 0))
-    return x * y + z;
+  if (!Number.isFinite(x) || !Number.isFinite(y) || x === 0 || y === 0) return x * y + z;
+  if (!Number.isFinite(z)) return z;
   if (z === 0 && Math.abs(x * y) > 1e-290) return x * y;
   const split = (a) => {
     const b = to_bits(a), e = Number((b >> 52n) & 2047n);

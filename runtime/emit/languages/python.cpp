@@ -102,8 +102,10 @@ remainder = each(_remainder)
 
 )"},
     {"fma", R"(def _fma(x, y, z):
-    if not (math.isfinite(x) and math.isfinite(y) and math.isfinite(z)) or x == 0 or y == 0:
+    if not (math.isfinite(x) and math.isfinite(y)) or x == 0 or y == 0:
         return float64(x)*y + z
+    if not math.isfinite(z):
+        return z
     exact = fractions.Fraction(float(x))*fractions.Fraction(float(y)) + fractions.Fraction(float(z))
     if exact == 0:
         return 0.0

@@ -87,6 +87,7 @@ private:
     out.statement(0, Filling()
                          .set("result", std::string(may_fail ? syntax_.status : syntax_.no_result))
                          .set_name("name", name)
+                         .set("target", last)
                          .set("parameters", parameters)(head));
     for (std::string const &input : inputs_) out.statement(2, fill(syntax_.input_declaration, {{"name", input}}));
     out.statement(2, fill(syntax_.output_declaration, {{"name", last}}));

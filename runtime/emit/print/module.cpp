@@ -149,6 +149,8 @@ std::string module_end(Emission const &emission) {
       text += fill.set("number", k + 1)
                   .set("text", literal(emission.language, guard_text(graph, graph.guards[k])))(syntax.guard);
     text += fill(syntax.guards_end);
+  } else {
+    text += fill(syntax.no_guards);
   }
   return text + fill(syntax.end);
 }
