@@ -8,11 +8,9 @@ namespace symreal {
 static std::vector<EmittedFile> print(Schedule const &plan, Language const &language, EmitOptions const &options) {
   Emission emission{plan, language, options};
   std::vector<EmittedFile> files = {print_source(emission)};
-  auto const add = [&](Companion const &companion) {
-    files.push_back({options.base_name + std::string(companion.suffix), companion.text(emission)});
-  };
-  for (Companion const &companion : language.files.companions) add(companion);
-  if (options.mainline) add(language.files.mainline);
+  for (Companion const &companion : language.files.companions)
+    if (companion.option.empty() || options.extras.contains(companion.option))
+      files.push_back({options.base_name + std::string(companion.suffix), companion.text(emission)});
   return files;
 }
 

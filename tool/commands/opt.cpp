@@ -26,15 +26,18 @@ bool emits_code(Options const &options) { return !options.language.languages().e
 
 void require_sense(Options const &options) {
   EmitterOptions const &emitter = options.emitter;
-  if (!emits_code(options) && (emitter.mainline || !emitter.prefix.empty() || emitter.trace_comments ||
+  if (!emits_code(options) && (!emitter.extras.empty() || !emitter.prefix.empty() || emitter.trace_comments ||
                                emitter.check_values || !emitter.map_file.empty()))
-    fail(DiagnosticId::option_without_effect, {},
-         "--prefix, --mainline, --trace-comments, --map and --check-values shape generated code: use --lang=c");
+    fail(
+        DiagnosticId::option_without_effect, {},
+        "--prefix, --mainline, --mex, --simulink, --trace-comments, --map and --check-values shape generated code: use "
+        "--lang=c");
   require_one_language(options.language.languages(), emitter);
   if (options.language.languages().size() > 1 && options.output.empty())
     fail(DiagnosticId::option_without_effect, {}, "several languages make several files: name the first with -o");
-  if (options.emitter.mainline && options.output.empty())
-    fail(DiagnosticId::option_without_effect, {}, "--mainline writes a second file: name the first with -o");
+  if (!emitter.extras.empty() && options.output.empty())
+    fail(DiagnosticId::option_without_effect, {},
+         "--" + *emitter.extras.begin() + " writes a second file: name the first with -o");
   if (!emitter.map_file.empty() && options.output.empty())
     fail(DiagnosticId::option_without_effect, {}, "--map writes a second file: name the first with -o");
   if (options.json && options.output.empty())

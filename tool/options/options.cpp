@@ -55,7 +55,12 @@ std::vector<std::string> PassOptions::names() const { return parse_passes(passes
 
 void EmitterOptions::add_to(CLI::App &app) {
   app.add_option("--prefix", prefix, "Prefix of every external name of the generated code: P gives P_compute");
-  app.add_flag("--mainline", mainline, "Also emit a program that runs the generated code");
+  auto const add_extra = [&](std::string const &name, std::string const &doc) {
+    app.add_flag_callback("--" + name, [this, name] { extras.insert(name); }, doc);
+  };
+  add_extra("mainline", "Also emit a program that runs the generated code");
+  add_extra("mex", "Beside C, also emit what MATLAB and Octave call it by: a MEX gateway");
+  add_extra("simulink", "Beside C, also emit what Simulink calls it by: an S-function");
   app.add_flag("--trace-comments", trace_comments, "Each statement names the source lines that it comes from");
   app.add_option("--map", map_file, "Also write a map from generated lines to source lines, as JSON")
       ->type_name("FILE");

@@ -8,6 +8,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -37,7 +38,8 @@ struct PassOptions {
 // The form of the generated code.
 struct EmitterOptions {
   std::string prefix;
-  bool mainline = false, trace_comments = false, check_values = false;
+  std::set<std::string, std::less<>> extras; // files on request (emit/language/language.h)
+  bool trace_comments = false, check_values = false;
   Nesting nesting() const { return check_values ? Nesting::none : Nesting::bounded; }
   std::string map_file;
 

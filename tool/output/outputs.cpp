@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 std::vector<OutputFile> emitted_files(Schedule const &plan, EmitterOptions const &options, FloatingPoint mode,
                                       std::vector<Language const *> const &languages, std::string const &path) {
-  EmitOptions const emit{fs::path(path).stem().string(), options.prefix,      mode, options.mainline,
+  EmitOptions const emit{fs::path(path).stem().string(), options.prefix,      mode, options.extras,
                          options.trace_comments,         options.check_values};
   std::vector<OutputFile> files;
   for (Language const *language : languages)

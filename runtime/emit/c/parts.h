@@ -9,6 +9,10 @@ std::string c_begin(Emission const &emission);
 std::string c_header(Emission const &emission);
 std::string c_mainline(Emission const &emission);
 
+// Gateways for MATLAB and Octave, and for Simulink.
+std::string c_mex(Emission const &emission);
+std::string c_simulink(Emission const &emission);
+
 // How C and C++ differ in a program that runs the kernel once.
 struct MainlineWords {
   std::string header, includes;

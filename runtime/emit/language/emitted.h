@@ -4,6 +4,7 @@
 #include "graph/graph.h"
 #include "ops/floating_point.h"
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -13,9 +14,9 @@ struct EmitOptions {
   std::string base_name = "kernel"; // files are base_name.c, base_name.h, base_name_main.c
   std::string prefix = {};          // of every identifier with external linkage: "arm" gives arm_compute
   FloatingPoint mode = FloatingPoint::finite;
-  bool mainline = false;
-  bool trace_comments = false; // every statement says which source lines it comes from
-  bool check_values = false;   // one operation a statement, and the first NaN or infinity of a call is reported
+  std::set<std::string, std::less<>> extras = {}; // files on request, such as "mainline" (language.h)
+  bool trace_comments = false;                    // every statement says which source lines it comes from
+  bool check_values = false; // one operation a statement, and the first NaN or infinity of a call is reported
 };
 
 // Lines of a file that hold one statement, and where its operations come from.

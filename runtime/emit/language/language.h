@@ -132,6 +132,8 @@ struct ExternalSyntax {
 struct Companion {
   std::string_view suffix = {}; // ".h"
   Part text = nullptr;
+  std::string_view option = {};     // "mainline": written where this is asked for, otherwise always
+  bool is_named_after_file = false; // so the file's name must be one in the language
 };
 
 // Source: banner, begin, declarations of external functions, open, tables, integer functions, the helper that hides,
@@ -147,7 +149,6 @@ struct FileSyntax {
   std::span<Helper const> helpers = {}; // each is written where something that is printed names it
   Part end = nullptr;
   std::span<Companion const> companions = {};
-  Companion mainline = {};
 };
 
 struct Language {

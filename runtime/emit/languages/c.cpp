@@ -4,7 +4,10 @@
 
 namespace symreal {
 
-static constexpr Companion header[] = {{".h", c_header}};
+static constexpr Companion beside[] = {{".h", c_header},
+                                       {"_main.c", c_mainline, "mainline"},
+                                       {"_mex.c", c_mex, "mex", true},
+                                       {"_sfun.c", c_simulink, "simulink", true}};
 
 Language language_c() {
   Language c;
@@ -77,8 +80,7 @@ Language language_c() {
           "  return kept;\n"
           "}\n\n",
       .end = c_guard_text,
-      .companions = header,
-      .mainline = {"_main.c", c_mainline},
+      .companions = beside,
   };
   return c;
 }

@@ -3,7 +3,7 @@
 
 namespace symreal {
 
-static constexpr Companion header[] = {{".hpp", cpp_header}};
+static constexpr Companion beside[] = {{".hpp", cpp_header}, {"_main.cpp", cpp_mainline, "mainline"}};
 
 // As C, but for the names of the library, truth values, the namespace, and what stands around the functions.
 Language language_cpp() {
@@ -18,8 +18,7 @@ Language language_cpp() {
   cpp.files.begin = cpp_begin;
   cpp.files.open = cpp_open;
   cpp.files.end = cpp_end;
-  cpp.files.companions = header;
-  cpp.files.mainline = {"_main.cpp", cpp_mainline};
+  cpp.files.companions = beside;
   return cpp;
 }
 

@@ -312,6 +312,8 @@ end function
 )"},
 };
 
+static constexpr Companion beside[] = {{"_main.f90", module_main, "mainline"}};
+
 Language language_fortran() {
   Language fortran;
   fortran.names = {keywords, true};
@@ -372,7 +374,7 @@ Language language_fortran() {
       .begin = module_begin,
       .helpers = helpers,
       .end = module_end,
-      .mainline = {"_main.f90", module_main},
+      .companions = beside,
   };
   fortran.strings = {.quote = "'", .doubles_quotes = true, .most = 80, .joint = " // &\n        "};
   fortran.module = {

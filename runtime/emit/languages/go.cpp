@@ -250,6 +250,8 @@ func log(x float64) float64 {
     {"wide_less", "func wide_less(x, y uint64) bool {\n    return int64(x) < int64(y)\n}\n"},
 };
 
+static constexpr Companion beside[] = {{"_main.go", module_main, "mainline"}};
+
 Language language_go() {
   Language go;
   go.names = {keywords, false};
@@ -300,7 +302,7 @@ Language language_go() {
       .begin = module_begin,
       .helpers = helpers,
       .end = module_end,
-      .mainline = {"_main.go", module_main},
+      .companions = beside,
   };
   go.module = {
       .begin = "\npackage $package\n\nimport (\n    \"math\"\n    \"unsafe\"\n)\n\nvar _ = math.Pi\n\n",

@@ -256,6 +256,8 @@ private static void report_value(double value, String what) {
 )"},
 };
 
+static constexpr Companion beside[] = {{"_main.java", module_main, "mainline"}};
+
 Language language_java() {
   Language java;
   java.names = {keywords, false};
@@ -319,7 +321,7 @@ Language language_java() {
       .begin = module_begin,
       .helpers = helpers,
       .end = module_end,
-      .mainline = {"_main.java", module_main},
+      .companions = beside,
   };
   java.module = {
       .indent = 2,

@@ -307,6 +307,8 @@ function report_value(value, what) {
 )"},
 };
 
+static constexpr Companion beside[] = {{"_main.mjs", module_main, "mainline"}};
+
 Language language_javascript() {
   Language js;
   js.names = {keywords, false};
@@ -359,7 +361,7 @@ Language language_javascript() {
       .begin = module_begin,
       .helpers = helpers,
       .end = module_end,
-      .mainline = {"_main.mjs", module_main},
+      .companions = beside,
   };
   js.module = {
       .begin = "\n",

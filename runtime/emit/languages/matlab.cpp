@@ -363,6 +363,8 @@ end
 )"},
 };
 
+static constexpr Companion beside[] = {{"_main.m", module_main, "mainline"}};
+
 Language language_matlab() {
   Language matlab;
   matlab.names = {keywords, false};
@@ -417,7 +419,7 @@ Language language_matlab() {
       .begin = module_begin,
       .helpers = helpers,
       .end = module_end,
-      .mainline = {"_main.m", module_main},
+      .companions = beside,
   };
   matlab.strings = {.quote = "'", .doubles_quotes = true};
   matlab.module = {

@@ -256,6 +256,8 @@ def check(fails, number):
 )"},
 };
 
+static constexpr Companion beside[] = {{"_main.py", module_main, "mainline"}};
+
 Language language_python() {
   Language python;
   python.names = {keywords, false};
@@ -301,7 +303,7 @@ Language language_python() {
       .begin = module_begin,
       .helpers = helpers,
       .end = module_end,
-      .mainline = {"_main.py", module_main},
+      .companions = beside,
   };
   python.strings = {.quote = "\"", .escaped = "\"\\"};
   python.has_blocks = false;

@@ -43,6 +43,8 @@ static constexpr OperationSpelling spellings[] = {
     {Op::select, "if $x { $y } else { $z }", 3},
 };
 
+static constexpr Companion beside[] = {{"_main.rs", rust_mainline, "mainline"}};
+
 Language language_rust() {
   Language rust;
   rust.names = {keywords, false};
@@ -110,7 +112,7 @@ Language language_rust() {
           "    unsafe { std::ptr::read_volatile(&x) }\n"
           "}\n\n",
       .end = rust_end,
-      .mainline = {"_main.rs", rust_mainline},
+      .companions = beside,
   };
   return rust;
 }

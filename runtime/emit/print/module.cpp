@@ -30,13 +30,16 @@ std::vector<Size> sizes(Emission const &emission) {
           {"guard", graph.guards.size()}};
 }
 
-Filling common(Emission const &emission) {
+} // namespace
+
+Filling interface_names(Emission const &emission) {
   Filling fill;
   std::string const prefix = emission.options.prefix;
   NameRules const &rules = emission.language.names;
   fill.set_name("module", identifier(prefix.empty() ? emission.graph().kernel : prefix, rules));
   fill.set("base", emission.options.base_name).set_name("unit", identifier(emission.options.base_name, rules));
-  fill.set("package", emission.options.mainline ? "main" : identifier(emission.options.base_name, rules));
+  fill.set("package",
+           emission.options.extras.contains("mainline") ? "main" : identifier(emission.options.base_name, rules));
   for (std::string_view const name : functions) fill.set_name(std::string(name), emission.name(std::string(name)));
   for (Size const &size : sizes(emission)) {
     fill.set_name(size.name + "_count", emission.name(size.name + "_count"));
@@ -44,6 +47,8 @@ Filling common(Emission const &emission) {
   }
   return fill;
 }
+
+namespace {
 
 std::string list(std::vector<std::size_t> const &extents) { return fmt::format("{}", fmt::join(extents, ", ")); }
 
@@ -64,7 +69,7 @@ std::string type_of(ObjectsSyntax const &syntax, Object const &object) {
 std::string objects(Emission const &emission, ObjectsSyntax const &syntax, std::string const &role,
                     std::vector<Object> const &all) {
   if (syntax.object.empty()) return {};
-  Filling fill = common(emission);
+  Filling fill = interface_names(emission);
   fill.set_name("role", emission.name(role));
   fill.set("count", all.empty() ? 0 : all.back().first + all.back().count);
   NameRules const rules{emission.language.names.keywords, /*ignores_case=*/true}; // they may become capitals
@@ -127,7 +132,7 @@ std::string indented(Language const &language, std::string const &text) {
 
 std::string module_begin(Emission const &emission) {
   ModuleSyntax const &syntax = emission.language.module;
-  Filling fill = common(emission);
+  Filling fill = interface_names(emission);
   std::string text = fill(syntax.begin);
   for (Size const &size : sizes(emission))
     if (size.name != "guard" || size.value != 0)
@@ -141,7 +146,7 @@ std::string module_begin(Emission const &emission) {
 std::string module_end(Emission const &emission) {
   ModuleSyntax const &syntax = emission.language.module;
   Graph const &graph = emission.graph();
-  Filling fill = common(emission);
+  Filling fill = interface_names(emission);
   std::string text;
   if (!graph.guards.empty()) {
     text += fill(syntax.guards_begin);
@@ -165,7 +170,7 @@ std::string module_main(Emission const &emission) {
     longest = std::max(longest, label.size());
     label = literal(language, label);
   }
-  Filling fill = common(emission);
+  Filling fill = interface_names(emission);
   fill.set("labels", lines_of(language, labels)).set("longest", longest);
   std::vector<double> all = graph.input_values;
   all.insert(all.end(), graph.parameter_values.begin(), graph.parameter_values.end());

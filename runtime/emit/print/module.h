@@ -1,9 +1,13 @@
 // The parts of a file that a language's module.h patterns say.
 #pragma once
 
+#include "emit/language/pattern.h"
 #include "emit/print/emission.h"
 
 namespace symreal {
+
+// What the interface calls its parts, and its sizes (language/module.h).
+Filling interface_names(Emission const &emission);
 
 // Sizes, where objects begin, structures of them, remarks.
 std::string module_begin(Emission const &emission);

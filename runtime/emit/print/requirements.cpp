@@ -2,6 +2,8 @@
 
 #include "graph/names.h"
 
+#include <algorithm>
+
 namespace symreal {
 
 template <class Test> static bool has_live(Graph const &graph, Test const &test) {
@@ -11,15 +13,24 @@ template <class Test> static bool has_live(Graph const &graph, Test const &test)
   return false;
 }
 
+// A file that is called as what it contains needs a name that the language has.
+static void require_file_name(Language const &language, EmitOptions const &options) {
+  bool const names_it = std::ranges::any_of(language.files.companions, [&](Companion const &file) {
+    return file.is_named_after_file && options.extras.contains(file.option);
+  });
+  if (!names_it && !language.module.is_named_after_file) return;
+  if (identifier(options.base_name, language.names) == options.base_name) return;
+  fail(DiagnosticId::bad_option, {},
+       "a file of --lang=" + std::string(language.name) + " is called as what it contains, and '" + options.base_name +
+           "' is no name there: give another with -o");
+}
+
 void require_expressible(Graph const &graph, Language const &language, EmitOptions const &options) {
   auto const require = [&](bool is_there, bool is_wanted, std::string const &what) {
     if (is_wanted && !is_there)
       fail(DiagnosticId::bad_option, {}, what + ", which --lang=" + std::string(language.name) + " does not have");
   };
-  if (language.module.is_named_after_file && identifier(options.base_name, language.names) != options.base_name)
-    fail(DiagnosticId::bad_option, {},
-         "a file of --lang=" + std::string(language.name) + " is called as what it contains, and '" +
-             options.base_name + "' is no name there: give another with -o");
+  require_file_name(language, options);
   std::string const kernel = "kernel '" + graph.kernel + "' needs ";
   require(language.externals.call, has_live(graph, is_call), kernel + "external functions");
   require(!language.tables.begin.empty(), has_live(graph, [](Op op) { return op == Op::lookup || op == Op::lookup2; }),
@@ -32,7 +43,11 @@ void require_expressible(Graph const &graph, Language const &language, EmitOptio
             kernel + "operation " + std::string(info(op).name));
   require(!language.statements.check.empty(), !graph.guards.empty(), kernel + "guards");
   require(!language.statements.value_check.empty(), options.check_values, "--check-values needs reports of values");
-  require(language.files.mainline.text, options.mainline, "--mainline needs a main program");
+  for (std::string const &extra : options.extras) {
+    bool const is_there =
+        std::ranges::any_of(language.files.companions, [&](Companion const &file) { return file.option == extra; });
+    require(is_there, true, "--" + extra + " needs a file of its own");
+  }
 }
 
 } // namespace symreal

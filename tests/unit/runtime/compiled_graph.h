@@ -21,7 +21,7 @@ public:
     EXPECT_NE(mkdtemp(path.data()), nullptr);
     directory_ = path;
     for (EmittedFile const &file :
-         emit(schedule(graph), *find_language(language), {.base_name = "k", .mainline = true}))
+         emit(schedule(graph), *find_language(language), {.base_name = "k", .extras = {"mainline"}}))
       std::ofstream(directory_ / file.name) << file.text;
     if (language == "rust")
       build_rust(graph, path);

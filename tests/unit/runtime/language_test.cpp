@@ -126,7 +126,7 @@ TEST(Language, WhatItHasNotIsAnError) {
   expect_refused("%0 = input 0\n%1 = wide_int %0\n%2 = wide_low %1\nresult 0 %2\n", {},
                  "kernel 'k' needs integers of 64 bits");
   expect_refused("%0 = input 0\n%1 = lt 0 %0\nresult 0 %0\nguard 0 %1 \"0 < x\"\n", {}, "kernel 'k' needs guards");
-  expect_refused("%0 = input 0\nresult 0 %0\n", {.mainline = true}, "--mainline needs a main program");
+  expect_refused("%0 = input 0\nresult 0 %0\n", {.extras = {"mainline"}}, "--mainline needs a file of its own");
   expect_refused("%0 = input 0\nresult 0 %0\n", {.check_values = true}, "--check-values needs reports of values");
 }
 
