@@ -92,9 +92,7 @@ public:
 
 private:
   template <class T> void value(T &object) {
-    if constexpr (std::integral<T>)
-      bytes_.number(static_cast<std::uint64_t>(object));
-    else if constexpr (std::is_enum_v<T>)
+    if constexpr (std::integral<T> || std::is_enum_v<T>)
       bytes_.number(static_cast<std::uint64_t>(object));
     else
       visit(*this, object);
@@ -141,7 +139,8 @@ private:
     if constexpr (std::same_as<T, bool>)
       object = bytes_.number() != 0;
     else if constexpr (std::integral<T> || std::is_enum_v<T>)
-      object = static_cast<T>(bytes_.number());
+      object =
+          static_cast<T>(bytes_.number()); // NOLINT(clang-analyzer-optin.core.EnumCastOutOfRange): what Write wrote
     else
       visit(*this, object);
   }

@@ -94,7 +94,7 @@ private:
   std::string question(char kind, Twine const &path) const {
     llvm::SmallString<256> absolute;
     path.toVector(absolute);
-    (void)getUnderlyingFS().makeAbsolute(absolute);
+    if (getUnderlyingFS().makeAbsolute(absolute)) absolute.assign(path.str()); // asked for as it is
     return std::string(1, kind) + absolute.str().str();
   }
   Lookups &lookups_;

@@ -133,7 +133,8 @@ struct ExternalCall::State {
   }
 };
 
-ExternalCall::ExternalCall(ExternalDescription const &description, void const *caller) noexcept : state_(new State) {
+ExternalCall::ExternalCall(ExternalDescription const &description, void const *caller) noexcept
+    : state_(new State) { // NOLINT(bugprone-unhandled-exception-at-new): without memory the program ends
   Shape const &shape = shape_of(description);
   state_->external = shape.external;
   state_->sizes = &shape.sizes;

@@ -35,7 +35,7 @@ std::vector<memory::Known> State::known_changes() {
     for (RealNumber const *number : read.numbers) add(number, sizeof *number);
   for (Integers::Noted const &one : integers_.noted()) add(one.integer.address, one.integer.size);
   for (Scratch const &one : scratch_) {
-    if ((shadow_.at(one.object) & mark::freed) != 0) continue;
+    if (!image_ || (shadow_.at(one.object) & mark::freed) != 0) continue;
     for (memory::Known const &owned : image_->owned({static_cast<char const *>(one.object), one.size}))
       known.push_back(owned);
   }
@@ -44,7 +44,7 @@ std::vector<memory::Known> State::known_changes() {
 
 bool State::has_changed(RealNumber const *number) const {
   char const *before = image_ ? image_->before(number) : nullptr;
-  return before && std::memcmp(before, number, sizeof *number) != 0;
+  return before && std::memcmp(before, static_cast<void const *>(number), sizeof *number) != 0;
 }
 
 void State::judge_memory(Place const &kernel) {

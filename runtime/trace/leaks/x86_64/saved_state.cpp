@@ -47,15 +47,17 @@ AddressRegisters SavedState::address_registers() const {
 
 std::uint64_t *SavedState::lane(unsigned vector, unsigned lane) const {
   auto *area = reinterpret_cast<char *>(context_.uc_mcontext.fpregs);
+  auto const row = [&](std::size_t size, unsigned first) { return (vector - first) * size; };
+  auto const column = [&](unsigned first) { return std::size_t{8} * (lane - first); };
   char *at = nullptr;
   if (vector >= 16)
-    at = is_saved(area, zmm_upper16) ? area + offset(zmm_upper16) + (vector - 16) * 64 + lane * 8 : nullptr;
+    at = is_saved(area, zmm_upper16) ? area + offset(zmm_upper16) + row(64, 16) + column(0) : nullptr;
   else if (lane < 2)
-    at = reinterpret_cast<char *>(context_.uc_mcontext.fpregs->_xmm) + vector * 16 + lane * 8;
+    at = reinterpret_cast<char *>(context_.uc_mcontext.fpregs->_xmm) + row(16, 0) + column(0);
   else if (lane < 4)
-    at = is_saved(area, ymm_high) ? area + offset(ymm_high) + vector * 16 + (lane - 2) * 8 : nullptr;
+    at = is_saved(area, ymm_high) ? area + offset(ymm_high) + row(16, 0) + column(2) : nullptr;
   else
-    at = is_saved(area, zmm_high) ? area + offset(zmm_high) + vector * 32 + (lane - 4) * 8 : nullptr;
+    at = is_saved(area, zmm_high) ? area + offset(zmm_high) + row(32, 0) + column(4) : nullptr;
   return reinterpret_cast<std::uint64_t *>(at);
 }
 
