@@ -6,7 +6,7 @@
 // SAME: {{29[0-9][0-9]|3000}} within the premises
 // SAME: out[0] {{ *}}2 {{ *}}0 {{ *}}0{{$}}
 // CHECK: compute(
-// CHECK: int const [[CHOSEN:t[0-9]+]] = (input[0] > 0.0) && (input[1] < 1.0);
+// CHECK: bool const [[CHOSEN:t[0-9]+]] = (input[0] > 0.0) && (input[1] < 1.0);
 // CHECK: [[CHOSEN]] ? sqrt(input[0]) : 4.0;
 #include <cmath>
 #include <cstdio>

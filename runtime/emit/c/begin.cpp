@@ -26,8 +26,9 @@ std::string c_value_checks(Emission const &emission) {
 }
 
 std::string c_begin(Emission const &emission) {
-  return fmt::format("#include \"{}.h\"\n\n#include <math.h>\n{}{}{}\n", emission.options.base_name,
-                     c_integer_includes(emission), c_value_checks(emission), c_no_fusion(emission));
+  return fmt::format("#include \"{}.h\"\n\n#include <math.h>\n{}{}{}{}\n", emission.options.base_name,
+                     emission.uses.truths ? "#include <stdbool.h>\n" : "", c_integer_includes(emission),
+                     c_value_checks(emission), c_no_fusion(emission));
 }
 
 } // namespace symreal

@@ -57,12 +57,7 @@ std::string text_of(Function const &function) {
 } // namespace
 
 std::string c_integer_includes(Emission const &emission) {
-  std::string text;
-  if (any_printed(emission, is_integer_type_used)) text += "#include <stdint.h>\n";
-  // Integers that may stand in an array of doubles: those of 64 bits.
-  if (any_printed(emission, [](OperationInfo const &operation) { return operation.has(flag::WIDE); }))
-    text += "#include <string.h>\n";
-  return text;
+  return any_printed(emission, is_integer_type_used) ? "#include <stdint.h>\n" : "";
 }
 
 std::string c_integer_functions(Emission const &emission) {
@@ -77,9 +72,18 @@ std::string c_integer_functions(Emission const &emission) {
   for (std::size_t k = 0; k < functions.size(); ++k)
     if (wanted[k]) text += text_of(functions[k]);
   if (uses.keep_integer)
-    text += "static void keep_integer(double *element, uint64_t x) {\n  memcpy(element, &x, sizeof x);\n}\n";
+    text += "static void keep_integer(double *element, uint64_t x) {\n"
+            "  unsigned char const *from = (unsigned char const *)&x;\n"
+            "  unsigned char *to = (unsigned char *)element;\n"
+            "  unsigned k;\n"
+            "  for (k = 0u; k < sizeof x; ++k) to[k] = from[k];\n}\n";
   if (uses.kept_integer)
-    text += "static uint64_t kept_integer(double const *element) {\n  uint64_t x;\n  memcpy(&x, element, sizeof x);\n"
+    text += "static uint64_t kept_integer(double const *element) {\n"
+            "  uint64_t x;\n"
+            "  unsigned char const *from = (unsigned char const *)element;\n"
+            "  unsigned char *to = (unsigned char *)&x;\n"
+            "  unsigned k;\n"
+            "  for (k = 0u; k < sizeof x; ++k) to[k] = from[k];\n"
             "  return x;\n}\n";
   return text.empty() ? text : "/* Integers, as gcc has them on x86-64. */\n" + text + "\n";
 }

@@ -16,11 +16,11 @@ Language language_c() {
   c.lines = {.width = 100, .least = 60, .continuation = ""};
   c.numbers = {"NAN", "-NAN", "INFINITY", "-INFINITY"};
   c.number = {"double", "0.0"};
-  c.truth = {"int", "0"};
+  c.truth = {"bool", "false"};
   c.wide = {"uint64_t", "0"};
   c.expressions = {
       .element = "$array[$index]",
-      .yes = "1",
+      .yes = "true",
       .small_integer = "${value}u",
       .large_integer = "UINT64_C($value)",
       .kept_integer = "kept_integer(&$element)",
@@ -61,7 +61,7 @@ Language language_c() {
       .index_helper = "/* An index outside of its table reads the nearest element. */\n"
                       "static int table_index(double index, int extent) {\n"
                       "  if (!(index > 0.0)) return 0;\n"
-                      "  return index < extent ? (int)index : extent - 1;\n"
+                      "  return index < (double)extent ? (int)index : extent - 1;\n"
                       "}\n\n",
   };
   c.externals = {.declarations = c_external_declarations, .call = c_call};

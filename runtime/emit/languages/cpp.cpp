@@ -5,13 +5,11 @@ namespace symreal {
 
 static constexpr Companion beside[] = {{".hpp", cpp_header}, {"_main.cpp", cpp_mainline, "mainline"}};
 
-// As C, but for the names of the library, truth values, the namespace, and what stands around the functions.
+// As C, but for the names of the library, the namespace, and what stands around the functions.
 Language language_cpp() {
   Language cpp = language_c();
   cpp.has_namespace = true;
-  cpp.truth = {"bool", "false"};
   cpp.expressions.call_prefix = "std::";
-  cpp.expressions.yes = "true";
   cpp.statements.value_check = "if (!std::isfinite($name)) report_value($name, \"$text\");";
   cpp.externals.declarations = cpp_external_declarations;
   cpp.files.extension = ".cpp";

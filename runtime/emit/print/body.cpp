@@ -38,6 +38,7 @@ BodyPrinter::Type BodyPrinter::type(std::size_t statement) const {
 
 TypeSyntax const &BodyPrinter::type_syntax(std::size_t statement) const {
   Type const type = this->type(statement);
+  emission_.uses.truths = emission_.uses.truths || type == Type::truth;
   return type == Type::number ? language_.number : type == Type::truth ? language_.truth : language_.wide;
 }
 
