@@ -11,6 +11,7 @@ Language language_cpp() {
   cpp.has_namespace = true;
   cpp.truth = {"bool", "false"};
   cpp.expressions.call_prefix = "std::";
+  cpp.single.call_suffix = ""; // they are overloaded
   cpp.expressions.yes = "true";
   cpp.statements.value_check = "if (!std::isfinite($name)) report_value($name, \"$text\");";
   cpp.externals.declarations = cpp_external_declarations;
