@@ -260,6 +260,13 @@ std::optional<Diagnostic> verification_failure(Graph const &graph, program::Veri
                       {file},
                       fmt::format("only {} samples lie within the premises of mode {}, and {} are required",
                                   verification.inside, to_string(verification.mode), options.min_samples)};
+  std::size_t const lost = verification.is_single ? *std::ranges::max_element(verification.lost) : 0;
+  if (verification.inside - lost < std::min(options.min_samples, options.samples))
+    return Diagnostic{DiagnosticId::too_few_samples,
+                      {file},
+                      fmt::format("only {} samples can be compared in single precision, and {} are required: --tol {} "
+                                  "asks for more than float holds of the others",
+                                  verification.inside - lost, options.min_samples, verification.tolerance)};
   return {};
 }
 

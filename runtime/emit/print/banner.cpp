@@ -13,8 +13,9 @@ static bool calls_pow(Graph const &graph) {
 
 // What is promised of doubles does not hold of other numbers.
 static std::string promise_in_single(FloatingPoint mode) {
-  return "Single precision: rounding differs from the original's, which computes in double. The identities of mode " +
-         std::string(to_string(mode)) + "\nwere applied.";
+  return "Single precision: rounding differs from that of the original, which computes with more digits.\n"
+         "The identities of mode " +
+         std::string(to_string(mode)) + " were applied.";
 }
 
 static std::string promise(Emission const &emission) {
