@@ -19,6 +19,7 @@ struct Banner {
   FloatingPoint mode = FloatingPoint::finite;
   std::size_t inputs = 0, parameters = 0, constants = 0, outputs = 0, guards = 0;
   std::string decisions = "error"; // the policy under which the kernel was recorded
+  bool is_single = false;          // its numbers are float
 };
 // Does the file begin as a generated one?
 bool is_generated(std::string const &path);
@@ -58,6 +59,7 @@ public:
   bool needs_program() const { return needs_program_; }
   std::string const &object() const { return object_; }
   std::string const &prefix() const { return prefix_; } // of the names in the object
+  // Code in single precision is given, and gives, the numbers rounded to it.
   Result run(std::span<double const> inputs, std::span<double const> parameters);
 
   // What the file says of guard `number`.
@@ -67,17 +69,15 @@ private:
   void compile(std::string const &path, Graph const &graph, CodeBuild const &build, Workspace const &workspace);
   void load(std::string const &path);
 
-  using Preprocess = void (*)(double const *, double *);
-  using Compute = void (*)(double const *, double const *, double *);
-  using GuardedCompute = int (*)(double const *, double const *, double *);
+  template <class Real> Result run_in(std::span<double const> inputs, std::span<double const> parameters);
+
   using GuardText = char const *(*)(int);
 
   Banner banner_;
   std::string object_, prefix_;
   bool needs_program_;
   void *library_ = nullptr;
-  Preprocess preprocess_ = nullptr;
-  void *compute_ = nullptr; // a Compute, with guards a GuardedCompute
+  void *preprocess_ = nullptr, *compute_ = nullptr; // of double or float, with guards and without
   GuardText guard_text_ = nullptr;
 };
 

@@ -3,6 +3,7 @@
 #include "graph/evaluate.h"
 #include "program/guard_verification.h"
 #include "program/replay.h"
+#include "program/single_runs.h"
 #include "program/wrapped_original.h"
 
 #include <algorithm>
@@ -74,13 +75,16 @@ public:
     start(original_, "the original", by_hand ? front.replay_program : front.original_program,
           code_.needs_program() ? &code_ : nullptr);
     if (!by_hand) start(rewritten_, "the rewritten program", front.replay_program, nullptr);
-    if (!front.own_flags_program.empty())
+    if (!front.own_flags_program.empty() && !banner.is_single)
       start(own_flags_, "the original with its own flags", front.own_flags_program, nullptr);
     if (options.wrapper) {
       start(wrapped_, "the original with its wrapper", build_wrapped(front, recorded), &code_);
       result_.wrapped.resize(graph_.output_count());
     }
     result_.mode = banner.mode;
+    result_.is_single = banner.is_single;
+    result_.tolerance = options.tolerance;
+    result_.lost.resize(graph_.output_count());
     result_.outputs.resize(graph_.output_count());
     result_.rewritten.resize(graph_.output_count());
     result_.called_again.resize(graph_.output_count());
@@ -91,7 +95,10 @@ public:
   }
 
   Verification run() {
-    for (std::size_t k = 0; k < options_.samples; ++k) try_sample(k, source_.next());
+    for (std::size_t k = 0; k < options_.samples; ++k) {
+      Sample const drawn = source_.next();
+      try_sample(k, banner_.is_single ? in_single_precision(drawn) : drawn);
+    }
     return std::move(result_);
   }
 
@@ -114,13 +121,17 @@ private:
         in_program ? original_->run_generated(sample) : code_.run(sample.inputs, sample.parameters);
     // What the functions that it calls have left, as those of the original do.
     left_by_generated_ = in_program ? original_->left_behind() : std::vector<replay::LeftBehind>();
-    Premises const &premises = evaluated.premises;
-    bool const inside = premises.defined && (banner_.mode == FloatingPoint::strict || premises.hold());
+    if (banner_.is_single) single_.emplace(graph_, sample);
+    Premises const premises = single_ && evaluated.premises.hold() ? single_->premises() : evaluated.premises;
+    bool const is_strict = banner_.mode == FloatingPoint::strict && !banner_.is_single;
+    bool const inside = premises.defined && (is_strict || premises.hold());
     if (!premises.defined)
       ++result_.undefined;
     else if (!inside)
       ++(premises.finite ? result_.zero_sign : result_.not_finite);
     result_.samples.push_back(sample);
+    if (inside && single_ && single_->decide_otherwise(evaluated.failing_guard))
+      return void(++result_.decided_otherwise);
     if (inside) check_guards(graph_, evaluated.failing_guard, computed, k, result_);
     // Beyond a guard the original goes where the recording has not been, and nothing is promised.
     if (evaluated.failing_guard < graph_.guards.size() || computed.failed != 0 || !premises.defined) return;
@@ -128,7 +139,8 @@ private:
     if (inside)
       compare(k, sample, original, computed.outputs, evaluated.outputs);
     else
-      result_.outside_different += !all_same(original, computed.outputs);
+      result_.outside_different +=
+          !(banner_.is_single ? all_near(original, computed.outputs) : all_same(original, computed.outputs));
     result_.inside += inside;
   }
 
@@ -136,9 +148,15 @@ private:
                std::vector<double> const &generated, std::vector<double> const &recorded) {
     for (replay::LeftBehind const &left : original_->left_behind())
       if (!is_left_by_generated(left) && !is_scratch(left)) add_left(result_.left, describe(left));
-    for (std::size_t slot = 0; slot < original.size(); ++slot)
-      result_.outputs[slot].add(k, original[slot], generated[slot], banner_.mode, options_.tolerance);
-    if (!code_.needs_program()) compare_calls(k, sample, generated);
+    for (std::size_t slot = 0; slot < original.size(); ++slot) {
+      if (!single_)
+        result_.outputs[slot].add(k, original[slot], generated[slot], banner_.mode, options_.tolerance);
+      else if (single_->lose(slot, original[slot], options_.tolerance))
+        ++result_.lost[slot];
+      else
+        result_.outputs[slot].add_single(k, original[slot], generated[slot], options_.tolerance);
+    }
+    if (!code_.needs_program() && !single_) compare_calls(k, sample, generated);
     result_.graph_different += !all_same(original, recorded);
     if (rewritten_) {
       std::vector<double> const rewritten = rewritten_->run(sample);
@@ -180,6 +198,11 @@ private:
                       [](double a, double b) { return same(a, b, FloatingPoint::strict, 0); });
   }
 
+  bool all_near(std::vector<double> const &one, std::vector<double> const &other) const {
+    return std::equal(one.begin(), one.end(), other.begin(), other.end(),
+                      [&](double a, double b) { return same(a, b, FloatingPoint::fast, options_.tolerance); });
+  }
+
   bool is_left_by_generated(replay::LeftBehind const &left) const {
     return std::find(left_by_generated_.begin(), left_by_generated_.end(), left) != left_by_generated_.end();
   }
@@ -211,6 +234,7 @@ private:
   GeneratedCode code_;
   std::optional<GeneratedCode> own_code_;
   SampleSource source_;
+  std::optional<SingleRuns> single_; // of the sample that is tried, where the code is in single precision
   std::optional<Replay> original_, rewritten_, own_flags_, wrapped_;
   std::vector<replay::LeftBehind> left_by_generated_;
   Verification result_;

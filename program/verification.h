@@ -11,9 +11,11 @@ namespace symreal::program {
 struct VerificationOptions {
   std::size_t samples = 1000, min_samples = 100;
   std::uint64_t seed = 1;
-  double tolerance = 1e-9; // mode fast
+  double tolerance = 1e-9; // mode fast, and single precision
   bool wrapper = false;    // also what its wrapper does
 };
+
+inline constexpr double single_tolerance = 1e-3; // of single precision, unless another is asked for
 
 // A guard of the generated code.
 struct GuardCheck {
@@ -35,6 +37,8 @@ struct LeftState {
 
 struct Verification {
   FloatingPoint mode = FloatingPoint::finite;
+  bool is_single = false;                    // of code in single precision, see single_runs.h
+  double tolerance = 0;                      // that it was compared with
   std::size_t inside = 0;                    // samples that satisfy the premises of the mode and all guards
   std::size_t not_finite = 0, zero_sign = 0; // and those that do not, by premise
   std::size_t undefined = 0;                 // samples on which the original has no meaning, in no mode
@@ -44,7 +48,11 @@ struct Verification {
   std::vector<std::uint64_t> own_flags_ulp, own_code_ulp;
   std::size_t outside_different = 0; // samples outside that differ in some output, not an error
   std::size_t graph_different = 0;   // samples inside on which the recorded graph itself differs from the original
-  std::vector<Sample> samples;       // all that were drawn
+  // Of code in single precision: samples that were left out because single precision decides otherwise, and numbers,
+  // per slot, that were because it loses too much.
+  std::size_t decided_otherwise = 0;
+  std::vector<std::size_t> lost;
+  std::vector<Sample> samples;             // all that were drawn
   std::vector<OutputComparison> rewritten; // per slot, the rewritten text against the original: equal to the last bit
   std::vector<OutputComparison> called_again; // per slot, over the second and third of three calls in a row
   std::vector<OutputComparison> wrapped; // per slot, the generated code behind its wrapper against itself; or empty

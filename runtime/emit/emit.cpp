@@ -1,6 +1,7 @@
 #include "emit/emit.h"
 
 #include "emit/print/requirements.h"
+#include "emit/print/single_requirements.h"
 #include "emit/print/source.h"
 
 namespace symreal {
@@ -16,8 +17,10 @@ static std::vector<EmittedFile> print(Schedule const &plan, Language const &lang
 
 std::vector<EmittedFile> emit(Schedule const &plan, Language const &language, EmitOptions const &options) {
   require_expressible(*plan.graph, language, options);
-  if (language.has_blocks) return print(plan, language, options);
-  return print(schedule(*plan.graph, Nesting::bounded, Arms::computed), language, options);
+  if (options.is_single) require_single(*plan.graph, language, options);
+  Language const wanted = options.is_single ? in_single_precision(language) : language;
+  if (wanted.has_blocks) return print(plan, wanted, options);
+  return print(schedule(*plan.graph, Nesting::bounded, Arms::computed), wanted, options);
 }
 
 } // namespace symreal

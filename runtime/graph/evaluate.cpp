@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <unordered_map>
 
 namespace symreal {
@@ -53,13 +54,23 @@ private:
 
 } // namespace
 
+double rounded(double value, Rounding rounding) {
+  if (rounding == Rounding::none) return value;
+  constexpr float infinity = std::numeric_limits<float>::infinity();
+  auto const nearest = static_cast<float>(value);
+  if (rounding == Rounding::up_to_single && nearest < value) return std::nextafter(nearest, infinity);
+  if (rounding == Rounding::down_to_single && nearest > value) return std::nextafter(nearest, -infinity);
+  return nearest;
+}
+
 std::vector<double> evaluate(Graph const &graph, std::span<double const> inputs, std::span<double const> parameters,
-                             CallExternal const &call) {
+                             CallExternal const &call, Rounding rounding) {
   std::vector<double> values;
   values.reserve(graph.nodes.size());
   OpaqueValues opaque(graph, call);
   auto operand = [&](NodeId id) { return id == no_node ? 0.0 : values[id]; };
-  for (Node const &node : graph.nodes) switch (node.op) {
+  for (Node const &node : graph.nodes) {
+    switch (node.op) {
     case Op::constant: values.push_back(node.value()); break;
     case Op::input: values.push_back(inputs[node.slot()]); break;
     case Op::parameter: values.push_back(parameters[node.slot()]); break;
@@ -70,6 +81,8 @@ std::vector<double> evaluate(Graph const &graph, std::span<double const> inputs,
       }
       values.push_back(evaluate(node.op, operand(node.operand[0]), operand(node.operand[1]), operand(node.operand[2])));
     }
+    if (!is_wide(node.op)) values.back() = rounded(values.back(), rounding);
+  }
   return values;
 }
 
@@ -189,8 +202,8 @@ Premises check_premises(Graph const &graph, std::span<double const> values) {
 }
 
 Evaluation evaluate_sample(Graph const &graph, std::span<double const> inputs, std::span<double const> parameters,
-                           CallExternal const &call) {
-  std::vector<double> const values = evaluate(graph, inputs, parameters, call);
+                           CallExternal const &call, Rounding rounding) {
+  std::vector<double> const values = evaluate(graph, inputs, parameters, call, rounding);
   Evaluation result{{}, check_premises(graph, values), first_failing_guard(graph, values)};
   for (NodeId output : graph.results) result.outputs.push_back(values[output]);
   return result;

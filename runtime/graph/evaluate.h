@@ -3,6 +3,7 @@
 
 #include "graph/graph.h"
 
+#include <cstdint>
 #include <functional>
 #include <span>
 
@@ -12,11 +13,16 @@ namespace symreal {
 using CallExternal =
     std::function<void(std::size_t function, std::span<double const> arguments, std::span<double> results)>;
 
+// What becomes of each number that is computed: nothing, or it is rounded to single precision, to the nearest or to one
+// side.
+enum class Rounding : std::uint8_t { none, to_single, up_to_single, down_to_single };
+double rounded(double value, Rounding rounding);
+
 // One value per node, by the reference semantics of the operation table; what is no number has the value 0. Calls are
 // made in the order of the nodes; a graph that has some needs `call`, unless all are of functions of complex numbers.
 // Linear, no recursion.
 std::vector<double> evaluate(Graph const &graph, std::span<double const> inputs, std::span<double const> parameters,
-                             CallExternal const &call = {});
+                             CallExternal const &call = {}, Rounding rounding = Rounding::none);
 
 // The first guard whose condition is 0; the number of guards where all hold.
 std::size_t first_failing_guard(Graph const &graph, std::span<double const> values);
@@ -45,6 +51,6 @@ struct Evaluation {
   std::size_t failing_guard; // or the number of guards
 };
 Evaluation evaluate_sample(Graph const &graph, std::span<double const> inputs, std::span<double const> parameters,
-                           CallExternal const &call = {});
+                           CallExternal const &call = {}, Rounding rounding = Rounding::none);
 
 } // namespace symreal

@@ -5,12 +5,16 @@
 
 namespace symreal {
 
-std::string shortest(double value) {
+template <class Real> static std::string shortest_of(Real value) {
   if (std::isnan(value)) return std::signbit(value) ? "-nan" : "nan";
   char buffer[32];
   auto [end, error] = std::to_chars(buffer, buffer + sizeof buffer, value);
   return {buffer, end};
 }
+
+std::string shortest(double value) { return shortest_of(value); }
+
+std::string shortest(float value) { return shortest_of(value); }
 
 std::optional<double> parse_number(std::string_view text) {
   bool negative = !text.empty() && text.front() == '-';

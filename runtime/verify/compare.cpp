@@ -7,19 +7,28 @@
 
 namespace symreal {
 
-// Doubles in order, as integers: both zeros are 0.
+// Numbers in order, as integers: both zeros are 0.
 static std::int64_t rank(double value) {
   auto bits = std::bit_cast<std::int64_t>(value);
   return bits < 0 ? std::numeric_limits<std::int64_t>::min() - bits : bits;
 }
 
-std::uint64_t ulp_distance(double a, double b) {
+static std::int64_t rank(float value) {
+  auto bits = std::bit_cast<std::int32_t>(value);
+  return bits < 0 ? std::int64_t{std::numeric_limits<std::int32_t>::min()} - bits : bits;
+}
+
+template <class Real> static std::uint64_t distance_of(Real a, Real b) {
   if (std::isnan(a) || std::isnan(b))
     return std::isnan(a) && std::isnan(b) ? 0 : std::numeric_limits<std::uint64_t>::max();
   auto low = static_cast<std::uint64_t>(std::min(rank(a), rank(b)));
   auto high = static_cast<std::uint64_t>(std::max(rank(a), rank(b)));
   return high - low;
 }
+
+std::uint64_t ulp_distance(double a, double b) { return distance_of(a, b); }
+
+std::uint64_t ulp_distance(float a, float b) { return distance_of(a, b); }
 
 bool same(double original, double generated, FloatingPoint mode, double tolerance) {
   if (std::isnan(original) || std::isnan(generated))
@@ -35,8 +44,17 @@ bool same(double original, double generated, FloatingPoint mode, double toleranc
 
 void OutputComparison::add(std::size_t sample, double original_value, double generated_value, FloatingPoint mode,
                            double tolerance) {
-  bool is_same = same(original_value, generated_value, mode, tolerance);
-  std::uint64_t distance = ulp_distance(original_value, generated_value);
+  add(sample, original_value, generated_value, same(original_value, generated_value, mode, tolerance),
+      ulp_distance(original_value, generated_value));
+}
+
+void OutputComparison::add_single(std::size_t sample, double original_value, double generated_value, double tolerance) {
+  add(sample, original_value, generated_value, same(original_value, generated_value, FloatingPoint::fast, tolerance),
+      ulp_distance(static_cast<float>(original_value), static_cast<float>(generated_value)));
+}
+
+void OutputComparison::add(std::size_t sample, double original_value, double generated_value, bool is_same,
+                           std::uint64_t distance) {
   bool first_difference = !is_same && different == 0;
   if (!is_same) ++different;
   // A difference that counts is shown before a larger one that does not.

@@ -11,6 +11,7 @@ namespace symreal {
 // How many doubles lie between: 0 for equal numbers (0 and -0 are equal) and for two NaNs, the largest count for a NaN
 // and a number.
 std::uint64_t ulp_distance(double a, double b);
+std::uint64_t ulp_distance(float a, float b);
 
 // finite: ==. strict: the same bits, any NaN equal to any NaN. fast: within `tolerance`, relative to the larger of the
 // original's magnitude and 1.
@@ -24,6 +25,11 @@ struct OutputComparison {
   double original = 0, generated = 0; // at the worst sample
 
   void add(std::size_t sample, double original_value, double generated_value, FloatingPoint mode, double tolerance);
+  // Of code in single precision: within `tolerance`, and distances are those of floats.
+  void add_single(std::size_t sample, double original_value, double generated_value, double tolerance);
+
+private:
+  void add(std::size_t sample, double original_value, double generated_value, bool is_same, std::uint64_t distance);
 };
 
 } // namespace symreal

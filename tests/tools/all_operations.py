@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """all_operations.py OPERATIONS.DEF: prints a graph with every operation of the table, each on inputs of its own, without
 those that need more than their operands. With --inputs K: instead the inputs of run K, numbers of the operation's domain
-or corner values, separated by blanks."""
+or corner values, separated by blanks. With --real float behind it: the operations and numbers that single precision has."""
 import random
 import re
 import sys
@@ -13,7 +13,8 @@ def rows(path):
     for line in open(path):
         if line.startswith("OPERATION("):
             name, arity, form, _, _, flags, domain = ROW.match(line).groups()
-            if "OPAQUE" not in flags:
+            is_beyond = "WIDE" in flags or "TAKES_WIDE" in flags or name in ("mul_uint32", "wrap_int32", "wrap_uint32")
+            if "OPAQUE" not in flags and not (is_float and is_beyond):
                 yield name, int(arity), form, set(flags.split(" | ")), domain
 
 
@@ -48,6 +49,11 @@ CORNERS = [0.0, -0.0, 1.0, -1.0, 0.5, -0.5, 2.5, -1.5, 1e300, -1e300, 5e-324, -2
            -float("inf"), float("nan"), 4503599627370495.5, 0.49999999999999994]
 
 
+# The same places among floats.
+FLOAT_CORNERS = [0.0, -0.0, 1.0, -1.0, 0.5, -0.5, 2.5, -1.5, 3e38, -3e38, 1.4e-45, -1.1754944e-38, float("inf"),
+                 -float("inf"), float("nan"), 8388607.5, 0.49999997]
+
+
 def draw(domain, source):
     x = source.uniform(-1, 1)
     return {"any": 5 * x, "positive": 0.1 + 4 * abs(x), "unit": 0.95 * x, "above_one": 1.1 + 4 * abs(x),
@@ -63,9 +69,12 @@ def numbers(path, run):
             elif domain == "integer" or run < 3:
                 yield draw(domain, source)
             else:
-                yield source.choice(CORNERS)
+                yield source.choice(FLOAT_CORNERS if is_float else CORNERS)
 
 
+is_float = sys.argv[-2:] == ["--real", "float"]
+if is_float:
+    del sys.argv[-2:]
 if len(sys.argv) == 4 and sys.argv[1] == "--inputs":
     print(*(repr(x) for x in numbers(sys.argv[3], int(sys.argv[2]))))
 else:

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""long_function.py COUNT: prints a graph with so many nodes in one long function: sums, products, square roots, truth
-values, selects and integers of 64 bits, whose values are used near and far."""
+"""long_function.py COUNT [float]: prints a graph with so many nodes in one long function: sums, products, square roots,
+truth values, selects and integers of 64 bits, whose values are used near and far. With float: without such integers."""
 import random
 import sys
 
@@ -8,6 +8,8 @@ count = int(sys.argv[1])
 source = random.Random(5)
 lines = ["%0 = input 0", "%1 = input 1", "%2 = wide_int %0", "%3 = wide 1481765933 1284865837", "%4 = wide_mul %2 %3",
          "%5 = wide_less %4 %2", "%6 = wide_value %4"]
+if sys.argv[2:] == ["float"]:
+    lines[2:] = ["%2 = abs %0", "%3 = abs %1", "%4 = add %2 %3", "%5 = lt %4 %2", "%6 = mul %4 %3"]
 numbers = [0, 1, 6]
 
 

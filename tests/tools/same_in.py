@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
-"""same_in.py LANGUAGE BASE [--ulps FILE] [--all-operations TABLE RUNS | INPUTS...]: builds and runs the main program of
+"""same_in.py LANGUAGE BASE [--real float] [--ulps FILE] [--all-operations TABLE RUNS | INPUTS...]: builds and runs the main program of
 LANGUAGE (BASE_main.*) and that of C beside it, and compares their outputs for each list of inputs. Numbers must have the
 same bits, but for the units in the last place that FILE grants to an output op_NAME of this language ("javascript sin
-1") and to others ("javascript * 2"); any NaN equals any NaN. Both must end with the same status and tell the same guard."""
+1") and to others ("javascript * 2"); any NaN equals any NaN. Of programs in
+single precision units are those of floats, and FILE calls the language java_float. Both must end with the same status and tell the same guard."""
 import argparse
 import math
 import os
@@ -42,20 +43,20 @@ def build_c(base):
     return lambda inputs: subprocess.run([f"./{name}.run_c"] + inputs, cwd=where, capture_output=True, text=True)
 
 
-def ordered(x):
-    """Doubles as integers in their order: neighbours differ by 1, and -0 is 0."""
-    bits = struct.unpack("<q", struct.pack("<d", x))[0]
-    return bits if bits >= 0 else -(bits & 0x7FFFFFFFFFFFFFFF)
+def ordered(x, is_float):
+    """Numbers as integers in their order: neighbours differ by 1, and -0 is 0."""
+    bits = struct.unpack("<i", struct.pack("<f", x))[0] if is_float else struct.unpack("<q", struct.pack("<d", x))[0]
+    return bits if bits >= 0 else -(bits & (0x7FFFFFFF if is_float else 0x7FFFFFFFFFFFFFFF))
 
 
-def distance(x, y):
+def distance(x, y, is_float):
     if math.isnan(x) or math.isnan(y):
         return 0 if math.isnan(x) and math.isnan(y) else math.inf
     if x == y:
         return 0 if math.copysign(1, x) == math.copysign(1, y) else math.inf
     if math.isinf(x) or math.isinf(y):
         return math.inf
-    return abs(ordered(x) - ordered(y))
+    return abs(ordered(x, is_float) - ordered(y, is_float))
 
 
 def outputs(text):
@@ -76,7 +77,7 @@ def messages(text):
     return text.replace("error: ignoring const execution_exception& while preparing to exit", "").split()
 
 
-def compare(language, expected, got, ulps, worst):
+def compare(expected, got, ulps, worst, is_float):
     problems = []
     if expected.returncode != got.returncode:
         problems.append(f"ends with {got.returncode}, not {expected.returncode}: {got.stderr}")
@@ -89,7 +90,7 @@ def compare(language, expected, got, ulps, worst):
         return [f"prints {[name for name, _ in right]}"]
     for (name, x), (_, y) in zip(left, right):
         operation = name[3:] if name.startswith("op_") else "*"
-        far = distance(x, y)
+        far = distance(x, y, is_float)
         worst[operation] = max(worst.get(operation, 0), far)
         if far > ulps.get(operation, 0):
             problems.append(f"{name} = {y!r}, in C {x!r}: {far} units in the last place")
@@ -100,20 +101,22 @@ def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("language")
     parser.add_argument("base")
+    parser.add_argument("--real", default="double", choices=["double", "float"])
     parser.add_argument("--ulps")
     parser.add_argument("--all-operations", nargs=2)
     parser.add_argument("--show", action="store_true", help="print the largest distance of each operation")
     options, runs = parser.parse_known_args()
+    is_float = options.real == "float"
     lists = [run.split() for run in runs] or [[]]
     if options.all_operations:
         table, count = options.all_operations
-        lists = [subprocess.run([sys.executable, f"{HERE}/all_operations.py", "--inputs", str(run), table], check=True,
+        lists = [subprocess.run([sys.executable, f"{HERE}/all_operations.py", "--inputs", str(run), table] + ["--real", "float"] * is_float, check=True,
                                 capture_output=True, text=True).stdout.split() for run in range(int(count))]
-    ulps = granted(options.ulps, options.language)
+    ulps = granted(options.ulps, options.language + ("_float" if is_float else ""))
     in_c, in_it, worst, failed = build_c(options.base), build(options.language, options.base), {}, False
     for run, inputs in enumerate(lists):
         expected, got = in_c(inputs), in_it(inputs)
-        problems = compare(options.language, expected, got, ulps, worst)
+        problems = compare(expected, got, ulps, worst, is_float)
         for problem in problems:
             print(f"run {run}: {problem}")
         failed = failed or bool(problems)

@@ -63,6 +63,9 @@ void require_sense(Options const &options) {
   require_one_language(options.language.languages(), options.emitter);
   if (options.wrapper && !calls_c(options))
     fail(DiagnosticId::option_without_effect, {}, "--wrapper calls generated C: name c among the languages of --lang");
+  if (options.wrapper && options.emitter.is_single())
+    fail(DiagnosticId::bad_option, {}, "--wrapper hands on doubles: leave --real=float out");
+  (void)options.emitter.is_single();
   options.frozen.require_sense();
   require_one_of("--decisions", options.decisions, "error|guard|select");
   (void)options.passes.floating_point();

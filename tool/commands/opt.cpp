@@ -27,11 +27,11 @@ bool emits_code(Options const &options) { return !options.language.languages().e
 void require_sense(Options const &options) {
   EmitterOptions const &emitter = options.emitter;
   if (!emits_code(options) && (!emitter.extras.empty() || !emitter.prefix.empty() || emitter.trace_comments ||
-                               emitter.check_values || !emitter.map_file.empty()))
-    fail(
-        DiagnosticId::option_without_effect, {},
-        "--prefix, --mainline, --mex, --simulink, --trace-comments, --map and --check-values shape generated code: use "
-        "--lang=c");
+                               emitter.check_values || !emitter.map_file.empty() || emitter.is_single()))
+    fail(DiagnosticId::option_without_effect, {},
+         "--prefix, --real, --mainline, --mex, --simulink, --trace-comments, --map and --check-values shape generated "
+         "code: use "
+         "--lang=c");
   require_one_language(options.language.languages(), emitter);
   if (options.language.languages().size() > 1 && options.output.empty())
     fail(DiagnosticId::option_without_effect, {}, "several languages make several files: name the first with -o");

@@ -86,9 +86,10 @@ int run(CLI::App &command, Options &options, Session &session) {
   std::vector<program::Banner> banners;
   for (std::string const &path : generated) {
     banners.push_back(program::read_banner(path));
-    if (options.tolerance->count() != 0 && banners.back().mode != FloatingPoint::fast)
+    if (options.tolerance->count() != 0 && banners.back().mode != FloatingPoint::fast && !banners.back().is_single)
       fail(DiagnosticId::option_without_effect, {},
-           "--tol is for code of mode fast; this is of mode " + std::string(to_string(banners.back().mode)));
+           "--tol is for code of mode fast and for single precision; this is of mode " +
+               std::string(to_string(banners.back().mode)));
   }
 
   Console console;
@@ -105,9 +106,10 @@ int run(CLI::App &command, Options &options, Session &session) {
     }
     console.stage("verifying");
     program::Recorded const &recorded = program::require_match(front->kernels, banner, generated[k]);
-    options.verification.wrapper = has_wrapper(generated[k], recorded);
-    program::Verification const verification =
-        program::verify(*front, as, recorded, generated[k], banner, options.verification);
+    program::VerificationOptions asked = options.verification;
+    asked.wrapper = !banner.is_single && has_wrapper(generated[k], recorded);
+    if (banner.is_single && options.tolerance->count() == 0) asked.tolerance = program::single_tolerance;
+    program::Verification const verification = program::verify(*front, as, recorded, generated[k], banner, asked);
     console.clear();
     print_verification(std::cerr, recorded.graph, verification);
     if (options.json) json.push_back(to_json(recorded.graph, verification));
@@ -138,7 +140,9 @@ void add_verify(CLI::App &app, Session &session) {
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
   command->add_option("--seed", verification.seed, "Where the sequence of inputs starts")->capture_default_str();
-  options->tolerance = command->add_option("--tol", verification.tolerance, "Largest relative error in mode fast")
+  options->tolerance = command
+                           ->add_option("--tol", verification.tolerance,
+                                        "Largest relative error in mode fast; in single precision 0.001 unless given")
                            ->capture_default_str();
   command->add_flag("--json", options->json, "Print the result as JSON to standard output");
   command->callback([options, command, &session] {

@@ -55,6 +55,8 @@ std::vector<std::string> PassOptions::names() const { return parse_passes(passes
 
 void EmitterOptions::add_to(CLI::App &app) {
   app.add_option("--prefix", prefix, "Prefix of every external name of the generated code: P gives P_compute");
+  app.add_option("--real", real, "The numbers of the generated code: double, or float for single precision")
+      ->capture_default_str();
   auto const add_extra = [&](std::string const &name, std::string const &doc) {
     app.add_flag_callback("--" + name, [this, name] { extras.insert(name); }, doc);
   };
@@ -66,6 +68,11 @@ void EmitterOptions::add_to(CLI::App &app) {
       ->type_name("FILE");
   app.add_flag("--check-values", check_values,
                "For debugging: the generated code reports the first NaN or infinity with its source line");
+}
+
+bool EmitterOptions::is_single() const {
+  require_one_of("--real", real, "double|float");
+  return real == "float";
 }
 
 void require_one_of(std::string const &option, std::string const &value, std::string_view words) {

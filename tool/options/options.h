@@ -37,13 +37,15 @@ struct PassOptions {
 
 // The form of the generated code.
 struct EmitterOptions {
-  std::string prefix;
+  std::string prefix, real = "double";
   std::set<std::string, std::less<>> extras; // files on request (emit/language/language.h)
   bool trace_comments = false, check_values = false;
   Nesting nesting() const { return check_values ? Nesting::none : Nesting::bounded; }
   std::string map_file;
 
   void add_to(CLI::App &app);
+  // Throws bad_option for another word than these.
+  bool is_single() const;
 };
 
 // Fails unless `value` is among the words, separated by '|'.

@@ -20,8 +20,9 @@ namespace fs = std::filesystem;
 
 std::vector<OutputFile> emitted_files(Schedule const &plan, EmitterOptions const &options, FloatingPoint mode,
                                       std::vector<Language const *> const &languages, std::string const &path) {
-  EmitOptions const emit{fs::path(path).stem().string(), options.prefix,      mode, options.extras,
-                         options.trace_comments,         options.check_values};
+  EmitOptions const emit{
+      fs::path(path).stem().string(), options.prefix,     mode, options.extras, options.trace_comments,
+      options.check_values,           options.is_single()};
   std::vector<OutputFile> files;
   for (Language const *language : languages)
     for (EmittedFile const &file : symreal::emit(plan, *language, emit)) {

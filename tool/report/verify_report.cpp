@@ -8,6 +8,7 @@
 #include <fmt/ostream.h>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -123,6 +124,19 @@ void print_guards(std::ostream &out, program::Verification const &verification) 
     fmt::print(out, "  rounding changes the decisions of {} samples\n", verification.guards_different);
 }
 
+// What single precision cannot tell is left out, and said.
+void print_single(std::ostream &out, program::Verification const &verification) {
+  fmt::print(out, "  single precision: compared to {} of the larger of the original's magnitude and 1\n",
+             shortest(verification.tolerance));
+  if (verification.decided_otherwise != 0)
+    fmt::print(out, "  decided otherwise: {} samples on which float rounds a decision the other way\n",
+               verification.decided_otherwise);
+  std::size_t const lost = std::accumulate(verification.lost.begin(), verification.lost.end(), std::size_t{0});
+  if (lost != 0)
+    fmt::print(out, "  left out: {} of {} numbers, of which float itself loses more than a quarter of that\n", lost,
+               verification.inside * verification.lost.size());
+}
+
 std::string guard_difference(program::Verification const &verification) {
   program::GuardMismatch const &mismatch = *verification.guard_mismatch;
   return fmt::format("the original {}, the code returned {}, inputs {}",
@@ -134,8 +148,9 @@ std::string guard_difference(program::Verification const &verification) {
 } // namespace
 
 void print_verification(std::ostream &out, Graph const &graph, program::Verification const &verification) {
-  fmt::print(out, "kernel {}, mode {}: {} samples, {} within the premises\n", graph.kernel,
-             to_string(verification.mode), verification.samples.size(), verification.inside);
+  fmt::print(out, "kernel {}, mode {}{}: {} samples, {} within the premises\n", graph.kernel,
+             to_string(verification.mode), verification.is_single ? ", float" : "", verification.samples.size(),
+             verification.inside);
   if (verification.undefined != 0)
     fmt::print(out,
                "  left out: {} on which the original's behaviour is undefined: an index outside of its table, an "
@@ -146,9 +161,11 @@ void print_verification(std::ostream &out, Graph const &graph, program::Verifica
                "  outside: {} with a value that is not finite, {} where the sign of a zero is seen; {} of them "
                "differ\n",
                verification.not_finite, verification.zero_sign, verification.outside_different);
+  if (verification.is_single) print_single(out, verification);
   if (!verification.guards.empty()) print_guards(out, verification);
   if (!verification.wrapped.empty()) fmt::print(out, "  the wrapper was tried as well\n");
-  fmt::print(out, "  {:<28}{:>10}{:>22}{:>12}{}{}\n", "output", "elements", "worst ULP", "different",
+  fmt::print(out, "  {:<28}{:>10}{:>22}{:>12}{}{}\n", "output", "elements",
+             verification.is_single ? "worst ULP of float" : "worst ULP", "different",
              verification.own_flags_ulp.empty() ? "" : fmt::format("{:>22}", "ULP, own flags"),
              verification.own_code_ulp.empty() ? "" : fmt::format("{:>22}", "code with own flags"));
   std::vector<std::string> names = identifiers(graph.outputs);
@@ -184,6 +201,11 @@ Json to_json(Graph const &graph, program::Verification const &verification) {
       if (!verification.own_code_ulp.empty())
         json["outputs"].back()["own_code_ulp"] = verification.own_code_ulp[object.first + element];
     }
+  if (verification.is_single) {
+    json["real"] = "float";
+    json["decided_otherwise"] = verification.decided_otherwise;
+    json["lost"] = verification.lost;
+  }
   if (!verification.guards.empty()) json["refused"] = verification.refused;
   json["rewritten_different"] = program::count_different(verification.rewritten);
   json["called_again_different"] = program::count_different(verification.called_again);
@@ -238,6 +260,13 @@ std::optional<Diagnostic> verification_failure(Graph const &graph, program::Veri
                       {file},
                       fmt::format("only {} samples lie within the premises of mode {}, and {} are required",
                                   verification.inside, to_string(verification.mode), options.min_samples)};
+  std::size_t const lost = verification.is_single ? *std::ranges::max_element(verification.lost) : 0;
+  if (verification.inside - lost < std::min(options.min_samples, options.samples))
+    return Diagnostic{DiagnosticId::too_few_samples,
+                      {file},
+                      fmt::format("only {} samples can be compared in single precision, and {} are required: --tol {} "
+                                  "asks for more than float holds of the others",
+                                  verification.inside - lost, options.min_samples, verification.tolerance)};
   return {};
 }
 

@@ -19,7 +19,9 @@ std::string c_value_checks(Emission const &emission) {
   if (!emission.uses.value_checks) return {};
   return "#include <stdio.h>\n\n"
          "static int all_finite;\n\n"
-         "static void report_value(double value, char const *what) {\n"
+         "static void report_value(" +
+         std::string(emission.language.number.name) +
+         " value, char const *what) {\n"
          "  if (all_finite) fprintf(stderr, \"not finite: %s is %g\\n\", what, value);\n"
          "  all_finite = 0;\n"
          "}\n";

@@ -7,7 +7,7 @@
 
 namespace symreal {
 
-// The index of each object's first element, and a struct of doubles with the objects in order: a pointer to it is a
+// The index of each object's first element, and a struct of numbers with the objects in order: a pointer to it is a
 // pointer to the array.
 static std::string describe(Emission const &emission, std::string const &role, std::vector<Object> const &objects) {
   auto const [indices, members] = c_objects(emission, role, objects);
@@ -37,10 +37,11 @@ std::string c_header(Emission const &emission) {
   out += describe(emission, "parameter", graph.parameters);
   out += describe(emission, "output", graph.outputs);
   out += "/* Once, and again whenever a parameter changes. */\n";
-  out += fmt::format("void {}(double const *parameters, double *constants);\n\n", emission.name("preprocess"));
+  std::string_view const real = emission.language.number.name;
+  out += fmt::format("void {0}({1} const *parameters, {1} *constants);\n\n", emission.name("preprocess"), real);
   out += "/* The arrays may overlap: all inputs are read before an output is written. */\n";
-  out += fmt::format("{} {}(double const *input, double const *constants, double *output);\n\n",
-                     graph.guards.empty() ? "void" : "int", emission.name("compute"));
+  out += fmt::format("{0} {1}({2} const *input, {2} const *constants, {2} *output);\n\n",
+                     graph.guards.empty() ? "void" : "int", emission.name("compute"), real);
   out += frozen_remark(emission) + guard_list(emission);
   out += "#ifdef __cplusplus\n}\n#endif\n\n#endif\n";
   return out;

@@ -42,6 +42,23 @@ bool calls(std::string_view text, std::string_view function) {
   return false;
 }
 
+// The text with float in place of double: the type, numbers, and functions of the library.
+std::string in_single(std::string_view text) {
+  std::string result;
+  auto const is_part = [](unsigned char c) { return std::isalnum(c) || c == '_' || c == '.'; };
+  while (!text.empty()) {
+    std::size_t const length = static_cast<std::size_t>(std::ranges::find_if_not(text, is_part) - text.begin());
+    std::string const word(text.substr(0, std::max<std::size_t>(length, 1)));
+    text.remove_prefix(word.size());
+    bool const is_number = std::isdigit(static_cast<unsigned char>(word[0])) && word.find_first_of(".p") != word.npos;
+    bool const is_function = std::ranges::any_of(operations(), [&](OperationInfo const &operation) {
+      return operation.form == Form::call && operation.c == word;
+    });
+    result += word == "double" ? "float" : is_number || is_function ? word + "f" : word;
+  }
+  return result;
+}
+
 // One statement a line.
 std::string text_of(Function const &function) {
   std::string text = fmt::format("static {} {}{} {{\n", function.type, function.name, function.parameters);
@@ -70,7 +87,7 @@ std::string c_integer_functions(Emission const &emission) {
   }
   std::string text;
   for (std::size_t k = 0; k < functions.size(); ++k)
-    if (wanted[k]) text += text_of(functions[k]);
+    if (wanted[k]) text += emission.language.is_single ? in_single(text_of(functions[k])) : text_of(functions[k]);
   if (uses.keep_integer)
     text += "static void keep_integer(double *element, uint64_t x) {\n"
             "  unsigned char const *from = (unsigned char const *)&x;\n"

@@ -5,14 +5,14 @@
 
 namespace symreal {
 
-// Numbers, or structs of them without tags: a struct of doubles alone has no gaps.
-static std::string declare(NameRules const &rules, std::string const &indent, std::string const &name,
+// Numbers, or structs of them without tags: a struct of numbers alone has no gaps.
+static std::string declare(Language const &language, std::string const &indent, std::string const &name,
                            std::vector<std::size_t> const &extents, std::vector<Member> const &members) {
   if (number_count(extents, members) == 0) return {};
-  std::string text = indent + (members.empty() ? "double " : "struct {\n");
-  std::vector<std::string> const names = identifiers(members, rules);
+  std::string text = indent + (members.empty() ? std::string(language.number.name) + " " : "struct {\n");
+  std::vector<std::string> const names = identifiers(members, language.names);
   for (std::size_t i = 0; i < members.size(); ++i)
-    text += declare(rules, indent + "  ", names[i], members[i].extents, members[i].members);
+    text += declare(language, indent + "  ", names[i], members[i].extents, members[i].members);
   if (!members.empty()) text += indent + "} ";
   text += name;
   for (std::size_t extent : extents) text += fmt::format("[{}]", extent);
@@ -20,14 +20,13 @@ static std::string declare(NameRules const &rules, std::string const &indent, st
 }
 
 ObjectTexts c_objects(Emission const &emission, std::string const &role, std::vector<Object> const &objects) {
-  NameRules const &rules = emission.language.names;
-  std::vector<std::string> const names = identifiers(objects, rules);
+  std::vector<std::string> const names = identifiers(objects, emission.language.names);
   ObjectTexts texts;
   for (std::size_t i = 0; i < objects.size(); ++i) {
     if (objects[i].count == 0) continue;
     if (!texts.indices.empty()) texts.indices += ",";
     texts.indices += fmt::format("\n  {} = {}", emission.name(role + "_" + names[i]), objects[i].first);
-    texts.members += declare(rules, "  ", names[i], objects[i].extents, objects[i].members);
+    texts.members += declare(emission.language, "  ", names[i], objects[i].extents, objects[i].members);
   }
   return texts;
 }

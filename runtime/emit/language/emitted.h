@@ -17,6 +17,7 @@ struct EmitOptions {
   std::set<std::string, std::less<>> extras = {}; // files on request, such as "mainline" (language.h)
   bool trace_comments = false;                    // every statement says which source lines it comes from
   bool check_values = false; // one operation a statement, and the first NaN or infinity of a call is reported
+  bool is_single = false;    // numbers are float
 };
 
 // Lines of a file that hold one statement, and where its operations come from.

@@ -1,21 +1,65 @@
 #include "emit/language/language.h"
 
-#include "emit/language/pattern.h"
 #include "support/number.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
+#include <iterator>
 
 namespace symreal {
+
+Language in_single_precision(Language language) {
+  internal_check(!language.single.number.name.empty());
+  language.number = language.single.number;
+  language.numbers = language.single.numbers;
+  language.is_single = true;
+  return language;
+}
+
+std::vector<std::pair<std::string_view, std::string_view>> words_of(Language const &language) {
+  std::vector<std::pair<std::string_view, std::string_view>> words = {{"real", language.number.name},
+                                                                      {"suffix", language.numbers.suffix}};
+  for (Word const &word : language.words)
+    words.emplace_back(word.name, language.is_single ? word.in_single : word.in_double);
+  return words;
+}
+
+std::string fill(Language const &language, std::string_view pattern,
+                 std::initializer_list<std::pair<std::string_view, std::string_view>> values) {
+  std::vector<std::pair<std::string_view, std::string_view>> all(values);
+  std::ranges::copy(words_of(language), std::back_inserter(all));
+  return fill(pattern, all);
+}
+
+std::string with_words(Language const &language, std::string_view pattern) {
+  std::string text;
+  auto const words = words_of(language);
+  auto const is_letter = [](unsigned char c) { return std::isalpha(c) || c == '_'; };
+  while (true) {
+    std::size_t const dollar = std::min(pattern.find('$'), pattern.size());
+    text += pattern.substr(0, dollar);
+    if (dollar == pattern.size()) return text;
+    pattern.remove_prefix(dollar + 1);
+    auto const length = static_cast<std::size_t>(std::ranges::find_if_not(pattern, is_letter) - pattern.begin());
+    auto const word = std::ranges::find(words, pattern.substr(0, length), [](auto const &pair) { return pair.first; });
+    if (word == words.end()) {
+      text += '$';
+      continue;
+    }
+    text += word->second;
+    pattern.remove_prefix(length);
+  }
+}
 
 std::string constant(Language const &language, double value) {
   NumberSyntax const &syntax = language.numbers;
   if (std::isnan(value)) return std::string(std::signbit(value) ? syntax.negative_nan : syntax.nan);
   if (std::isinf(value)) return std::string(value < 0 ? syntax.negative_infinity : syntax.infinity);
   if (value == 0 && std::signbit(value) && !syntax.negative_zero.empty()) return std::string(syntax.negative_zero);
-  std::string text = shortest(value);
+  std::string text = language.is_single ? shortest(static_cast<float>(value)) : shortest(value);
   std::size_t const exponent = text.find('e');
-  if (exponent != text.npos) return text.replace(exponent, 1, syntax.exponent);
+  if (exponent != text.npos) return text.replace(exponent, 1, syntax.exponent).append(syntax.exponent_suffix);
   if (text.find('.') == text.npos) text += ".0";
   return text += syntax.suffix;
 }
@@ -59,7 +103,7 @@ std::string literal(Language const &language, std::string_view text) {
 
 std::string element(Language const &language, std::string_view array, std::size_t index) {
   ExpressionSyntax const &syntax = language.expressions;
-  return fill(syntax.element, {{"array", array}, {"index", std::to_string(index + syntax.first_index)}});
+  return fill(language, syntax.element, {{"array", array}, {"index", std::to_string(index + syntax.first_index)}});
 }
 
 } // namespace symreal

@@ -3,9 +3,13 @@
 // Strings with a '$' are patterns (pattern.h); the comment behind each says which places it has. In patterns of
 // expressions $x, $y, $z are operands, and $x:13 one that needs parentheses unless it binds at least that tightly;
 // binding strengths are those of the table of operations, C's.
+//
+// Every pattern, spellings and helpers too, also has $real, the name of the type of numbers, $suffix, what stands
+// behind a number without an exponent, and the language's own words.
 #pragma once
 
 #include "emit/language/module.h"
+#include "emit/language/pattern.h"
 #include "graph/graph.h"
 #include "graph/names.h"
 
@@ -43,14 +47,29 @@ struct LineLimits {
 // Numbers are printed so that they read back to the same bits.
 struct NumberSyntax {
   std::string_view nan = {}, negative_nan = {}, infinity = {}, negative_infinity = {};
-  std::string_view exponent = "e";     // between mantissa and exponent
-  std::string_view suffix = {};        // of numbers without an exponent
-  std::string_view negative_zero = {}; // where it is not -0.0
+  std::string_view exponent = "e";       // between mantissa and exponent
+  std::string_view suffix = {};          // of numbers without an exponent
+  std::string_view negative_zero = {};   // where it is not -0.0
+  std::string_view exponent_suffix = {}; // of numbers with an exponent
 };
 
 // A variable holds a number, a truth value, or an integer of 64 bits.
 struct TypeSyntax {
   std::string_view name = {}, zero = {};
+};
+
+// How the language computes in single precision, where that is not as in double. No type: it cannot.
+struct SingleSyntax {
+  TypeSyntax number = {};
+  NumberSyntax numbers = {};
+  std::string_view call_suffix = {}; // of the names of the mathematical library: "f"
+  std::string_view narrowed = {};    // before a call, where the functions give doubles: "(float)"
+  std::span<Op const> given = {};    // those whose functions give what they take
+};
+
+// A place that patterns of this language have, with what stands there in double and in single precision.
+struct Word {
+  std::string_view name = {}, in_double = {}, in_single = {};
 };
 
 struct ExpressionSyntax {
@@ -134,6 +153,7 @@ struct Companion {
   Part text = nullptr;
   std::string_view option = {};     // "mainline": written where this is asked for, otherwise always
   bool is_named_after_file = false; // so the file's name must be one in the language
+  bool takes_doubles = false;       // so the functions must, too
 };
 
 // Source: banner, begin, declarations of external functions, open, tables, integer functions, the helper that hides,
@@ -159,6 +179,9 @@ struct Language {
   LineLimits lines;
   NumberSyntax numbers;
   TypeSyntax number, truth, wide;
+  SingleSyntax single;
+  std::span<Word const> words = {};
+  bool is_single = false; // numbers are those of `single`
   ExpressionSyntax expressions;
   StatementSyntax statements;
   FunctionSyntax functions;
@@ -171,7 +194,17 @@ struct Language {
   bool has_blocks = true;         // otherwise both arms of a select are computed
 };
 
-// A number in the language.
+// The language with numbers of single precision, which it must have.
+Language in_single_precision(Language language);
+
+// What stands at the places that all patterns of the language have.
+std::vector<std::pair<std::string_view, std::string_view>> words_of(Language const &language);
+// A pattern with these and its own places filled; or with these alone, and the others left as they are.
+std::string fill(Language const &language, std::string_view pattern,
+                 std::initializer_list<std::pair<std::string_view, std::string_view>> values);
+std::string with_words(Language const &language, std::string_view pattern);
+
+// A number in the language; in single precision the nearest one there.
 std::string constant(Language const &language, double value);
 
 // Lines as one comment, without a newline behind it. `closed_apart`: what closes it stands on a line of its own.

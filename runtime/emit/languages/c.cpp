@@ -6,8 +6,8 @@ namespace symreal {
 
 static constexpr Companion beside[] = {{".h", c_header},
                                        {"_main.c", c_mainline, "mainline"},
-                                       {"_mex.c", c_mex, "mex", true},
-                                       {"_sfun.c", c_simulink, "simulink", true}};
+                                       {"_mex.c", c_mex, "mex", true, true},
+                                       {"_sfun.c", c_simulink, "simulink", true, true}};
 
 Language language_c() {
   Language c;
@@ -18,6 +18,9 @@ Language language_c() {
   c.number = {"double", "0.0"};
   c.truth = {"bool", "false"};
   c.wide = {"uint64_t", "0"};
+  c.single = {.number = {"float", "0.0f"},
+              .numbers = {"NAN", "-NAN", "INFINITY", "-INFINITY", "e", "f", "", "f"},
+              .call_suffix = "f"};
   c.expressions = {
       .element = "$array[$index]",
       .yes = "true",
@@ -32,8 +35,8 @@ Language language_c() {
       .constant = "$type const $name = $value;",
       .set = "$name = $value;",
       .keep_integer = "keep_integer(&$element, $value);",
-      .array = "double $name[$count];",
-      .zero_array = "double $name[$count] = {0.0};",
+      .array = "$real $name[$count];",
+      .zero_array = "$real $name[$count] = {0.0$suffix};",
       .open = "if ($condition) {",
       .otherwise = "} else {",
       .close = "}",
@@ -47,8 +50,8 @@ Language language_c() {
       .end = "}",
       .no_result = "void",
       .status = "int",
-      .input = "double const *$name",
-      .output = "double *$name",
+      .input = "$real const *$name",
+      .output = "$real *$name",
       .unused = "(void)$name;",
       .success = "return 0;",
       .failed = "int failed = 0;",
@@ -56,12 +59,12 @@ Language language_c() {
       .checked_call = "failed = $name($arguments);\nif (failed != 0) return failed;",
   };
   c.tables = {
-      .begin = "static double const $name[$count] = {",
+      .begin = "static $real const $name[$count] = {",
       .end = "};",
       .index_helper = "/* An index outside of its table reads the nearest element. */\n"
-                      "static int table_index(double index, int extent) {\n"
-                      "  if (!(index > 0.0)) return 0;\n"
-                      "  return index < (double)extent ? (int)index : extent - 1;\n"
+                      "static int table_index($real index, int extent) {\n"
+                      "  if (!(index > 0.0$suffix)) return 0;\n"
+                      "  return index < ($real)extent ? (int)index : extent - 1;\n"
                       "}\n\n",
   };
   c.externals = {.declarations = c_external_declarations, .call = c_call};
@@ -75,8 +78,8 @@ Language language_c() {
       .hide_helper =
           "/* An argument that is constant on some path: a compiler would evaluate the call there, and round "
           "otherwise\n   than the library. */\n"
-          "static double at_run(double x) {\n"
-          "  double volatile const kept = x;\n"
+          "static $real at_run($real x) {\n"
+          "  $real volatile const kept = x;\n"
           "  return kept;\n"
           "}\n\n",
       .end = c_guard_text,

@@ -10,6 +10,7 @@ Language language_cpp() {
   Language cpp = language_c();
   cpp.has_namespace = true;
   cpp.expressions.call_prefix = "std::";
+  cpp.single.call_suffix = ""; // they are overloaded
   cpp.statements.value_check = "if (!std::isfinite($name)) report_value($name, \"$text\");";
   cpp.externals.declarations = cpp_external_declarations;
   cpp.files.extension = ".cpp";

@@ -19,7 +19,7 @@ static constexpr OperationSpelling spellings[] = {
     {Op::sqrt, "sqrt($x)"},
     {Op::trunc, "aint($x)"},
     {Op::copysign, "sign($x, $y)"},
-    {Op::f32, "real(real($x, c_float), c_double)"},
+    {Op::f32, "real(real($x, c_float), $kind)"},
     {Op::wrap_int8, "wrapped($x, 8)"},
     {Op::wrap_int16, "wrapped($x, 16)"},
     {Op::wrap_int32, "wrapped($x, 32)"},
@@ -34,9 +34,9 @@ static constexpr OperationSpelling spellings[] = {
     {Op::wide_mul, "wide_mul($x, $y)"},
     {Op::wide_select, "merge($y, $z, $x)"},
     {Op::wide_uless, "wide_uless($x, $y)"},
-    {Op::wide_value, "real($x, c_double)"},
+    {Op::wide_value, "real($x, $kind)"},
     {Op::wide_uvalue, "wide_uvalue($x)"},
-    {Op::wide_low, "real(ibits($x, 0, 32), c_double)"},
+    {Op::wide_low, "real(ibits($x, 0, 32), $kind)"},
     {Op::logical_and, "$x:12 .and. $y:12", 5},
     {Op::logical_or, "$x:12 .or. $y:12", 4},
     {Op::logical_not, ".not. $x:14", 6},
@@ -47,13 +47,13 @@ static constexpr OperationSpelling spellings[] = {
 #define OF_ONE(name)                                                                                                   \
   {"c_" #name,                                                                                                         \
    "interface\n  pure function c_" #name "(x) bind(c, name='" #name                                                    \
-   "') result(y)\n    import :: c_double\n    real(c_double), value :: x\n    real(c_double) :: y\n  end function\n"   \
+   "$f') result(y)\n    import :: $kind\n    $real, value :: x\n    $real :: y\n  end function\n"                      \
    "end interface\n",                                                                                                  \
    true}
 #define OF_TWO(name)                                                                                                   \
   {"c_" #name,                                                                                                         \
    "interface\n  pure function c_" #name "(x, y) bind(c, name='" #name                                                 \
-   "') result(z)\n    import :: c_double\n    real(c_double), value :: x, y\n    real(c_double) :: z\n"                \
+   "$f') result(z)\n    import :: $kind\n    $real, value :: x, y\n    $real :: z\n"                                   \
    "  end function\nend interface\n",                                                                                  \
    true}
 
@@ -61,10 +61,10 @@ static constexpr Helper helpers[] = {
     OF_ONE(cbrt),
     OF_TWO(hypot),
     {"c_fma", R"(interface
-  pure function c_fma(x, y, z) bind(c, name='fma') result(r)
-    import :: c_double
-    real(c_double), value :: x, y, z
-    real(c_double) :: r
+  pure function c_fma(x, y, z) bind(c, name='fma$f') result(r)
+    import :: $kind
+    $real, value :: x, y, z
+    $real :: r
   end function
 end interface
 )",
@@ -105,13 +105,11 @@ end interface
     OF_ONE(erfc),
     OF_ONE(tgamma),
     OF_ONE(lgamma),
-    {"infinity", "real(c_double), parameter :: infinity = transfer(int(z'7FF0000000000000', c_int64_t), 0.0d0)\n",
-     true},
-    {"not_a_number",
-     "real(c_double), parameter :: not_a_number = transfer(int(z'7FF8000000000000', c_int64_t), 0.0d0)\n", true},
+    {"infinity", "$real, parameter :: infinity = $infinity\n", true},
+    {"not_a_number", "$real, parameter :: not_a_number = $nan\n", true},
     {"table_index", R"(! An index outside of its table reads the nearest element.
 pure function table_index(index, extent) result(at)
-  real(c_double), intent(in) :: index
+  $real, intent(in) :: index
   integer, intent(in) :: extent
   integer :: at
   at = 0
@@ -120,73 +118,73 @@ pure function table_index(index, extent) result(at)
 end function
 )"},
     {"wide_int", R"(pure function wide_int(x) result(y)
-  real(c_double), intent(in) :: x
+  $real, intent(in) :: x
   integer(c_int64_t) :: y
   y = ibset(0_c_int64_t, 63)
-  if (x >= -9223372036854775808.0d0 .and. x < 9223372036854775808.0d0) y = int(x, c_int64_t)
+  if (x >= -9223372036854775808.0$suffix .and. x < 9223372036854775808.0$suffix) y = int(x, c_int64_t)
 end function
 )"},
     {"wide_uint", R"(pure function wide_uint(x) result(y)
-  real(c_double), intent(in) :: x
+  $real, intent(in) :: x
   integer(c_int64_t) :: y
-  if (x >= 9223372036854775808.0d0) then
-    y = ieor(wide_int(x - 9223372036854775808.0d0), ibset(0_c_int64_t, 63))
+  if (x >= 9223372036854775808.0$suffix) then
+    y = ieor(wide_int(x - 9223372036854775808.0$suffix), ibset(0_c_int64_t, 63))
   else
     y = wide_int(x)
   end if
 end function
 )"},
     {"wide", R"(pure function wide(high, low) result(y)
-  real(c_double), intent(in) :: high, low
+  $real, intent(in) :: high, low
   integer(c_int64_t) :: y
   y = ior(ishft(wide_int(high), 32), ibits(wide_int(low), 0, 32))
 end function
 )"},
     {"low_bits", R"(pure function low_bits(x, width) result(y)
-  real(c_double), intent(in) :: x
+  $real, intent(in) :: x
   integer, intent(in) :: width
-  real(c_double) :: y
-  y = real(ibits(wide_int(x), 0, width), c_double)
+  $real :: y
+  y = real(ibits(wide_int(x), 0, width), $kind)
 end function
 )"},
     {"wrapped", R"(pure function wrapped(x, width) result(y)
-  real(c_double), intent(in) :: x
+  $real, intent(in) :: x
   integer, intent(in) :: width
-  real(c_double) :: y
+  $real :: y
   y = low_bits(x, width)
-  if (y >= 2.0d0**(width - 1)) y = y - 2.0d0**width
+  if (y >= 2.0$suffix**(width - 1)) y = y - 2.0$suffix**width
 end function
 )"},
     {"to_int32", R"(pure function to_int32(x) result(y)
-  real(c_double), intent(in) :: x
-  real(c_double) :: y
-  y = -2147483648.0d0
-  if (x > -2147483649.0d0 .and. x < 2147483648.0d0) y = aint(x) + 0.0d0
+  $real, intent(in) :: x
+  $real :: y
+  y = -2147483648.0$suffix
+  if (x > -2147483649.0$suffix .and. x < 2147483648.0$suffix) y = aint(x) + 0.0$suffix
 end function
 )"},
     {"to_int64", R"(pure function to_int64(x) result(y)
-  real(c_double), intent(in) :: x
-  real(c_double) :: y
-  y = real(wide_int(x), c_double)
+  $real, intent(in) :: x
+  $real :: y
+  y = real(wide_int(x), $kind)
 end function
 )"},
     {"int_div", R"(pure function int_div(x, y) result(z)
-  real(c_double), intent(in) :: x, y
-  real(c_double) :: z
-  z = aint(x/y) + 0.0d0
+  $real, intent(in) :: x, y
+  $real :: z
+  z = aint(x/y) + 0.0$suffix
 end function
 )"},
     {"int_neg", R"(pure function int_neg(x) result(y)
-  real(c_double), intent(in) :: x
-  real(c_double) :: y
+  $real, intent(in) :: x
+  $real :: y
   y = -x
   if (x == 0) y = 0
 end function
 )"},
     {"mul_uint32", R"(pure function mul_uint32(x, y) result(z)
-  real(c_double), intent(in) :: x, y
-  real(c_double) :: z
-  z = real(ibits(wide_mul(wide_int(x), wide_int(y)), 0, 32), c_double)
+  $real, intent(in) :: x, y
+  $real :: z
+  z = real(ibits(wide_mul(wide_int(x), wide_int(y)), 0, 32), $kind)
 end function
 )"},
     {"wide_add", R"(! Integers wrap: Fortran leaves overflow undefined, so sums are made of halves.
@@ -224,11 +222,11 @@ end function
 )"},
     {"wide_uvalue", R"(pure function wide_uvalue(x) result(y)
   integer(c_int64_t), intent(in) :: x
-  real(c_double) :: y
+  $real :: y
   if (x >= 0) then
-    y = real(x, c_double)
+    y = real(x, $kind)
   else
-    y = real(ior(ishft(x, -1), iand(x, 1_c_int64_t)), c_double)*2
+    y = real(ior(ishft(x, -1), iand(x, 1_c_int64_t)), $kind)*2
   end if
 end function
 )"},
@@ -314,6 +312,14 @@ end function
 
 static constexpr Companion beside[] = {{"_main.f90", module_main, "mainline"}};
 
+static constexpr Word words[] = {
+    {"kind", "c_double", "c_float"},
+    {"f", "", "f"}, // behind the name of a function of C's library
+    {"infinity", "transfer(int(z'7FF0000000000000', c_int64_t), 0.0d0)",
+     "transfer(int(int(z'7F800000', c_int64_t)), 0.0)"},
+    {"nan", "transfer(int(z'7FF8000000000000', c_int64_t), 0.0d0)", "transfer(int(int(z'7FC00000', c_int64_t)), 0.0)"},
+};
+
 Language language_fortran() {
   Language fortran;
   fortran.names = {keywords, true};
@@ -321,6 +327,9 @@ Language language_fortran() {
   fortran.lines = {.width = 100, .continuation = " &", .base = 2};
   fortran.numbers = {"not_a_number", "not_a_number", "infinity", "(-infinity)", "d", "d0"};
   fortran.number = {"real(c_double)", "0.0d0"};
+  fortran.single = {.number = {"real(c_float)", "0.0"},
+                    .numbers = {"not_a_number", "not_a_number", "infinity", "(-infinity)"}};
+  fortran.words = words;
   fortran.truth = {"logical", ".false."};
   fortran.wide = {"integer(c_int64_t)", "0_c_int64_t"};
   fortran.expressions = {
@@ -329,7 +338,7 @@ Language language_fortran() {
       .element = "$array($index)",
       .first_index = 1,
       .yes = ".true.",
-      .truth_as_number = "merge(1.0d0, 0.0d0, $x)",
+      .truth_as_number = "merge(1.0$suffix, 0.0$suffix, $x)",
       .small_integer = "${value}_c_int64_t",
       .large_integer = "int(z'$hex', c_int64_t)",
       .kept_integer = "transfer($element, 0_c_int64_t)",
@@ -341,8 +350,8 @@ Language language_fortran() {
       .constant = "$name = $value",
       .set = "$name = $value",
       .keep_integer = "$element = transfer($value, 0.0d0)",
-      .array = "real(c_double) :: $name($count)",
-      .zero_array = "real(c_double) :: $name($count)",
+      .array = "$real :: $name($count)",
+      .zero_array = "$real :: $name($count)",
       .open = "if ($condition) then",
       .otherwise = "else",
       .close = "end if",
@@ -356,17 +365,17 @@ Language language_fortran() {
       .status = ", guard",
       .input = "$name",
       .output = "$name",
-      .input_declaration = "real(c_double), intent(in) :: $name(*)",
-      .output_declaration = "real(c_double), intent(inout) :: $name(*)",
+      .input_declaration = "$real, intent(in) :: $name(*)",
+      .output_declaration = "$real, intent(inout) :: $name(*)",
       .success = "guard = 0",
       .status_declaration = "integer, intent(out) :: guard",
       .call = "call $name($arguments)",
       .checked_call = "call $name($arguments, guard)\nif (guard /= 0) return",
   };
-  fortran.tables = {.begin = "real(c_double), parameter :: $name($count) = [",
+  fortran.tables = {.begin = "$real, parameter :: $name($count) = [",
                     .end = "]",
                     .most_values = 700, // a statement has 255 continuation lines
-                    .joined = "real(c_double), parameter :: $name($count) = [$parts]\n"};
+                    .joined = "$real, parameter :: $name($count) = [$parts]\n"};
   fortran.files = {
       .extension = ".f90",
       .kept_when = ", when compiled with\n-ffp-contract=off and without -ffast-math",
@@ -388,7 +397,7 @@ Language language_fortran() {
                         "\n  ! The numbers of the $role: transfer makes one of the other. Extents are those of C in "
                         "reverse.\n  type :: ${role}_type\n",
                     .end = "  end type\n",
-                    .object = "    real(c_double) :: $name$reversed_shape\n"},
+                    .object = "    $real :: $name$reversed_shape\n"},
       .functions = "\n",
       .contains = "contains\n\n",
       .guards_begin = "\n  ! The condition of a guard and its places in the source.\n"
@@ -400,15 +409,15 @@ Language language_fortran() {
       .main =
           R"(! Runs the kernel once and prints its outputs. Arguments replace the recorded inputs in order, then the parameters.
 program ${unit}_main
-  use, intrinsic :: iso_c_binding, only: c_double, c_int64_t
+  use, intrinsic :: iso_c_binding, only: $kind, c_int64_t
   use, intrinsic :: iso_fortran_env, only: error_unit
   use ${module}_kernel, only: $preprocess, $compute$guard_text_import
   implicit none
-  real(c_double), parameter :: infinity = transfer(int(z'7FF0000000000000', c_int64_t), 0.0d0)
-  real(c_double), parameter :: not_a_number = transfer(int(z'7FF8000000000000', c_int64_t), 0.0d0)
-  real(c_double) :: given($inputs + $parameters) = [real(c_double) :: $all_values]
+  $real, parameter :: infinity = $infinity
+  $real, parameter :: not_a_number = $nan
+  $real :: given($inputs + $parameters) = [$real :: $all_values]
   character(len=$longest), parameter :: names($outputs) = [character(len=$longest) :: $labels]
-  real(c_double) :: constants($constants), output($outputs), number
+  $real :: constants($constants), output($outputs), number
   character(len=64) :: argument
   integer :: i, guard
   do i = 1, command_argument_count()

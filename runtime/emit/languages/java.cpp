@@ -38,11 +38,11 @@ static constexpr OperationSpelling spellings[] = {
     {Op::erfc, "erfc($x)"},
     {Op::tgamma, "tgamma($x)"},
     {Op::lgamma, "lgamma($x)"},
-    {Op::wrap_int8, "(double)(byte)(long)within64($x)", 14},
-    {Op::wrap_int16, "(double)(short)(long)within64($x)", 14},
+    {Op::wrap_int8, "($real)(byte)(long)within64($x)", 14},
+    {Op::wrap_int16, "($real)(short)(long)within64($x)", 14},
     {Op::wrap_int32, "(double)(int)(long)within64($x)", 14},
-    {Op::wrap_uint8, "(double)((long)within64($x) & 255L)", 14},
-    {Op::wrap_uint16, "(double)((long)within64($x) & 65535L)", 14},
+    {Op::wrap_uint8, "($real)((long)within64($x) & 255L)", 14},
+    {Op::wrap_uint16, "($real)((long)within64($x) & 65535L)", 14},
     {Op::wrap_uint32, "(double)((long)within64($x) & 0xFFFFFFFFL)", 14},
     {Op::within_int32, "($x)"},
     {Op::within_uint32, "($x)"},
@@ -60,8 +60,16 @@ private static int table_index(double index, int extent) {
   return index < extent ? (int)index : extent - 1;
 }
 )"},
-    {"joined", R"(private static double[] joined(double[]... parts) {
-  return java.util.Arrays.stream(parts).flatMapToDouble(java.util.Arrays::stream).toArray();
+    {"joined", R"(private static $real[] joined($real[]... parts) {
+  int size = 0;
+  for ($real[] part : parts) size += part.length;
+  $real[] all = new $real[size];
+  int at = 0;
+  for ($real[] part : parts) {
+    System.arraycopy(part, 0, all, at, part.length);
+    at += part.length;
+  }
+  return all;
 }
 )"},
     {"fmin", R"(private static double fmin(double x, double y) {
@@ -258,6 +266,9 @@ private static void report_value(double value, String what) {
 
 static constexpr Companion beside[] = {{"_main.java", module_main, "mainline"}};
 
+static constexpr Op overloaded[] = {Op::abs, Op::fma, Op::copysign, Op::nextafter};
+static constexpr Word words[] = {{"Real", "Double", "Float"}}; // the class of numbers
+
 Language language_java() {
   Language java;
   java.names = {keywords, false};
@@ -267,12 +278,18 @@ Language language_java() {
   java.number = {"double", "0.0"};
   java.truth = {"boolean", "false"};
   java.wide = {"long", "0L"};
+  java.single = {
+      .number = {"float", "0.0f"},
+      .numbers = {"Float.NaN", "Float.NaN", "Float.POSITIVE_INFINITY", "Float.NEGATIVE_INFINITY", "e", "f", "", "f"},
+      .narrowed = "(float)",
+      .given = overloaded};
+  java.words = words;
   java.expressions = {
       .call_prefix = "Math.",
       .operations = spellings,
       .element = "$array[$index]",
       .yes = "true",
-      .truth_as_number = "($x ? 1.0 : 0.0)",
+      .truth_as_number = "($x ? 1.0$suffix : 0.0$suffix)",
       .small_integer = "${value}L",
       .large_integer = "${signed}L",
       .kept_integer = "Double.doubleToRawLongBits($element)",
@@ -283,13 +300,13 @@ Language language_java() {
       .constant = "final $type $name = $value;",
       .set = "$name = $value;",
       .keep_integer = "$element = Double.longBitsToDouble($value);",
-      .array = "final double[] $name = new double[$count];",
-      .zero_array = "final double[] $name = new double[$count];",
+      .array = "final $real[] $name = new $real[$count];",
+      .zero_array = "final $real[] $name = new $real[$count];",
       .open = "if ($condition) {",
       .otherwise = "} else {",
       .close = "}",
       .check = "if ($condition) return $number;",
-      .value_check = "if (!Double.isFinite($name)) report_value($name, \"$text\");",
+      .value_check = "if (!$Real.isFinite($name)) report_value($name, \"$text\");",
       .value_check_begin = "all_finite = true;",
   };
   java.functions = {
@@ -298,8 +315,8 @@ Language language_java() {
       .end = "}",
       .no_result = "void",
       .status = "int",
-      .input = "double[] $name",
-      .output = "double[] $name",
+      .input = "$real[] $name",
+      .output = "$real[] $name",
       .success = "return 0;",
       .failed = "int failed;",
       .call = "$group.$name($arguments);",
@@ -310,10 +327,10 @@ Language language_java() {
       .group_size = 25,
   };
   java.tables = {
-      .begin = "private static final class Values_of_$name {\n  static final double[] values = {",
-      .end = "};\n}\nprivate static final double[] $name = Values_of_$name.values;",
+      .begin = "private static final class Values_of_$name {\n  static final $real[] values = {",
+      .end = "};\n}\nprivate static final $real[] $name = Values_of_$name.values;",
       .most_values = 4000, // a method has room for 64 KB
-      .joined = "private static final double[] $name = joined($parts);\n",
+      .joined = "private static final $real[] $name = joined($parts);\n",
   };
   java.files = {
       .extension = ".java",
@@ -328,15 +345,15 @@ Language language_java() {
       .is_named_after_file = true,
       .begin = "public final class $unit {\n  private $unit() {}\n\n",
       .size = "  public static final int $NAME = $value;\n",
-      .structure =
-          {.begin = "\n  /** The numbers of the $role by their names and indices. */\n"
-                    "  public static final class $Role {\n    public final double[] numbers = new double[$count];\n",
-           .end = "  }\n",
-           .object = R"(
-    public double $name(int... index) {
+      .structure = {.begin =
+                        "\n  /** The numbers of the $role by their names and indices. */\n"
+                        "  public static final class $Role {\n    public final $real[] numbers = new $real[$count];\n",
+                    .end = "  }\n",
+                    .object = R"(
+    public $real $name(int... index) {
       return numbers[place($first, index$more_extents)];
     }
-    public void $name(double value, int... index) {
+    public void $name($real value, int... index) {
       numbers[place($first, index$more_extents)] = value;
     }
 )"},
@@ -359,20 +376,20 @@ Language language_java() {
 public final class ${unit}_main {
   private ${unit}_main() {}
 
-  private static double read(String text) {
-    return Double.parseDouble(text.replace("inf", "Infinity").replace("nan", "NaN"));
+  private static $real read(String text) {
+    return $Real.parse$Real(text.replace("inf", "Infinity").replace("nan", "NaN"));
   }
 
-  private static String shown(double x) {
-    return Double.toString(x).replace("Infinity", "inf").replace("NaN", "nan");
+  private static String shown($real x) {
+    return $Real.toString(x).replace("Infinity", "inf").replace("NaN", "nan");
   }
 
   /** Arguments replace the recorded inputs in order, then the parameters. */
   public static void main(String[] arguments) {
-    final double[] input = {$input_values};
-    final double[] parameters = {$parameter_values};
+    final $real[] input = {$input_values};
+    final $real[] parameters = {$parameter_values};
     final String[] names = {$labels};
-    final double[] constants = new double[$constants], output = new double[$outputs];
+    final $real[] constants = new $real[$constants], output = new $real[$outputs];
     for (int i = 0; i < arguments.length; ++i)
       if (i < input.length) input[i] = read(arguments[i]);
       else if (i < input.length + parameters.length) parameters[i - input.length] = read(arguments[i]);

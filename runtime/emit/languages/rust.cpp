@@ -16,20 +16,20 @@ static constexpr auto keywords = std::to_array<std::string_view>(
 // What a processor has is a method; the rest is called from C's library. Casts of a number are those of C within the
 // range of the type.
 static constexpr OperationSpelling spellings[] = {
-    {Op::abs, "f64::abs($x)"},
-    {Op::sqrt, "f64::sqrt($x)"},
-    {Op::fma, "f64::mul_add($x, $y, $z)"},
-    {Op::floor, "f64::floor($x)"},
-    {Op::ceil, "f64::ceil($x)"},
-    {Op::trunc, "f64::trunc($x)"},
-    {Op::copysign, "f64::copysign($x, $y)"},
+    {Op::abs, "$real::abs($x)"},
+    {Op::sqrt, "$real::sqrt($x)"},
+    {Op::fma, "$real::mul_add($x, $y, $z)"},
+    {Op::floor, "$real::floor($x)"},
+    {Op::ceil, "$real::ceil($x)"},
+    {Op::trunc, "$real::trunc($x)"},
+    {Op::copysign, "$real::copysign($x, $y)"},
     {Op::f32, "f64::from($x:14 as f32)"},
-    {Op::wrap_int8, "f64::from($x:14 as i64 as i8)"},
-    {Op::wrap_int16, "f64::from($x:14 as i64 as i16)"},
-    {Op::wrap_int32, "f64::from($x:14 as i64 as i32)"},
-    {Op::wrap_uint8, "f64::from($x:14 as i64 as u8)"},
-    {Op::wrap_uint16, "f64::from($x:14 as i64 as u16)"},
-    {Op::wrap_uint32, "f64::from($x:14 as i64 as u32)"},
+    {Op::wrap_int8, "$real::from($x:14 as i64 as i8)"},
+    {Op::wrap_int16, "$real::from($x:14 as i64 as i16)"},
+    {Op::wrap_int32, "$real::from($x:14 as i64 as i32)"},
+    {Op::wrap_uint8, "$real::from($x:14 as i64 as u8)"},
+    {Op::wrap_uint16, "$real::from($x:14 as i64 as u16)"},
+    {Op::wrap_uint32, "$real::from($x:14 as i64 as u32)"},
     {Op::within_int32, "($x)"},
     {Op::within_uint32, "($x)"},
     {Op::within_double, "($x)"},
@@ -54,12 +54,13 @@ Language language_rust() {
   rust.number = {"f64", "0.0"};
   rust.truth = {"bool", "false"};
   rust.wide = {"u64", "0"};
+  rust.single = {.number = {"f32", "0.0"}, .numbers = {"f32::NAN", "-f32::NAN", "f32::INFINITY", "f32::NEG_INFINITY"}};
   rust.expressions = {
       .call_prefix = "libm::",
       .operations = spellings,
       .element = "$array[$index]",
       .yes = "true",
-      .truth_as_number = "f64::from(u8::from($x))",
+      .truth_as_number = "$real::from(u8::from($x))",
       .small_integer = "${value}_u64",
       .large_integer = "${value}_u64",
       .kept_integer = "$element.to_bits()",
@@ -71,8 +72,8 @@ Language language_rust() {
       .constant = "let $name: $type = $value;",
       .set = "$name = $value;",
       .keep_integer = "$element = f64::from_bits($value);",
-      .array = "let $name = &mut [0.0_f64; $count];",
-      .zero_array = "let $name = &mut [0.0_f64; $count];",
+      .array = "let $name = &mut [0.0_$real; $count];",
+      .zero_array = "let $name = &mut [0.0_$real; $count];",
       .open = "if $condition {",
       .otherwise = "} else {",
       .close = "}",
@@ -84,20 +85,20 @@ Language language_rust() {
       .end = "}",
       .no_result = "",
       .status = " -> i32",
-      .input = "$name: &[f64]",
-      .output = "$name: &mut [f64]",
+      .input = "$name: &[$real]",
+      .output = "$name: &mut [$real]",
       .unused = "let _ = $name;",
       .success = "0",
       .call = "$name($arguments);",
       .checked_call = "let failed = $name($arguments);\nif failed != 0 { return failed; }",
   };
   rust.tables = {
-      .begin = "static $name: [f64; $count] = [",
+      .begin = "static $name: [$real; $count] = [",
       .end = "];",
       .index_helper = "// An index outside of its table reads the nearest element.\n"
-                      "fn table_index(index: f64, extent: usize) -> usize {\n"
+                      "fn table_index(index: $real, extent: usize) -> usize {\n"
                       "    if !(index > 0.0) { return 0; }\n"
-                      "    if index < extent as f64 { index as usize } else { extent - 1 }\n"
+                      "    if index < extent as $real { index as usize } else { extent - 1 }\n"
                       "}\n\n",
   };
   rust.files = {
@@ -108,7 +109,7 @@ Language language_rust() {
       .hide_helper =
           "// An argument that is constant on some path: a compiler would evaluate the call there, and round\n"
           "// otherwise than the library.\n"
-          "fn at_run(x: f64) -> f64 {\n"
+          "fn at_run(x: $real) -> $real {\n"
           "    unsafe { std::ptr::read_volatile(&x) }\n"
           "}\n\n",
       .end = rust_end,

@@ -1,6 +1,5 @@
 #include "emit/print/body.h"
 
-#include "emit/language/pattern.h"
 #include "emit/origins/origins.h"
 #include "emit/print/call.h"
 #include "schedule/order.h"
@@ -80,7 +79,8 @@ void BodyPrinter::print_step(Step const &step, std::size_t indent, CodeText &out
   switch (step.kind) {
   case Step::Kind::declare: return declare(step.index, indent, out);
   case Step::Kind::open:
-    return out.statement(indent, fill(syntax.open, {{"condition", print_condition(context_, step.literal)}}));
+    return out.statement(indent,
+                         fill(language_, syntax.open, {{"condition", print_condition(context_, step.literal)}}));
   case Step::Kind::otherwise: return out.statement(indent, syntax.otherwise);
   case Step::Kind::close: return out.statement(indent, syntax.close);
   case Step::Kind::set: return set(step.index, false, indent, out);
@@ -92,8 +92,8 @@ void BodyPrinter::print_step(Step const &step, std::size_t indent, CodeText &out
   }
   case Step::Kind::check: {
     std::string const condition = print_condition(context_, {body_.checks[step.index].condition, false});
-    return out.statement(indent,
-                         fill(syntax.check, {{"condition", condition}, {"number", std::to_string(step.index + 1)}}));
+    return out.statement(
+        indent, fill(language_, syntax.check, {{"condition", condition}, {"number", std::to_string(step.index + 1)}}));
   }
   }
 }
@@ -103,8 +103,8 @@ void BodyPrinter::declare(std::size_t statement, std::size_t indent, CodeText &o
   auto const &[type_name, zero] = type_syntax(statement);
   std::string const name = context_.spelling(statement);
   if (!syntax.first_declaration.empty())
-    declarations_.statement(2, fill(syntax.first_declaration, {{"type", type_name}, {"name", name}}));
-  out.statement(indent, fill(syntax.variable, {{"type", type_name}, {"name", name}, {"value", zero}}));
+    declarations_.statement(2, fill(language_, syntax.first_declaration, {{"type", type_name}, {"name", name}}));
+  out.statement(indent, fill(language_, syntax.variable, {{"type", type_name}, {"name", name}, {"value", zero}}));
 }
 
 void BodyPrinter::set(std::size_t statement, bool declares, std::size_t indent, CodeText &out) {
@@ -115,10 +115,11 @@ void BodyPrinter::set(std::size_t statement, bool declares, std::size_t indent, 
                     name = context_.spelling(statement);
   std::string_view const type_name = type_syntax(statement).name;
   if (declares && !syntax.first_declaration.empty())
-    declarations_.statement(2, fill(syntax.first_declaration, {{"type", type_name}, {"name", name}}));
-  out.statement(indent,
-                fill(declares ? syntax.constant : syntax.set, {{"type", type_name}, {"name", name}, {"value", value}}),
-                origin());
+    declarations_.statement(2, fill(language_, syntax.first_declaration, {{"type", type_name}, {"name", name}}));
+  out.statement(
+      indent,
+      fill(language_, declares ? syntax.constant : syntax.set, {{"type", type_name}, {"name", name}, {"value", value}}),
+      origin());
   if (emission_.options.check_values && type(statement) == Type::number) check_value(statement, indent, out);
 }
 
@@ -133,7 +134,7 @@ void BodyPrinter::check_value(std::size_t statement, std::size_t indent, CodeTex
     text += " at " + place;
   LineLimits const &lines = language_.lines;
   out.lines(std::string(lines.base + indent / 2 * lines.step, ' ') +
-            fill(language_.statements.value_check, {{"name", name}, {"text", escaped(text)}}) + "\n");
+            fill(language_, language_.statements.value_check, {{"name", name}, {"text", escaped(text)}}) + "\n");
 }
 
 // A call, with an array for its results: its own, or where later chunks find them.
@@ -143,7 +144,7 @@ void BodyPrinter::print_call(Step const &step, std::size_t indent, CodeText &out
   CallStatement const call(context_, step.index);
   std::string const count = std::to_string(call.function().result_count());
   if (call.has_array() && step.kind != Step::Kind::set)
-    out.statement(indent, fill(step.kind == Step::Kind::declare ? syntax.zero_array : syntax.array,
+    out.statement(indent, fill(language_, step.kind == Step::Kind::declare ? syntax.zero_array : syntax.array,
                                {{"name", call.array()}, {"count", count}}));
   if (step.kind == Step::Kind::declare) return;
   context_.spelled_out = {body_.variables[step.index]};
@@ -155,14 +156,14 @@ void BodyPrinter::print_call(Step const &step, std::size_t indent, CodeText &out
 std::string BodyPrinter::stored(std::string const &element, NodeId id, std::string const &value) const {
   StatementSyntax const &syntax = language_.statements;
   if (context_.is_gate(id) || !is_wide(emission_.graph().nodes[id].op))
-    return fill(syntax.set, {{"name", element}, {"value", value}});
+    return fill(language_, syntax.set, {{"name", element}, {"value", value}});
   emission_.uses.keep_integer = true;
-  return fill(syntax.keep_integer, {{"element", element}, {"value", value}});
+  return fill(language_, syntax.keep_integer, {{"element", element}, {"value", value}});
 }
 
 void BodyPrinter::results(std::string const &target, CodeText &out) {
-  out.statement(2,
-                fill(language_.functions.results, {{"name", target}, {"count", std::to_string(body_.results.size())}}));
+  out.statement(2, fill(language_, language_.functions.results,
+                        {{"name", target}, {"count", std::to_string(body_.results.size())}}));
   for (std::size_t slot = 0; slot < body_.results.size(); ++slot) {
     NodeId const id = body_.results[slot];
     std::string const element = context_.element(target, slot);

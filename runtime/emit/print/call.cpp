@@ -1,6 +1,5 @@
 #include "emit/print/call.h"
 
-#include "emit/language/pattern.h"
 #include "emit/print/constant_paths.h"
 #include "graph/complex_function.h"
 #include "graph/opaque.h"
@@ -34,7 +33,7 @@ std::vector<std::string> CallStatement::print() const {
     bool const is_integer = graph.nodes[value].is_constant() && function_.takes_integer(call.arguments.size());
     std::string const use = is_integer ? shortest(graph.nodes[value].value()) : print_use(context_, value);
     uses.hidden = uses.hidden || value == hidden;
-    call.arguments.push_back(value == hidden ? fill(language.expressions.hidden, {{"x", use}}) : use);
+    call.arguments.push_back(value == hidden ? fill(language, language.expressions.hidden, {{"x", use}}) : use);
   }
   return language.externals.call(call);
 }

@@ -66,11 +66,11 @@ void ExpressionPrinter::print_node(Item const &item) {
     push(")");
     return push_comparison(Op::ne, item.node);
   }
-  std::string_view const as_number = language_.expressions.truth_as_number;
+  std::string const as_number = with_words(language_, language_.expressions.truth_as_number);
   if (item.as != As::number || !is_truth || as_number.empty()) return print_itself(item);
   std::size_t const place = as_number.find("$x");
-  text_ += as_number.substr(0, place);
-  push(std::string(as_number.substr(place + 2)));
+  text_.append(as_number, 0, place);
+  push(as_number.substr(place + 2));
   stack_.push_back({.node = item.node, .spelled_out = item.spelled_out});
 }
 

@@ -28,8 +28,8 @@ public:
       printer_.begin(last);
       printer_.statements(0, last);
     } else {
-      last.statement(
-          2, fill(language_.statements.array, {{"name", "v"}, {"count", std::to_string(printer_.spill_count())}}));
+      last.statement(2, fill(language_, language_.statements.array,
+                             {{"name", "v"}, {"count", std::to_string(printer_.spill_count())}}));
       printer_.begin(last);
       if (may_fail) last.statement(2, syntax_.failed);
       for (std::size_t chunk = 0; chunk < printer_.chunk_count(); ++chunk) print_chunk(chunk, out, last);
@@ -38,7 +38,7 @@ public:
     }
     printer_.results(target_, last);
     if (may_fail) last.statement(2, syntax_.success);
-    last.statement(2, fill(syntax_.finish, {{"name", target_}}));
+    last.statement(2, fill(language_, syntax_.finish, {{"name", target_}}));
     append(out, syntax_.head, syntax_.output, may_fail, name_, target_, last);
     return out;
   }
@@ -50,19 +50,19 @@ private:
   // Behind so many chunks.
   void end_group(std::size_t chunks, CodeText &out) const {
     if (syntax_.group_size == 0) return;
-    out.statement(0, fill(syntax_.group_end, {{"name", group(chunks - 1)}}));
+    out.statement(0, fill(language_, syntax_.group_end, {{"name", group(chunks - 1)}}));
     out.lines("\n");
   }
 
   void print_chunk(std::size_t chunk, CodeText &out, CodeText &calls) {
     if (syntax_.group_size != 0 && chunk % syntax_.group_size == 0) {
       if (chunk != 0) end_group(chunk, out);
-      out.statement(0, fill(syntax_.group_begin, {{"name", group(chunk)}}));
+      out.statement(0, fill(language_, syntax_.group_begin, {{"name", group(chunk)}}));
     }
     CodeText text(language_);
     bool const checks = printer_.statements(chunk, text);
     if (checks) text.statement(2, syntax_.success);
-    text.statement(2, fill(syntax_.local_finish, {{"name", "v"}}));
+    text.statement(2, fill(language_, syntax_.local_finish, {{"name", "v"}}));
     std::string const name = fmt::format("{}_{}", name_, chunk + 1);
     append(out, syntax_.local_head, syntax_.local_output.empty() ? syntax_.output : syntax_.local_output, checks, name,
            "v", text);
@@ -70,8 +70,8 @@ private:
     std::string const arguments = fmt::format("{}, v", fmt::join(inputs_, ", "));
     for (std::string_view rest = checks ? syntax_.checked_call : syntax_.call; !rest.empty();) { // a statement a line
       std::size_t const end = std::min(rest.find('\n'), rest.size());
-      calls.statement(2,
-                      fill(rest.substr(0, end), {{"name", name}, {"group", group(chunk)}, {"arguments", arguments}}));
+      calls.statement(
+          2, fill(language_, rest.substr(0, end), {{"name", name}, {"group", group(chunk)}, {"arguments", arguments}}));
       rest.remove_prefix(std::min(end + 1, rest.size()));
     }
   }
@@ -82,24 +82,25 @@ private:
     std::set<std::string_view> const used = printer_.take_arrays();
     std::string parameters;
     for (std::string const &input : inputs_)
-      parameters += (parameters.empty() ? "" : ", ") + fill(syntax_.input, {{"name", input}});
-    if (!output.empty()) parameters += ", " + fill(output, {{"name", last}});
+      parameters += (parameters.empty() ? "" : ", ") + fill(language_, syntax_.input, {{"name", input}});
+    if (!output.empty()) parameters += ", " + fill(language_, output, {{"name", last}});
     out.statement(0, Filling()
                          .set("result", std::string(may_fail ? syntax_.status : syntax_.no_result))
                          .set_name("name", name)
                          .set("target", last)
-                         .set("parameters", parameters)(head));
-    for (std::string const &input : inputs_) out.statement(2, fill(syntax_.input_declaration, {{"name", input}}));
-    out.statement(2, fill(syntax_.output_declaration, {{"name", last}}));
+                         .set("parameters", parameters)(with_words(language_, head)));
+    for (std::string const &input : inputs_)
+      out.statement(2, fill(language_, syntax_.input_declaration, {{"name", input}}));
+    out.statement(2, fill(language_, syntax_.output_declaration, {{"name", last}}));
     if (may_fail) out.statement(2, syntax_.status_declaration);
     out.append(printer_.take_declarations());
     auto const mark_unused = [&](std::string const &parameter) {
-      if (!used.contains(parameter)) out.statement(2, fill(syntax_.unused, {{"name", parameter}}));
+      if (!used.contains(parameter)) out.statement(2, fill(language_, syntax_.unused, {{"name", parameter}}));
     };
     for (std::string const &input : inputs_) mark_unused(input);
     if (!output.empty()) mark_unused(last);
     out.append(text);
-    out.statement(0, Filling().set_name("name", name)(syntax_.end));
+    out.statement(0, Filling().set_name("name", name)(with_words(language_, syntax_.end)));
   }
 
   Language const &language_;

@@ -62,7 +62,8 @@ std::string print_helpers(Emission const &emission, bool declarations) {
   }
   std::string text;
   for (std::size_t k = 0; k < helpers.size(); ++k)
-    if (wanted[k] && helpers[k].declares == declarations) text.append(helpers[k].text) += '\n';
+    if (wanted[k] && helpers[k].declares == declarations)
+      text.append(with_words(emission.language, helpers[k].text)) += '\n';
   return text;
 }
 

@@ -40,6 +40,7 @@ Filling interface_names(Emission const &emission) {
   fill.set("base", emission.options.base_name).set_name("unit", identifier(emission.options.base_name, rules));
   fill.set("package",
            emission.options.extras.contains("mainline") ? "main" : identifier(emission.options.base_name, rules));
+  for (auto const &[name, text] : words_of(emission.language)) fill.set(std::string(name), std::string(text));
   for (std::string_view const name : functions) fill.set_name(std::string(name), emission.name(std::string(name)));
   for (Size const &size : sizes(emission)) {
     fill.set_name(size.name + "_count", emission.name(size.name + "_count"));
@@ -53,10 +54,10 @@ namespace {
 std::string list(std::vector<std::size_t> const &extents) { return fmt::format("{}", fmt::join(extents, ", ")); }
 
 // The innermost extent first, as types are built around the number.
-std::string type_of(ObjectsSyntax const &syntax, Object const &object) {
-  std::string type(syntax.number);
+std::string type_of(Language const &language, ObjectsSyntax const &syntax, Object const &object) {
+  std::string type = with_words(language, syntax.number);
   auto const wrap = [&](std::size_t extent) {
-    type = fill(syntax.array, {{"element", type}, {"extent", std::to_string(extent)}});
+    type = fill(language, syntax.array, {{"element", type}, {"extent", std::to_string(extent)}});
   };
   if (!object.members.empty()) {
     wrap(object.count);
@@ -90,7 +91,7 @@ std::string objects(Emission const &emission, ObjectsSyntax const &syntax, std::
         .set("more_extents", (extents.empty() ? "" : ", ") + list(extents))
         .set("reversed", list(reversed))
         .set("reversed_shape", reversed.empty() ? "" : "(" + list(reversed) + ")")
-        .set("type", type_of(syntax, all[i]));
+        .set("type", type_of(emission.language, syntax, all[i]));
     text += (text.empty() ? "" : std::string(syntax.separator)) + fill(syntax.object);
   }
   return text.empty() ? text : fill(syntax.begin) + text + fill(syntax.end);

@@ -1,5 +1,4 @@
 // The operations of an expression, by their patterns.
-#include "emit/language/pattern.h"
 #include "emit/print/constant_paths.h"
 #include "emit/print/expression_printer.h"
 #include "graph/opaque.h"
@@ -15,7 +14,7 @@ void ExpressionPrinter::print_element(Node const &node, std::string const &eleme
     return;
   }
   context_.emission.uses.kept_integer = true;
-  text_ += fill(language_.expressions.kept_integer, {{"element", element}});
+  text_ += fill(language_, language_.expressions.kept_integer, {{"element", element}});
 }
 
 // Of its two halves.
@@ -27,7 +26,7 @@ void ExpressionPrinter::print_integer_constant(Node const &node) {
   std::uint64_t const value =
       integers::bits(evaluate(node.op, this->node(node.operand[0]).value(), this->node(node.operand[1]).value(), 0));
   ExpressionSyntax const &syntax = language_.expressions;
-  text_ += fill(value <= 0x7FFFFFFFu ? syntax.small_integer : syntax.large_integer,
+  text_ += fill(language_, value <= 0x7FFFFFFFu ? syntax.small_integer : syntax.large_integer,
                 {{"value", std::to_string(value)},
                  {"signed", std::to_string(static_cast<std::int64_t>(value))},
                  {"hex", fmt::format("{:X}", value)}});
@@ -79,11 +78,11 @@ void ExpressionPrinter::push_pattern(Op op, std::vector<Item> const &operands, N
 
 void ExpressionPrinter::push_hidden(Item const &operand) {
   context_.emission.uses.hidden = true;
-  std::string_view const hidden = language_.expressions.hidden;
+  std::string const hidden = with_words(language_, language_.expressions.hidden);
   std::size_t const place = hidden.find("$x");
-  push(std::string(hidden.substr(place + 2)));
+  push(hidden.substr(place + 2));
   stack_.push_back(operand);
-  push(std::string(hidden.substr(0, place)));
+  push(hidden.substr(0, place));
 }
 
 // An element of a table, or of the array that has the results of a call. Calls are statements of their own.
@@ -100,13 +99,14 @@ void ExpressionPrinter::print_external(Node const &node) {
     return ExpressionPrinter(context_).print({.node = node.operand[1 + dimension], .as = As::number});
   };
   auto const index = [&](std::size_t dimension) {
-    return fill(language_.expressions.table_index,
+    return fill(language_, language_.expressions.table_index,
                 {{"index", text(dimension)}, {"extent", std::to_string(extents[dimension])}});
   };
   std::string at = index(0);
   if (extents.size() == 2) at += "*" + std::to_string(extents[1]) + " + " + index(1);
   if (std::size_t const first = language_.expressions.first_index) at += " + " + std::to_string(first);
-  text_ += fill(language_.expressions.element, {{"array", "table_" + std::to_string(number)}, {"index", at}});
+  text_ +=
+      fill(language_, language_.expressions.element, {{"array", "table_" + std::to_string(number)}, {"index", at}});
 }
 
 } // namespace symreal

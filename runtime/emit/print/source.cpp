@@ -20,7 +20,7 @@ EmittedFile print_source(Emission &emission) {
   text.lines(part(files.open));
   text.lines(indented(emission.language, print_tables(emission)));
   text.lines(part(files.integer_functions));
-  if (emission.uses.hidden) text.lines(files.hide_helper);
+  if (emission.uses.hidden) text.lines(with_words(emission.language, files.hide_helper));
   text.lines(indented(emission.language, print_helpers(emission, true)));
   text.lines(emission.language.module.contains);
   text.lines(indented(emission.language, print_helpers(emission, false)));

@@ -1,5 +1,6 @@
 #include "emit/print/spellings.h"
 
+#include <algorithm>
 #include <charconv>
 #include <fmt/format.h>
 
@@ -27,16 +28,25 @@ std::vector<Spellings::Piece> parse(std::string_view pattern) {
   return pieces;
 }
 
+// "(double)(int8_t)" is that of the language's numbers.
+std::string cast_of(Language const &language, std::string_view cast) {
+  constexpr std::string_view to_double = "(double)";
+  if (cast.starts_with(to_double)) cast.remove_prefix(to_double.size());
+  return fmt::format("({}){}", language.number.name, cast);
+}
+
 // As the table of operations has it.
-std::string usual_pattern(OperationInfo const &operation, std::string_view call_prefix) {
+std::string usual_pattern(OperationInfo const &operation, Language const &language) {
   static constexpr std::string_view operands = "$x, $y, $z";
   int const precedence = operation.precedence;
   switch (operation.form) {
   case Form::local: return fmt::format("{}({})", operation.c, operands.substr(0, 4 * operation.arity - 2));
   case Form::call:
-    return fmt::format("{}{}({})", call_prefix, operation.c, operands.substr(0, 4 * operation.arity - 2));
+    return fmt::format("{}{}{}({})", language.expressions.call_prefix, operation.c,
+                       language.is_single ? language.single.call_suffix : "",
+                       operands.substr(0, 4 * operation.arity - 2));
   case Form::prefix: return fmt::format("{}$x:{}", operation.c, binding::prefix_operand);
-  case Form::cast: return fmt::format("{}($x)", operation.c);
+  case Form::cast: return cast_of(language, operation.c) + "($x)";
   case Form::infix: {
     // Comparisons and logic are not mixed without parentheses: compilers warn, and readers stumble.
     bool const arithmetic = precedence >= binding::additive;
@@ -54,10 +64,26 @@ std::string usual_pattern(OperationInfo const &operation, std::string_view call_
 
 Spellings::Spellings(Language const &language) {
   for (OperationInfo const &operation : operations())
-    spellings_[static_cast<std::size_t>(operation.op)] = {
-        parse(usual_pattern(operation, language.expressions.call_prefix)), operation.precedence};
+    spellings_[static_cast<std::size_t>(operation.op)] = {parse(usual_pattern(operation, language)),
+                                                          operation.precedence};
   for (OperationSpelling const &exception : language.expressions.operations)
-    spellings_[static_cast<std::size_t>(exception.op)] = {parse(exception.pattern), exception.precedence};
+    spellings_[static_cast<std::size_t>(exception.op)] = {parse(with_words(language, exception.pattern)),
+                                                          exception.precedence};
+  if (language.is_single) make_single(language);
+}
+
+// Numbers are rounded to float as they are; what gives a double is made one that is.
+void Spellings::make_single(Language const &language) {
+  spellings_[static_cast<std::size_t>(Op::f32)] = {parse("($x)"), 0};
+  if (language.single.narrowed.empty()) return;
+  for (OperationInfo const &operation : operations()) {
+    Spelling &spelling = spellings_[static_cast<std::size_t>(operation.op)];
+    bool const is_call = operation.form == Form::call || operation.form == Form::local;
+    bool const is_given = std::ranges::find(language.single.given, operation.op) != language.single.given.end();
+    if (!is_call || is_given || spelling.precedence != 0 || operation.has(flag::BOOLEAN)) continue;
+    spelling.pieces.insert(spelling.pieces.begin(), {std::string(language.single.narrowed)});
+    spelling.precedence = binding::unary;
+  }
 }
 
 std::string Spellings::words(Op op) const {

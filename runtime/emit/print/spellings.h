@@ -39,6 +39,8 @@ public:
   std::string apply(Op op, std::string_view x, std::string_view y = {}, std::string_view z = {}) const;
 
 private:
+  void make_single(Language const &language);
+
   std::array<Spelling, op_count> spellings_;
 };
 

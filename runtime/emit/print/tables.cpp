@@ -1,7 +1,5 @@
 #include "emit/print/tables.h"
 
-#include "emit/language/pattern.h"
-
 #include <algorithm>
 #include <span>
 
@@ -13,7 +11,7 @@ namespace {
 std::string print_values(Language const &language, std::string const &name, std::span<double const> values,
                          std::size_t first, std::size_t row) {
   std::string const count = std::to_string(values.size()), mark(language.lines.continuation);
-  std::string text = fill(language.tables.begin, {{"name", name}, {"count", count}});
+  std::string text = fill(language, language.tables.begin, {{"name", name}, {"count", count}});
   std::size_t const most = language.lines.width - 4;
   std::size_t width = 0;
   for (std::size_t k = 0; k < values.size(); ++k) {
@@ -22,7 +20,7 @@ std::string print_values(Language const &language, std::string const &name, std:
     text += breaks ? mark + "\n    " + value : " " + value;
     width = (breaks ? 0 : width + 1) + value.size();
   }
-  return text + fill(language.tables.end, {{"name", name}, {"count", count}}) + "\n";
+  return text + fill(language, language.tables.end, {{"name", name}, {"count", count}}) + "\n";
 }
 
 std::string print_table(Emission const &emission, std::size_t number) {
@@ -42,8 +40,8 @@ std::string print_table(Emission const &emission, std::size_t number) {
     text += print_values(language, part, values.subspan(first, std::min(most, values.size() - first)), first, row);
     parts += (parts.empty() ? "" : ", ") + part;
   }
-  return text +
-         fill(language.tables.joined, {{"name", name}, {"parts", parts}, {"count", std::to_string(values.size())}});
+  return text + fill(language, language.tables.joined,
+                     {{"name", name}, {"parts", parts}, {"count", std::to_string(values.size())}});
 }
 
 } // namespace
@@ -51,7 +49,7 @@ std::string print_table(Emission const &emission, std::size_t number) {
 std::string print_tables(Emission const &emission) {
   std::string text;
   for (std::size_t number : emission.uses.tables) text += print_table(emission, number);
-  if (!text.empty()) text.append("\n").append(emission.language.tables.index_helper);
+  if (!text.empty()) text.append("\n").append(with_words(emission.language, emission.language.tables.index_helper));
   return text;
 }
 

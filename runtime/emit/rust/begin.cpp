@@ -36,6 +36,7 @@ std::string places(Emission const &emission, std::string const &role, std::vecto
 // constant exponents by products that round otherwise, unless it cannot see them.
 std::string library(Emission const &emission) {
   std::span<OperationSpelling const> const exceptions = emission.language.expressions.operations;
+  std::string const real(emission.language.number.name);
   std::string declarations, functions;
   for (OperationInfo const &operation : operations()) {
     if (operation.form != Form::call || !emission.uses.operations[static_cast<std::size_t>(operation.op)]) continue;
@@ -43,14 +44,14 @@ std::string library(Emission const &emission) {
     std::string parameters, arguments;
     for (unsigned i = 0; i < operation.arity; ++i) {
       std::string const name(1, "xyz"[i]), separator = i == 0 ? "" : ", ";
-      parameters += separator + name + ": f64";
+      parameters += separator + name + ": " + real;
       arguments += separator + (operation.op == Op::pow ? "std::ptr::read_volatile(&" + name + ")" : name);
     }
-    declarations +=
-        fmt::format("        #[link_name = \"{0}\"]\n        fn c_{0}({1}) -> f64;\n", operation.c, parameters);
+    declarations += fmt::format("        #[link_name = \"{0}{2}\"]\n        fn c_{0}({1}) -> {3};\n", operation.c,
+                                parameters, emission.language.is_single ? "f" : "", real);
     functions +=
-        fmt::format("\n    #[inline]\n    pub fn {0}({1}) -> f64 {{\n        unsafe {{ c_{0}({2}) }}\n    }}\n",
-                    operation.c, parameters, arguments);
+        fmt::format("\n    #[inline]\n    pub fn {0}({1}) -> {3} {{\n        unsafe {{ c_{0}({2}) }}\n    }}\n",
+                    operation.c, parameters, arguments, real);
   }
   if (functions.empty()) return {};
   return "/// The mathematical library of C.\nmod libm {\n    #[link(name = \"m\")]\n    extern \"C\" {\n" +

@@ -15,20 +15,21 @@ struct Function {
   bool calls_wide_int = false;
 };
 constexpr std::array functions = {
-    Function{"to_int32", "(x: f64) -> f64",
-             "if x > -2147483649.0 && x < 2147483648.0 { f64::from(x as i32) } else { -2147483648.0 }"},
-    Function{"to_int64", "(x: f64) -> f64",
-             "if x >= -9223372036854775808.0 && x < 9223372036854775808.0 { x as i64 as f64 } else { "
+    Function{"to_int32", "(x: $real) -> $real",
+             "if x > -2147483649.0 && x < 2147483648.0 { x as i32 as $real } else { -2147483648.0 }"},
+    Function{"to_int64", "(x: $real) -> $real",
+             "if x >= -9223372036854775808.0 && x < 9223372036854775808.0 { x as i64 as $real } else { "
              "-9223372036854775808.0 }"},
-    Function{"wide_int", "(x: f64) -> u64",
+    Function{"wide_int", "(x: $real) -> u64",
              "if x >= -9223372036854775808.0 && x < 9223372036854775808.0 { x as i64 as u64 } else { 1 << 63 }"},
-    Function{"wide_uint", "(x: f64) -> u64",
+    Function{"wide_uint", "(x: $real) -> u64",
              "if x >= 9223372036854775808.0 { wide_int(x - 9223372036854775808.0) ^ (1 << 63) } else { wide_int(x) }",
              true},
-    Function{"wide", "(high: f64, low: f64) -> u64", "(wide_int(high) << 32) | (wide_int(low) & 0xFFFF_FFFF)", true},
-    Function{"int_div", "(x: f64, y: f64) -> f64", "(x / y).trunc() + 0.0"},
-    Function{"int_neg", "(x: f64) -> f64", "if x == 0.0 { 0.0 } else { -x }"},
-    Function{"mul_uint32", "(x: f64, y: f64) -> f64",
+    Function{"wide", "(high: $real, low: $real) -> u64", "(wide_int(high) << 32) | (wide_int(low) & 0xFFFF_FFFF)",
+             true},
+    Function{"int_div", "(x: $real, y: $real) -> $real", "(x / y).trunc() + 0.0"},
+    Function{"int_neg", "(x: $real) -> $real", "if x == 0.0 { 0.0 } else { -x }"},
+    Function{"mul_uint32", "(x: $real, y: $real) -> $real",
              "f64::from((wide_int(x) as u32).wrapping_mul(wide_int(y) as u32))", true},
     Function{"wide_div", "(x: u64, y: u64) -> u64",
              "if y == 0 { 0 } else { (x as i64).wrapping_div(y as i64) as u64 }"},
@@ -67,7 +68,8 @@ std::string rust_integer_functions(Emission const &emission) {
   std::string text;
   for (Function const &function : functions)
     if (wanted.contains(function.name))
-      text += fmt::format("#[inline]\nfn {}{} {{\n    {}\n}}\n", function.name, function.head, function.body);
+      text += with_words(emission.language, fmt::format("#[inline]\nfn {}{} {{\n    {}\n}}\n", function.name,
+                                                        function.head, function.body));
   return text.empty() ? text : "// Integers, as gcc has them on x86-64.\n" + text + "\n";
 }
 
