@@ -2,7 +2,9 @@
 """same_in.py LANGUAGE BASE [--ulps FILE] [--all-operations TABLE RUNS | INPUTS...]: builds and runs the main program of
 LANGUAGE (BASE_main.*) and that of C beside it, and compares their outputs for each list of inputs. Numbers must have the
 same bits, but for the units in the last place that FILE grants to an output op_NAME of this language ("javascript sin
-1") and to others ("javascript * 2"); any NaN equals any NaN. Both must end with the same status and tell the same guard."""
+1") and to others ("javascript * 2"); any NaN equals any NaN. Both must end with the same status and tell the same guard.
+Where a language has no infinities, FILE says so ("mathematica values finite"): operands are finite then, an output that is
+not finite in C is not compared; and where it has no negative zero ("mathematica zeros unsigned"), -0 equals 0."""
 import argparse
 import math
 import os
@@ -10,11 +12,15 @@ import struct
 import subprocess
 import sys
 
+import in_one_process
+
 HERE = os.path.dirname(os.path.abspath(__file__))
 
 
 def build(language, base):
-    """The command that runs the program, after what it takes to build it."""
+    """A function that runs the program, after what it takes to build it."""
+    if language in in_one_process.LANGUAGES:
+        return in_one_process.Runs(language, base)
     where, name = os.path.split(os.path.abspath(base))
     run = {
         "javascript": [["node", f"{name}_main.mjs"]],
@@ -48,7 +54,11 @@ def ordered(x):
     return bits if bits >= 0 else -(bits & 0x7FFFFFFFFFFFFFFF)
 
 
-def distance(x, y):
+def distance(x, y, limits=()):
+    if "finite" in limits and not math.isfinite(x):
+        return 0
+    if "unsigned" in limits and x == y == 0:
+        return 0
     if math.isnan(x) or math.isnan(y):
         return 0 if math.isnan(x) and math.isnan(y) else math.inf
     if x == y:
@@ -67,7 +77,7 @@ def granted(path, language):
     for line in open(path) if path else []:
         words = line.split("#")[0].split()
         if words and words[0] == language:
-            table[words[1]] = float(words[2])
+            table[words[1]] = words[2] if words[1] in ("values", "zeros") else float(words[2])
     return table
 
 
@@ -84,7 +94,7 @@ def compare(language, expected, got, ulps, worst):
         return [f"prints {[name for name, _ in right]}"]
     for (name, x), (_, y) in zip(left, right):
         operation = name[3:] if name.startswith("op_") else "*"
-        far = distance(x, y)
+        far = distance(x, y, [ulps.get("values"), ulps.get("zeros")])
         worst[operation] = max(worst.get(operation, 0), far)
         if far > ulps.get(operation, 0):
             problems.append(f"{name} = {y!r}, in C {x!r}: {far} units in the last place")
@@ -100,12 +110,15 @@ def main():
     parser.add_argument("--show", action="store_true", help="print the largest distance of each operation")
     options, runs = parser.parse_known_args()
     lists = [run.split() for run in runs] or [[]]
+    ulps = granted(options.ulps, options.language)
     if options.all_operations:
         table, count = options.all_operations
-        lists = [subprocess.run([sys.executable, f"{HERE}/all_operations.py", "--inputs", str(run), table], check=True,
+        lists = [subprocess.run([sys.executable, f"{HERE}/all_operations.py", "--inputs", str(run), table,
+                                 *(["--finite"] if ulps.get("values") == "finite" else [])], check=True,
                                 capture_output=True, text=True).stdout.split() for run in range(int(count))]
-    ulps = granted(options.ulps, options.language)
     in_c, in_it, worst, failed = build_c(options.base), build(options.language, options.base), {}, False
+    if hasattr(in_it, "prepare"):
+        in_it.prepare(lists)
     for run, inputs in enumerate(lists):
         expected, got = in_c(inputs), in_it(inputs)
         problems = compare(options.language, expected, got, ulps, worst)

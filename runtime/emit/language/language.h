@@ -54,7 +54,8 @@ struct TypeSyntax {
 };
 
 struct ExpressionSyntax {
-  std::string_view call_prefix = {};                       // of the names of the mathematical library: "std::"
+  std::string_view call_prefix = {}; // of the names of the mathematical library: "std::"
+  std::string_view call_open = "(", call_close = ")";
   std::span<OperationSpelling const> operations = {};      // the exceptions to the table of operations
   std::string_view element = {};                           // $array $index
   std::size_t first_index = 0;                             // of an array
@@ -87,12 +88,14 @@ struct FunctionSyntax {
   // $name: a parameter that is an array of numbers; no output: the function returns the array
   std::string_view input = {}, output = {}, local_output = {};      // local: of this file's functions; empty: as output
   std::string_view input_declaration = {}, output_declaration = {}; // $name: where the types stand in the body
-  std::string_view unused = {};                                     // $name of a parameter that the body does not use
-  std::string_view results = {};                                    // $name $count: before the results are stored
-  std::string_view success = {};                                    // the end of a function with guards
-  std::string_view finish = {}, local_finish = {};                  // $name: the last statement of every function
-  std::string_view failed = {};                                     // declares what takes a status
-  std::string_view status_declaration = {};                         // of the parameter that does, where it is one
+  // $names of all variables and of the array that is returned, where one statement declares them; without any
+  std::string_view locals = {}, no_locals = {};
+  std::string_view unused = {};                    // $name of a parameter that the body does not use
+  std::string_view results = {};                   // $name $count: before the results are stored
+  std::string_view success = {};                   // the end of a function with guards
+  std::string_view finish = {}, local_finish = {}; // $name: the last statement of every function
+  std::string_view failed = {};                    // declares what takes a status
+  std::string_view status_declaration = {};        // of the parameter that does, where it is one
   std::string_view call = {},
                    checked_call = {}; // $name $group $arguments: of a part of this function; checked: return its status
   std::size_t most_statements = 500;  // longer ones are cut: compilers take more than linear time on one function

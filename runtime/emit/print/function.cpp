@@ -63,7 +63,7 @@ private:
     bool const checks = printer_.statements(chunk, text);
     if (checks) text.statement(2, syntax_.success);
     text.statement(2, fill(syntax_.local_finish, {{"name", "v"}}));
-    std::string const name = fmt::format("{}_{}", name_, chunk + 1);
+    std::string const name = language_.names.spelled(fmt::format("{}_{}", name_, chunk + 1));
     append(out, syntax_.local_head, syntax_.local_output.empty() ? syntax_.output : syntax_.local_output, checks, name,
            "v", text);
     if (chunk + 1 < printer_.chunk_count() || syntax_.group_size == 0) out.lines("\n");
@@ -76,9 +76,19 @@ private:
     }
   }
 
+  // In one statement, where the language declares them so.
+  void print_locals(bool is_part, CodeText &out) {
+    std::vector<std::string> names = printer_.take_variables();
+    if (!is_part && printer_.chunk_count() > 1) names.insert(names.begin(), "v");
+    if (!is_part && syntax_.output.empty()) names.insert(names.begin(), target_);
+    out.statement(2, fill(names.empty() ? syntax_.no_locals : syntax_.locals,
+                          {{"names", fmt::format("{}", fmt::join(names, ", "))}}));
+  }
+
   // A parameter that the text does not use is marked, or compilers warn.
   void append(CodeText &out, std::string_view head, std::string_view output, bool may_fail, std::string const &name,
               std::string const &last, CodeText const &text) {
+    bool const is_part = name != name_;
     std::set<std::string_view> const used = printer_.take_arrays();
     std::string parameters;
     for (std::string const &input : inputs_)
@@ -91,6 +101,7 @@ private:
     for (std::string const &input : inputs_) out.statement(2, fill(syntax_.input_declaration, {{"name", input}}));
     out.statement(2, fill(syntax_.output_declaration, {{"name", last}}));
     if (may_fail) out.statement(2, syntax_.status_declaration);
+    print_locals(is_part, out);
     out.append(printer_.take_declarations());
     auto const mark_unused = [&](std::string const &parameter) {
       if (!used.contains(parameter)) out.statement(2, fill(syntax_.unused, {{"name", parameter}}));

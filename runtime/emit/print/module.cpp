@@ -34,7 +34,7 @@ Filling common(Emission const &emission) {
   Filling fill;
   std::string const prefix = emission.options.prefix;
   NameRules const &rules = emission.language.names;
-  fill.set_name("module", identifier(prefix.empty() ? emission.graph().kernel : prefix, rules));
+  fill.set_name("module", rules.spelled(identifier(prefix.empty() ? emission.graph().kernel : prefix, rules)));
   fill.set("base", emission.options.base_name).set_name("unit", identifier(emission.options.base_name, rules));
   fill.set("package", emission.options.mainline ? "main" : identifier(emission.options.base_name, rules));
   for (std::string_view const name : functions) fill.set_name(std::string(name), emission.name(std::string(name)));

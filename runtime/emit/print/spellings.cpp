@@ -28,13 +28,17 @@ std::vector<Spellings::Piece> parse(std::string_view pattern) {
 }
 
 // As the table of operations has it.
-std::string usual_pattern(OperationInfo const &operation, std::string_view call_prefix) {
+std::string usual_pattern(OperationInfo const &operation, Language const &language) {
   static constexpr std::string_view operands = "$x, $y, $z";
   int const precedence = operation.precedence;
   switch (operation.form) {
-  case Form::local: return fmt::format("{}({})", operation.c, operands.substr(0, 4 * operation.arity - 2));
-  case Form::call:
-    return fmt::format("{}{}({})", call_prefix, operation.c, operands.substr(0, 4 * operation.arity - 2));
+  case Form::local:
+  case Form::call: {
+    ExpressionSyntax const &syntax = language.expressions;
+    return fmt::format("{}{}{}{}{}", operation.form == Form::call ? syntax.call_prefix : "",
+                       language.names.spelled(operation.c), syntax.call_open,
+                       operands.substr(0, 4 * operation.arity - 2), syntax.call_close);
+  }
   case Form::prefix: return fmt::format("{}$x:{}", operation.c, binding::prefix_operand);
   case Form::cast: return fmt::format("{}($x)", operation.c);
   case Form::infix: {
@@ -54,8 +58,8 @@ std::string usual_pattern(OperationInfo const &operation, std::string_view call_
 
 Spellings::Spellings(Language const &language) {
   for (OperationInfo const &operation : operations())
-    spellings_[static_cast<std::size_t>(operation.op)] = {
-        parse(usual_pattern(operation, language.expressions.call_prefix)), operation.precedence};
+    spellings_[static_cast<std::size_t>(operation.op)] = {parse(usual_pattern(operation, language)),
+                                                          operation.precedence};
   for (OperationSpelling const &exception : language.expressions.operations)
     spellings_[static_cast<std::size_t>(exception.op)] = {parse(exception.pattern), exception.precedence};
 }

@@ -21,6 +21,7 @@ private:
     NameId name;
     std::uint32_t number;
   };
+  NameRules const *rules_;
   std::vector<std::string> bases_; // per name of the graph
   std::vector<Entry> entries_;     // per variable; empty where nothing has a name
 };
