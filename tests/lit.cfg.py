@@ -29,6 +29,8 @@ for program, feature in [("rustc", "rustc"), ("gfortran", "fortran"), ("javac", 
                          (venv + "/fmpy", "fmpy"), (venv + "/dask", "dask")]:
     if shutil.which(program):
         config.available_features.add(feature)
+if os.path.exists(venv + "/python") and subprocess.run([venv + "/python", "-c", "import tree_sitter_julia"], capture_output=True).returncode == 0:
+    config.available_features.add("julia-grammar")
 if subprocess.run(["/usr/bin/python3", "-c", "import numpy"], capture_output=True).returncode == 0:
     config.available_features.add("python")
 

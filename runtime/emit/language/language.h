@@ -87,6 +87,7 @@ struct FunctionSyntax {
   std::string_view no_result = {}, status = {}; // $result
   // $name: a parameter that is an array of numbers; no output: the function returns the array
   std::string_view input = {}, output = {}, local_output = {};      // local: of this file's functions; empty: as output
+  bool output_first = false; // among the parameters
   std::string_view input_declaration = {}, output_declaration = {}; // $name: where the types stand in the body
   // $names of all variables and of the array that is returned, where one statement declares them; without any
   std::string_view locals = {}, no_locals = {};

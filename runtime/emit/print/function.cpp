@@ -47,6 +47,9 @@ private:
   std::string group(std::size_t chunk) const {
     return syntax_.group_size == 0 ? "" : fmt::format("{}_part_{}", name_, chunk / syntax_.group_size + 1);
   }
+  std::string with_output(std::string const &inputs, std::string const &output) const {
+    return syntax_.output_first ? output + ", " + inputs : inputs + ", " + output;
+  }
   // Behind so many chunks.
   void end_group(std::size_t chunks, CodeText &out) const {
     if (syntax_.group_size == 0) return;
@@ -67,7 +70,7 @@ private:
     append(out, syntax_.local_head, syntax_.local_output.empty() ? syntax_.output : syntax_.local_output, checks, name,
            "v", text);
     if (chunk + 1 < printer_.chunk_count() || syntax_.group_size == 0) out.lines("\n");
-    std::string const arguments = fmt::format("{}, v", fmt::join(inputs_, ", "));
+    std::string const arguments = with_output(fmt::format("{}", fmt::join(inputs_, ", ")), "v");
     for (std::string_view rest = checks ? syntax_.checked_call : syntax_.call; !rest.empty();) { // a statement a line
       std::size_t const end = std::min(rest.find('\n'), rest.size());
       calls.statement(2,
@@ -93,7 +96,7 @@ private:
     std::string parameters;
     for (std::string const &input : inputs_)
       parameters += (parameters.empty() ? "" : ", ") + fill(syntax_.input, {{"name", input}});
-    if (!output.empty()) parameters += ", " + fill(output, {{"name", last}});
+    if (!output.empty()) parameters = with_output(parameters, fill(output, {{"name", last}}));
     out.statement(0, Filling()
                          .set("result", std::string(may_fail ? syntax_.status : syntax_.no_result))
                          .set_name("name", name)
