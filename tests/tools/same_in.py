@@ -13,6 +13,7 @@ import subprocess
 import sys
 
 import in_one_process
+import maple_reader
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 
@@ -21,6 +22,8 @@ def build(language, base):
     """A function that runs the program, after what it takes to build it."""
     if language in in_one_process.LANGUAGES:
         return in_one_process.Runs(language, base)
+    if language == "maple":
+        return maple_reader.Runs(language, base)
     where, name = os.path.split(os.path.abspath(base))
     run = {
         "javascript": [["node", f"{name}_main.mjs"]],

@@ -46,6 +46,7 @@ struct NumberSyntax {
   std::string_view exponent = "e";     // between mantissa and exponent
   std::string_view suffix = {};        // of numbers without an exponent
   std::string_view negative_zero = {}; // where it is not -0.0
+  int sign_binding = 14;               // how tightly a number with a sign binds
 };
 
 // A variable holds a number, a truth value, or an integer of 64 bits.
@@ -56,6 +57,8 @@ struct TypeSyntax {
 struct ExpressionSyntax {
   std::string_view call_prefix = {}; // of the names of the mathematical library: "std::"
   std::string_view call_open = "(", call_close = ")";
+  std::string_view local_prefix = {}; // of the names of the operations that are functions of this file
+  std::string (*variable)(std::string const &) = nullptr;  // how the name of a variable is written
   std::span<OperationSpelling const> operations = {};      // the exceptions to the table of operations
   std::string_view element = {};                           // $array $index
   std::size_t first_index = 0;                             // of an array
@@ -87,7 +90,7 @@ struct FunctionSyntax {
   std::string_view no_result = {}, status = {}; // $result
   // $name: a parameter that is an array of numbers; no output: the function returns the array
   std::string_view input = {}, output = {}, local_output = {};      // local: of this file's functions; empty: as output
-  bool output_first = false; // among the parameters
+  bool output_first = false;                                        // among the parameters
   std::string_view input_declaration = {}, output_declaration = {}; // $name: where the types stand in the body
   // $names of all variables and of the array that is returned, where one statement declares them; without any
   std::string_view locals = {}, no_locals = {};
@@ -144,6 +147,7 @@ struct FileSyntax {
   std::string_view kept_when = {}; // $pow: ends the promise of the modes strict and finite
   std::string_view pow_flag = {};  // $pow, of a kernel with powers
   std::string_view fast_when = {}; // ends that of mode fast
+  Part whole = nullptr;            // all of it: functions are not printed as statements
   Part begin = nullptr, open = nullptr;
   Part integer_functions = nullptr; // those that the functions call; nothing where there are no such integers
   std::string_view hide_helper = {};

@@ -35,7 +35,7 @@ std::string usual_pattern(OperationInfo const &operation, Language const &langua
   case Form::local:
   case Form::call: {
     ExpressionSyntax const &syntax = language.expressions;
-    return fmt::format("{}{}{}{}{}", operation.form == Form::call ? syntax.call_prefix : "",
+    return fmt::format("{}{}{}{}{}", operation.form == Form::call ? syntax.call_prefix : syntax.local_prefix,
                        language.names.spelled(operation.c), syntax.call_open,
                        operands.substr(0, 4 * operation.arity - 2), syntax.call_close);
   }

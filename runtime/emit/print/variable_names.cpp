@@ -40,7 +40,9 @@ static std::set<std::string> own_names(Emission const &emission) {
 // Between a name and what makes it another.
 static char joint(NameRules const &rules) { return rules.has_underscores ? '_' : '$'; }
 
-VariableNames::VariableNames(Emission const &emission, FunctionBody const &body) : rules_(&emission.language.names) {
+VariableNames::VariableNames(Emission const &emission, FunctionBody const &body)
+    : rules_(&emission.language.names),
+      written_(emission.language.expressions.variable) {
   Graph const &graph = emission.graph();
   if (graph.node_name.empty()) return;
   NameRules const &rules = emission.language.names;
@@ -76,6 +78,11 @@ VariableNames::VariableNames(Emission const &emission, FunctionBody const &body)
 }
 
 std::string VariableNames::operator()(std::size_t variable) const {
+  std::string const name = this->name(variable);
+  return written_ ? written_(name) : name;
+}
+
+std::string VariableNames::name(std::size_t variable) const {
   if (entries_.empty() || entries_[variable].name == no_name) return "t" + std::to_string(variable);
   Entry const &entry = entries_[variable];
   return entry.number == 1 ? bases_[entry.name] : bases_[entry.name] + joint(*rules_) + std::to_string(entry.number);
