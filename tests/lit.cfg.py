@@ -25,10 +25,13 @@ if platform.system() == "Linux" and platform.machine() == "x86_64":
 venv = os.path.join(config.source_dir, "build", "venv", "bin")
 # What a language needs that not every machine has; a test that requires it is reported as unsupported without.
 for program, feature in [("rustc", "rustc"), ("gfortran", "fortran"), ("javac", "java"), ("node", "javascript"), ("go", "go"),
-                         ("octave-cli", "matlab"), ("mkoctfile", "mex"), ("cppcheck", "cppcheck"), ("giac", "maple"), (venv + "/mathics", "mathematica"),
+                         ("dot", "graphviz"), ("octave-cli", "matlab"), ("mkoctfile", "mex"), ("cppcheck", "cppcheck"),
+                         (venv + "/mathics", "mathematica"),
                          (venv + "/fmpy", "fmpy"), (venv + "/dask", "dask")]:
     if shutil.which(program):
         config.available_features.add(feature)
+if os.path.exists(venv + "/python") and subprocess.run([venv + "/python", "-c", "import tree_sitter_julia"], capture_output=True).returncode == 0:
+    config.available_features.add("julia-grammar")
 if subprocess.run(["/usr/bin/python3", "-c", "import numpy"], capture_output=True).returncode == 0:
     config.available_features.add("python")
 

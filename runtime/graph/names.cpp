@@ -113,6 +113,18 @@ std::string NameRules::key(std::string_view name) const {
   return key;
 }
 
+std::string NameRules::spelled(std::string_view name) const {
+  if (has_underscores) return std::string(name);
+  std::string text;
+  bool capital = false;
+  for (char c : name) {
+    auto const letter = static_cast<unsigned char>(c);
+    if (c != '_') text += static_cast<char>(text.empty() ? std::tolower(letter) : capital ? std::toupper(letter) : c);
+    capital = c == '_';
+  }
+  return text;
+}
+
 bool NameRules::is_keyword(std::string_view word) const { return std::ranges::binary_search(keywords, key(word)); }
 
 std::string identifier(std::string const &label, NameRules const &rules) {

@@ -14,10 +14,13 @@ namespace symreal {
 struct NameRules {
   std::span<std::string_view const> keywords;
   bool ignores_case = false;
+  bool has_underscores = true; // otherwise q_dot is qDot, and names begin with a small letter
 
   bool is_keyword(std::string_view word) const;
   // Equal for names that are one.
   std::string key(std::string_view name) const;
+  // The name as the language writes it.
+  std::string spelled(std::string_view name) const;
 };
 // The keywords of C99 and of C++: generated headers are for both.
 extern NameRules const c_names;

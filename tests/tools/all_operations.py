@@ -1,7 +1,9 @@
 #!/usr/bin/env python3
 """all_operations.py OPERATIONS.DEF: prints a graph with every operation of the table, each on inputs of its own, without
 those that need more than their operands. With --inputs K: instead the inputs of run K, numbers of the operation's domain
-or corner values, separated by blanks. With --real float behind it: the operations and numbers that single precision has."""
+or corner values, separated by blanks; with --finite behind the table none that is infinite, or no number. With --real float
+at the end: the operations and numbers that single precision has."""
+import math
 import random
 import re
 import sys
@@ -60,7 +62,7 @@ def draw(domain, source):
             "integer": float(int(x * 2.0 ** source.randrange(63)))}[domain]
 
 
-def numbers(path, run):
+def numbers(path, run, corners):
     source = random.Random(run)
     for name, arity, form, flags, domain in rows(path):
         for operand in range(arity):
@@ -69,13 +71,15 @@ def numbers(path, run):
             elif domain == "integer" or run < 3:
                 yield draw(domain, source)
             else:
-                yield source.choice(FLOAT_CORNERS if is_float else CORNERS)
+                yield source.choice(corners)
 
 
 is_float = sys.argv[-2:] == ["--real", "float"]
 if is_float:
     del sys.argv[-2:]
-if len(sys.argv) == 4 and sys.argv[1] == "--inputs":
-    print(*(repr(x) for x in numbers(sys.argv[3], int(sys.argv[2]))))
+if len(sys.argv) >= 4 and sys.argv[1] == "--inputs":
+    corners = FLOAT_CORNERS if is_float else CORNERS
+    corners = [x for x in corners if math.isfinite(x)] if "--finite" in sys.argv else corners
+    print(*(repr(x) for x in numbers(sys.argv[3], int(sys.argv[2]), corners)))
 else:
     graph(sys.argv[1])

@@ -2,8 +2,10 @@
 """same_in.py LANGUAGE BASE [--real float] [--ulps FILE] [--all-operations TABLE RUNS | INPUTS...]: builds and runs the main program of
 LANGUAGE (BASE_main.*) and that of C beside it, and compares their outputs for each list of inputs. Numbers must have the
 same bits, but for the units in the last place that FILE grants to an output op_NAME of this language ("javascript sin
-1") and to others ("javascript * 2"); any NaN equals any NaN. Of programs in
-single precision units are those of floats, and FILE calls the language java_float. Both must end with the same status and tell the same guard."""
+1") and to others ("javascript * 2"); any NaN equals any NaN. Both must end with the same status and tell the same guard.
+Where a language has no infinities, FILE says so ("mathematica values finite"): operands are finite then, an output that is
+not finite in C is not compared; and where it has no negative zero ("mathematica zeros unsigned"), -0 equals 0. Of programs
+in single precision units are those of floats, and FILE calls the language java_float."""
 import argparse
 import math
 import os
@@ -11,11 +13,18 @@ import struct
 import subprocess
 import sys
 
+import in_one_process
+import maple_reader
+
 HERE = os.path.dirname(os.path.abspath(__file__))
 
 
 def build(language, base):
-    """The command that runs the program, after what it takes to build it."""
+    """A function that runs the program, after what it takes to build it."""
+    if language in in_one_process.LANGUAGES:
+        return in_one_process.Runs(language, base)
+    if language == "maple":
+        return maple_reader.Runs(language, base)
     where, name = os.path.split(os.path.abspath(base))
     run = {
         "javascript": [["node", f"{name}_main.mjs"]],
@@ -49,7 +58,11 @@ def ordered(x, is_float):
     return bits if bits >= 0 else -(bits & (0x7FFFFFFF if is_float else 0x7FFFFFFFFFFFFFFF))
 
 
-def distance(x, y, is_float):
+def distance(x, y, is_float, limits=()):
+    if "finite" in limits and not math.isfinite(x):
+        return 0
+    if "unsigned" in limits and x == y == 0:
+        return 0
     if math.isnan(x) or math.isnan(y):
         return 0 if math.isnan(x) and math.isnan(y) else math.inf
     if x == y:
@@ -68,7 +81,7 @@ def granted(path, language):
     for line in open(path) if path else []:
         words = line.split("#")[0].split()
         if words and words[0] == language:
-            table[words[1]] = float(words[2])
+            table[words[1]] = words[2] if words[1] in ("values", "zeros") else float(words[2])
     return table
 
 
@@ -90,7 +103,7 @@ def compare(expected, got, ulps, worst, is_float):
         return [f"prints {[name for name, _ in right]}"]
     for (name, x), (_, y) in zip(left, right):
         operation = name[3:] if name.startswith("op_") else "*"
-        far = distance(x, y, is_float)
+        far = distance(x, y, is_float, [ulps.get("values"), ulps.get("zeros")])
         worst[operation] = max(worst.get(operation, 0), far)
         if far > ulps.get(operation, 0):
             problems.append(f"{name} = {y!r}, in C {x!r}: {far} units in the last place")
@@ -108,12 +121,15 @@ def main():
     options, runs = parser.parse_known_args()
     is_float = options.real == "float"
     lists = [run.split() for run in runs] or [[]]
+    ulps = granted(options.ulps, options.language + ("_float" if is_float else ""))
     if options.all_operations:
         table, count = options.all_operations
-        lists = [subprocess.run([sys.executable, f"{HERE}/all_operations.py", "--inputs", str(run), table] + ["--real", "float"] * is_float, check=True,
-                                capture_output=True, text=True).stdout.split() for run in range(int(count))]
-    ulps = granted(options.ulps, options.language + ("_float" if is_float else ""))
+        words = ["--finite"] * (ulps.get("values") == "finite") + ["--real", "float"] * is_float
+        lists = [subprocess.run([sys.executable, f"{HERE}/all_operations.py", "--inputs", str(run), table, *words],
+                                check=True, capture_output=True, text=True).stdout.split() for run in range(int(count))]
     in_c, in_it, worst, failed = build_c(options.base), build(options.language, options.base), {}, False
+    if hasattr(in_it, "prepare"):
+        in_it.prepare(lists)
     for run, inputs in enumerate(lists):
         expected, got = in_c(inputs), in_it(inputs)
         problems = compare(expected, got, ulps, worst, is_float)

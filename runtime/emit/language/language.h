@@ -51,6 +51,7 @@ struct NumberSyntax {
   std::string_view suffix = {};          // of numbers without an exponent
   std::string_view negative_zero = {};   // where it is not -0.0
   std::string_view exponent_suffix = {}; // of numbers with an exponent
+  int sign_binding = 14;                 // how tightly a number with a sign binds
 };
 
 // A variable holds a number, a truth value, or an integer of 64 bits.
@@ -73,7 +74,10 @@ struct Word {
 };
 
 struct ExpressionSyntax {
-  std::string_view call_prefix = {};                       // of the names of the mathematical library: "std::"
+  std::string_view call_prefix = {}; // of the names of the mathematical library: "std::"
+  std::string_view call_open = "(", call_close = ")";
+  std::string_view local_prefix = {}; // of the names of the operations that are functions of this file
+  std::string (*variable)(std::string const &) = nullptr;  // how the name of a variable is written
   std::span<OperationSpelling const> operations = {};      // the exceptions to the table of operations
   std::string_view element = {};                           // $array $index
   std::size_t first_index = 0;                             // of an array
@@ -106,13 +110,16 @@ struct FunctionSyntax {
   // $target: the array that a function fills. $name: a parameter that is an array of numbers; no output: the function
   // returns the array
   std::string_view input = {}, output = {}, local_output = {};      // local: of this file's functions; empty: as output
+  bool output_first = false;                                        // among the parameters
   std::string_view input_declaration = {}, output_declaration = {}; // $name: where the types stand in the body
-  std::string_view unused = {};                                     // $name of a parameter that the body does not use
-  std::string_view results = {};                                    // $name $count: before the results are stored
-  std::string_view success = {};                                    // the end of a function with guards
-  std::string_view finish = {}, local_finish = {};                  // $name: the last statement of every function
-  std::string_view failed = {};                                     // declares what takes a status
-  std::string_view status_declaration = {};                         // of the parameter that does, where it is one
+  // $names of all variables and of the array that is returned, where one statement declares them; without any
+  std::string_view locals = {}, no_locals = {};
+  std::string_view unused = {};                    // $name of a parameter that the body does not use
+  std::string_view results = {};                   // $name $count: before the results are stored
+  std::string_view success = {};                   // the end of a function with guards
+  std::string_view finish = {}, local_finish = {}; // $name: the last statement of every function
+  std::string_view failed = {};                    // declares what takes a status
+  std::string_view status_declaration = {};        // of the parameter that does, where it is one
   std::string_view call = {},
                    checked_call = {}; // $name $group $arguments: of a part of this function; checked: return its status
   std::size_t most_statements = 500;  // longer ones are cut: compilers take more than linear time on one function
@@ -163,6 +170,7 @@ struct FileSyntax {
   std::string_view kept_when = {}; // $pow: ends the promise of the modes strict and finite
   std::string_view pow_flag = {};  // $pow, of a kernel with powers
   std::string_view fast_when = {}; // ends that of mode fast
+  Part whole = nullptr;            // all of it: functions are not printed as statements
   Part begin = nullptr, open = nullptr;
   Part integer_functions = nullptr; // those that the functions call; nothing where there are no such integers
   std::string_view hide_helper = {};

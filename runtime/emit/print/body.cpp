@@ -102,6 +102,7 @@ void BodyPrinter::declare(std::size_t statement, std::size_t indent, CodeText &o
   StatementSyntax const &syntax = language_.statements;
   auto const &[type_name, zero] = type_syntax(statement);
   std::string const name = context_.spelling(statement);
+  variables_.push_back(name);
   if (!syntax.first_declaration.empty())
     declarations_.statement(2, fill(language_, syntax.first_declaration, {{"type", type_name}, {"name", name}}));
   out.statement(indent, fill(language_, syntax.variable, {{"type", type_name}, {"name", name}, {"value", zero}}));
@@ -114,6 +115,7 @@ void BodyPrinter::set(std::size_t statement, bool declares, std::size_t indent, 
   std::string const value = context_.is_gate(id) ? print_gate(context_, id) : print_expression(context_, id),
                     name = context_.spelling(statement);
   std::string_view const type_name = type_syntax(statement).name;
+  if (declares) variables_.push_back(name);
   if (declares && !syntax.first_declaration.empty())
     declarations_.statement(2, fill(language_, syntax.first_declaration, {{"type", type_name}, {"name", name}}));
   out.statement(

@@ -29,6 +29,9 @@ public:
   // The declarations since this was asked, where they stand before the first statement.
   CodeText take_declarations() { return std::exchange(declarations_, CodeText(language_)); }
 
+  // The variables since this was asked.
+  std::vector<std::string> take_variables() { return std::exchange(variables_, {}); }
+
 private:
   enum class Type : std::uint8_t { number, truth, wide };
   Type type(std::size_t statement) const;
@@ -50,6 +53,7 @@ private:
   Chunks chunks_;
   FunctionContext context_;
   CodeText declarations_;
+  std::vector<std::string> variables_;
 };
 
 } // namespace symreal

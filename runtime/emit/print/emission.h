@@ -35,7 +35,7 @@ struct Emission {
   Graph const &graph() const { return *plan.graph; }
   // The name of a function of the interface.
   std::string name(std::string const &function) const {
-    return language.has_namespace ? function : prefixed(options, function);
+    return language.names.spelled(language.has_namespace ? function : prefixed(options, function));
   }
 };
 

@@ -102,7 +102,7 @@ void ExpressionPrinter::print_itself(Item const &item) {
 }
 
 void ExpressionPrinter::print_constant(double value, int binding) {
-  bool const parenthesised = std::signbit(value) && binding > binding::unary;
+  bool const parenthesised = std::signbit(value) && binding > language_.numbers.sign_binding;
   std::string const text = constant(language_, value);
   text_ += parenthesised ? "(" + text + ")" : text;
 }

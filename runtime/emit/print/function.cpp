@@ -47,6 +47,9 @@ private:
   std::string group(std::size_t chunk) const {
     return syntax_.group_size == 0 ? "" : fmt::format("{}_part_{}", name_, chunk / syntax_.group_size + 1);
   }
+  std::string with_output(std::string const &inputs, std::string const &output) const {
+    return syntax_.output_first ? output + ", " + inputs : inputs + ", " + output;
+  }
   // Behind so many chunks.
   void end_group(std::size_t chunks, CodeText &out) const {
     if (syntax_.group_size == 0) return;
@@ -63,11 +66,11 @@ private:
     bool const checks = printer_.statements(chunk, text);
     if (checks) text.statement(2, syntax_.success);
     text.statement(2, fill(language_, syntax_.local_finish, {{"name", "v"}}));
-    std::string const name = fmt::format("{}_{}", name_, chunk + 1);
+    std::string const name = language_.names.spelled(fmt::format("{}_{}", name_, chunk + 1));
     append(out, syntax_.local_head, syntax_.local_output.empty() ? syntax_.output : syntax_.local_output, checks, name,
            "v", text);
     if (chunk + 1 < printer_.chunk_count() || syntax_.group_size == 0) out.lines("\n");
-    std::string const arguments = fmt::format("{}, v", fmt::join(inputs_, ", "));
+    std::string const arguments = with_output(fmt::format("{}", fmt::join(inputs_, ", ")), "v");
     for (std::string_view rest = checks ? syntax_.checked_call : syntax_.call; !rest.empty();) { // a statement a line
       std::size_t const end = std::min(rest.find('\n'), rest.size());
       calls.statement(
@@ -76,14 +79,24 @@ private:
     }
   }
 
+  // In one statement, where the language declares them so.
+  void print_locals(bool is_part, CodeText &out) {
+    std::vector<std::string> names = printer_.take_variables();
+    if (!is_part && printer_.chunk_count() > 1) names.insert(names.begin(), "v");
+    if (!is_part && syntax_.output.empty()) names.insert(names.begin(), target_);
+    out.statement(2, fill(names.empty() ? syntax_.no_locals : syntax_.locals,
+                          {{"names", fmt::format("{}", fmt::join(names, ", "))}}));
+  }
+
   // A parameter that the text does not use is marked, or compilers warn.
   void append(CodeText &out, std::string_view head, std::string_view output, bool may_fail, std::string const &name,
               std::string const &last, CodeText const &text) {
+    bool const is_part = name != name_;
     std::set<std::string_view> const used = printer_.take_arrays();
     std::string parameters;
     for (std::string const &input : inputs_)
       parameters += (parameters.empty() ? "" : ", ") + fill(language_, syntax_.input, {{"name", input}});
-    if (!output.empty()) parameters += ", " + fill(language_, output, {{"name", last}});
+    if (!output.empty()) parameters = with_output(parameters, fill(language_, output, {{"name", last}}));
     out.statement(0, Filling()
                          .set("result", std::string(may_fail ? syntax_.status : syntax_.no_result))
                          .set_name("name", name)
@@ -93,6 +106,7 @@ private:
       out.statement(2, fill(language_, syntax_.input_declaration, {{"name", input}}));
     out.statement(2, fill(language_, syntax_.output_declaration, {{"name", last}}));
     if (may_fail) out.statement(2, syntax_.status_declaration);
+    print_locals(is_part, out);
     out.append(printer_.take_declarations());
     auto const mark_unused = [&](std::string const &parameter) {
       if (!used.contains(parameter)) out.statement(2, fill(language_, syntax_.unused, {{"name", parameter}}));

@@ -36,7 +36,7 @@ Filling interface_names(Emission const &emission) {
   Filling fill;
   std::string const prefix = emission.options.prefix;
   NameRules const &rules = emission.language.names;
-  fill.set_name("module", identifier(prefix.empty() ? emission.graph().kernel : prefix, rules));
+  fill.set_name("module", rules.spelled(identifier(prefix.empty() ? emission.graph().kernel : prefix, rules)));
   fill.set("base", emission.options.base_name).set_name("unit", identifier(emission.options.base_name, rules));
   fill.set("package",
            emission.options.extras.contains("mainline") ? "main" : identifier(emission.options.base_name, rules));

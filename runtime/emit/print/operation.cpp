@@ -1,6 +1,7 @@
 // The operations of an expression, by their patterns.
 #include "emit/print/constant_paths.h"
 #include "emit/print/expression_printer.h"
+#include "emit/print/tables.h"
 #include "graph/opaque.h"
 
 #include <fmt/format.h>
@@ -105,8 +106,7 @@ void ExpressionPrinter::print_external(Node const &node) {
   std::string at = index(0);
   if (extents.size() == 2) at += "*" + std::to_string(extents[1]) + " + " + index(1);
   if (std::size_t const first = language_.expressions.first_index) at += " + " + std::to_string(first);
-  text_ +=
-      fill(language_, language_.expressions.element, {{"array", "table_" + std::to_string(number)}, {"index", at}});
+  text_ += fill(language_, language_.expressions.element, {{"array", table_name(language_, number)}, {"index", at}});
 }
 
 } // namespace symreal

@@ -9,6 +9,8 @@ namespace symreal {
 
 EmittedFile print_source(Emission &emission) {
   FileSyntax const &files = emission.language.files;
+  std::string const name = emission.options.base_name + std::string(files.extension);
+  if (files.whole) return {name, files.whole(emission)};
   CodeText functions = print_function(emission, false);
   functions.lines("\n");
   functions.append(print_function(emission, true));
@@ -26,7 +28,7 @@ EmittedFile print_source(Emission &emission) {
   text.lines(indented(emission.language, print_helpers(emission, false)));
   text.append(functions);
   text.lines(part(files.end));
-  return {emission.options.base_name + std::string(files.extension), text.text(), text.origins()};
+  return {name, text.text(), text.origins()};
 }
 
 } // namespace symreal

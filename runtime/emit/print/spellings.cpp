@@ -40,11 +40,15 @@ std::string usual_pattern(OperationInfo const &operation, Language const &langua
   static constexpr std::string_view operands = "$x, $y, $z";
   int const precedence = operation.precedence;
   switch (operation.form) {
-  case Form::local: return fmt::format("{}({})", operation.c, operands.substr(0, 4 * operation.arity - 2));
-  case Form::call:
-    return fmt::format("{}{}{}({})", language.expressions.call_prefix, operation.c,
-                       language.is_single ? language.single.call_suffix : "",
-                       operands.substr(0, 4 * operation.arity - 2));
+  case Form::local:
+  case Form::call: {
+    ExpressionSyntax const &syntax = language.expressions;
+    bool const is_call = operation.form == Form::call;
+    return fmt::format("{}{}{}{}{}{}", is_call ? syntax.call_prefix : syntax.local_prefix,
+                       language.names.spelled(operation.c),
+                       is_call && language.is_single ? language.single.call_suffix : "", syntax.call_open,
+                       operands.substr(0, 4 * operation.arity - 2), syntax.call_close);
+  }
   case Form::prefix: return fmt::format("{}$x:{}", operation.c, binding::prefix_operand);
   case Form::cast: return cast_of(language, operation.c) + "($x)";
   case Form::infix: {

@@ -28,7 +28,7 @@ std::string print_table(Emission const &emission, std::size_t number) {
   Table const &table = emission.graph().tables[number];
   std::string label; // a comment must not end in the user's text
   for (char c : table.name) label += c == '*' || c == '/' ? ' ' : c;
-  std::string const name = "table_" + std::to_string(number);
+  std::string const name = table_name(language, number);
   std::string text = comment(language, {label}) + "\n";
   std::size_t const row = table.extents.back();
   std::span<double const> const values = table.values;
@@ -36,7 +36,7 @@ std::string print_table(Emission const &emission, std::size_t number) {
   if (most == 0 || values.size() <= most) return text + print_values(language, name, values, 0, row);
   std::string parts;
   for (std::size_t first = 0; first < values.size(); first += most) {
-    std::string const part = name + "_" + std::to_string(first / most + 1);
+    std::string const part = language.names.spelled(name + "_" + std::to_string(first / most + 1));
     text += print_values(language, part, values.subspan(first, std::min(most, values.size() - first)), first, row);
     parts += (parts.empty() ? "" : ", ") + part;
   }
@@ -45,6 +45,10 @@ std::string print_table(Emission const &emission, std::size_t number) {
 }
 
 } // namespace
+
+std::string table_name(Language const &language, std::size_t number) {
+  return language.names.spelled("table_" + std::to_string(number));
+}
 
 std::string print_tables(Emission const &emission) {
   std::string text;

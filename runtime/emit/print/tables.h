@@ -5,6 +5,7 @@
 
 namespace symreal {
 
+std::string table_name(Language const &language, std::size_t number);
 std::string print_tables(Emission const &emission);
 
 } // namespace symreal

@@ -37,10 +37,16 @@ static std::set<std::string> own_names(Emission const &emission) {
   return names;
 }
 
-VariableNames::VariableNames(Emission const &emission, FunctionBody const &body) {
+// Between a name and what makes it another.
+static char joint(NameRules const &rules) { return rules.has_underscores ? '_' : '$'; }
+
+VariableNames::VariableNames(Emission const &emission, FunctionBody const &body)
+    : rules_(&emission.language.names),
+      written_(emission.language.expressions.variable) {
   Graph const &graph = emission.graph();
   if (graph.node_name.empty()) return;
   NameRules const &rules = emission.language.names;
+  char const mark = joint(rules);
   std::set<std::string> all, own, given;
   for (std::string const &name : graph.names) all.insert(rules.key(name));
   for (std::string const &name : own_names(emission)) own.insert(rules.key(name));
@@ -51,11 +57,12 @@ VariableNames::VariableNames(Emission const &emission, FunctionBody const &body)
     for (char &c : base)
       if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
     if (base[0] == '_') base = "u" + base;
+    base = rules.spelled(base);
     std::string const key = rules.key(base);
-    bool const is_taken = is_numbered(key) || key.starts_with("table_") || rules.is_keyword(key) || own.contains(key) ||
-                          !given.insert(key).second;
-    if (is_taken || (base != name && all.contains(key))) base += '_';
-    while (base != name && !all.insert(rules.key(base)).second) base += '_';
+    bool const is_taken = is_numbered(key) || key.starts_with(rules.spelled("table_")) || rules.is_keyword(key) ||
+                          own.contains(key) || !given.insert(key).second;
+    if (is_taken || (base != name && all.contains(key))) base += mark;
+    while (base != name && !all.insert(rules.key(base)).second) base += mark;
     bases_.push_back(base);
   }
   std::vector<std::uint32_t> next(bases_.size(), 1);
@@ -64,16 +71,21 @@ VariableNames::VariableNames(Emission const &emission, FunctionBody const &body)
     entries_.push_back({name, 0});
     if (name == no_name) continue;
     std::uint32_t number = next[name];
-    while (number > 1 && all.contains(rules.key(bases_[name] + "_" + std::to_string(number)))) ++number;
+    while (number > 1 && all.contains(rules.key(bases_[name] + mark + std::to_string(number)))) ++number;
     entries_.back().number = number;
     next[name] = number + 1;
   }
 }
 
 std::string VariableNames::operator()(std::size_t variable) const {
+  std::string const name = this->name(variable);
+  return written_ ? written_(name) : name;
+}
+
+std::string VariableNames::name(std::size_t variable) const {
   if (entries_.empty() || entries_[variable].name == no_name) return "t" + std::to_string(variable);
   Entry const &entry = entries_[variable];
-  return entry.number == 1 ? bases_[entry.name] : bases_[entry.name] + "_" + std::to_string(entry.number);
+  return entry.number == 1 ? bases_[entry.name] : bases_[entry.name] + joint(*rules_) + std::to_string(entry.number);
 }
 
 } // namespace symreal

@@ -21,6 +21,10 @@ private:
     NameId name;
     std::uint32_t number;
   };
+  std::string name(std::size_t variable) const;
+
+  NameRules const *rules_;
+  std::string (*written_)(std::string const &);
   std::vector<std::string> bases_; // per name of the graph
   std::vector<Entry> entries_;     // per variable; empty where nothing has a name
 };
