@@ -111,6 +111,8 @@ end
     {"wide_less", "wide_less(x, y) = signed(x) < signed(y)\n"},
 };
 
+static constexpr Companion beside[] = {{"_main.jl", module_main, "mainline"}};
+
 Language language_julia() {
   Language julia;
   julia.names = {.keywords = keywords};
@@ -164,7 +166,7 @@ Language language_julia() {
       .begin = module_begin,
       .helpers = helpers,
       .end = module_end,
-      .mainline = {"_main.jl", module_main},
+      .companions = beside,
   };
   julia.strings = {.quote = "\"", .escaped = "\"\\$"};
   julia.module = {

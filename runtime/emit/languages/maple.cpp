@@ -169,6 +169,8 @@ end proc:
     {"wide_less", "wide_less := proc(x, y)\n  evalb(as_signed(x) < as_signed(y))\nend proc:\n"},
 };
 
+static constexpr Companion beside[] = {{"_main.mpl", module_main, "mainline"}};
+
 Language language_maple() {
   Language maple;
   maple.names = {.keywords = keywords};
@@ -226,7 +228,7 @@ Language language_maple() {
       .begin = module_begin,
       .helpers = helpers,
       .end = module_end,
-      .mainline = {"_main.mpl", module_main},
+      .companions = beside,
   };
   maple.strings = {.quote = "\"", .escaped = "\"\\"};
   maple.module = {

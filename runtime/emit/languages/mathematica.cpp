@@ -148,6 +148,8 @@ tableIndex[index_, extent_] := If[TrueQ[index > 0], Min[IntegerPart[index], exte
     {"guard", "guard[False, number_] := Null\nguard[condition_, number_] := Throw[number, failedGuard]\n"},
 };
 
+static constexpr Companion beside[] = {{"_main.wl", module_main, "mainline"}};
+
 Language language_mathematica() {
   Language table;
   table.names = {.keywords = keywords, .has_underscores = false};
@@ -203,7 +205,7 @@ Language language_mathematica() {
       .begin = module_begin,
       .helpers = helpers,
       .end = module_end,
-      .mainline = {"_main.wl", module_main},
+      .companions = beside,
   };
   table.module = {
       .begin = "\nBeginPackage[\"${module}`\"];\n\n",
