@@ -7,6 +7,8 @@
 #include "tool/output/outputs.h"
 #include "tool/output/wrapper.h"
 #include "tool/output/write_config.h"
+#include "tool/package/folder.h"
+#include "tool/package/package_option.h"
 #include "tool/report/console.h"
 #include "tool/report/frozen.h"
 
@@ -30,6 +32,7 @@ struct Options {
   PassOptions passes;
   EmitterOptions emitter;
   LanguageOption language;
+  PackageOption package;
   std::string output, graph_file, decisions = "error";
   FrozenOption frozen;
   std::string depfile;
@@ -41,6 +44,7 @@ struct Product {
   Graph recorded;
   Optimised optimised;
   std::vector<OutputFile> files;
+  Package package;
   std::vector<Diagnostic> warnings;
   double seconds;
 };
@@ -83,9 +87,9 @@ void require_outputs(Options const &options) {
   if (may_be_file(options.graph_file)) require_writable(options.graph_file);
 }
 
-// The files of a kernel whose graph is laid out.
-void emit_files(program::Recorded const &recorded, Schedule const &plan, Options const &options, bool several,
-                Product &product) {
+// The source files of a kernel.
+void emit_sources(program::Recorded const &recorded, Schedule const &plan, Options const &options, bool several,
+                  Product &product) {
   std::string given = recorded.output_file.empty() ? recorded.kernel.name + ".c" : recorded.output_file;
   std::string const path = place_output(options.output, given, several);
   std::vector<Language const *> const languages = options.language.languages(), any = all_languages();
@@ -94,6 +98,15 @@ void emit_files(program::Recorded const &recorded, Schedule const &plan, Options
   if (options.wrapper)
     product.files.push_back(wrapper_file(recorded.kernel, product.optimised.graph, options.emitter,
                                          fs::path(path).replace_extension(".c"), product.warnings));
+}
+
+// The files of a kernel whose graph is laid out.
+void emit_files(program::Recorded const &recorded, Schedule const &plan, Options const &options, bool several,
+                Product &product) {
+  if (options.package.is_given())
+    product.package = options.package.package(plan, options.emitter, options.passes.floating_point(), several);
+  else
+    emit_sources(recorded, plan, options, several, product);
   if (!options.graph_file.empty()) {
     std::ostringstream text;
     write_graph(text, product.recorded);
@@ -121,7 +134,7 @@ std::optional<std::vector<Product>> generate(program::FrontRequest const &reques
   std::vector<Product> products;
   for (program::Recorded &recorded : front.kernels) {
     auto const start = std::chrono::steady_clock::now();
-    Product product{std::move(recorded.graph), {}, {}, {}, 0};
+    Product product{std::move(recorded.graph), {}, {}, {}, {}, 0};
     product.optimised = optimise(product.recorded, options.passes);
     Schedule const plan = schedule(product.optimised.graph, options.emitter.nesting());
     emit_files(recorded, plan, options, front.kernels.size() > 1, product);
@@ -135,7 +148,8 @@ void show(std::vector<Product> const &products, program::Front const &front, Opt
   nlohmann::ordered_json json = nlohmann::ordered_json::array();
   for (Product const &product : products) {
     KernelReport report{&product.recorded, &product.optimised.graph, product.optimised.stages, {}, {}};
-    for (OutputFile const &file : product.files) report.files.push_back(file.path);
+    for (auto const *files : {&product.files, &product.package.files})
+      for (OutputFile const &file : *files) report.files.push_back(file.path);
     report.seconds = {{"rewrite", front.rewrite_seconds},
                       {"build", front.build_seconds},
                       {"run", front.run_seconds},
@@ -165,22 +179,40 @@ void write_config(ProjectOptions const &project, std::vector<Lacking> const &lac
   console.note(file + " now has what the pragma lacks; check it, and run again");
 }
 
-// False if a file is not what it would be.
-bool write_results(std::vector<Product> const &products, program::Front const &front, Options const &options) {
-  std::vector<OutputFile> files;
-  for (Product const &product : products) files.insert(files.end(), product.files.begin(), product.files.end());
-  if (options.check) return check_files(files);
-  for (std::string const &directory : {options.output, options.graph_file})
+// All files, once it is known that all can be written.
+void write_products(std::vector<Product> const &products, std::vector<OutputFile> const &files,
+                    Options const &options) {
+  for (std::string const &directory : {options.output, options.graph_file, options.package.folder})
     if (!directory.empty() && products.size() > 1) make_directory(directory);
   require_writable(files);
+  for (Product const &product : products)
+    if (options.package.is_given()) require_folder(product.package.folder, product.package.files);
   write_files(files);
+  for (Product const &product : products)
+    if (options.package.is_given()) write_folder(product.package.folder, product.package.files);
+}
+
+// False if a file is not what it would be.
+bool write_results(std::vector<Product> const &products, program::Front const &front, Options const &options) {
+  std::vector<OutputFile> files, packaged;
+  for (Product const &product : products) {
+    files.insert(files.end(), product.files.begin(), product.files.end());
+    packaged.insert(packaged.end(), product.package.files.begin(), product.package.files.end());
+  }
+  std::string const first = (packaged.empty() ? files : packaged).front().path;
+  if (options.check) {
+    files.insert(files.end(), packaged.begin(), packaged.end());
+    return check_files(files);
+  }
+  write_products(products, files, options);
   if (!options.depfile.empty())
-    write_if_changed(options.depfile, program::make_rule({program::make_escaped(files.front().path)}, front.read));
+    write_if_changed(options.depfile, program::make_rule({program::make_escaped(first)}, front.read));
   return true;
 }
 
 int run(CLI::App &command, Options &options, Session &session) {
   options.source.project.configure(command, session.configured);
+  options.package.require_sense(command);
   require_sense(options);
   require_outputs(options);
   Console console;
@@ -225,6 +257,7 @@ void add_generate(CLI::App &app, Session &session) {
       ->type_name("FILE");
   command->add_flag("--check", options->check, "Write nothing; check whether the existing files are up to date");
   options->language.add_to(*command, "c");
+  options->package.add_to(*command);
   options->passes.add_to(*command);
   options->emitter.add_to(*command);
   command->add_flag("--wrapper", options->wrapper,

@@ -1,0 +1,33 @@
+#include "tool/package/package_option.h"
+
+#include "diagnostics/diagnostic.h"
+#include "tool/package/folder.h"
+
+#include <filesystem>
+
+namespace symreal::tool {
+
+void PackageOption::add_to(CLI::App &app) {
+  app.add_option("--package", folder,
+                 "Write a Python package, whose C is compiled when it is installed, in place of -o")
+      ->type_name("DIR");
+}
+
+void PackageOption::require_sense(CLI::App &command) const {
+  if (!is_given()) return;
+  for (char const *const name : {"-o", "--lang", "--wrapper", "--mainline", "--map"}) {
+    CLI::Option const *const option = command.get_option_no_throw(name);
+    if (option && option->count() != 0)
+      fail(DiagnosticId::option_without_effect, {},
+           std::string(name) + " has no effect with --package, which writes C and Python of its own");
+  }
+}
+
+Package PackageOption::package(Schedule const &plan, EmitterOptions const &options, FloatingPoint mode,
+                               bool several) const {
+  std::string const path =
+      folder_path(several ? (std::filesystem::path(folder) / plan.graph->kernel).string() : folder);
+  return {path, package_files(plan, options, mode, path)};
+}
+
+} // namespace symreal::tool
