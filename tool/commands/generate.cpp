@@ -1,9 +1,11 @@
 #include "graph/graph_text.h"
+#include "graph/states.h"
 #include "program/make_rule.h"
 #include "support/files.h"
 #include "tool/calls/driver_program.h"
 #include "tool/commands/optimise.h"
 #include "tool/commands/subcommands.h"
+#include "tool/fmu/unit.h"
 #include "tool/output/outputs.h"
 #include "tool/output/wrapper.h"
 #include "tool/output/write_config.h"
@@ -33,6 +35,7 @@ struct Options {
   EmitterOptions emitter;
   LanguageOption language;
   PackageOption package;
+  UnitOption unit;
   std::string output, graph_file, decisions = "error";
   FrozenOption frozen;
   std::string depfile;
@@ -103,10 +106,10 @@ void emit_sources(program::Recorded const &recorded, Schedule const &plan, Optio
 // The files of a kernel whose graph is laid out.
 void emit_files(program::Recorded const &recorded, Schedule const &plan, Options const &options, bool several,
                 Product &product) {
-  if (options.package.is_given())
-    product.package = options.package.package(plan, options.emitter, options.passes.floating_point(), several);
-  else
-    emit_sources(recorded, plan, options, several, product);
+  FloatingPoint const mode = options.passes.floating_point();
+  if (options.package.is_given()) product.package = options.package.package(plan, options.emitter, mode, several);
+  if (options.unit.is_given()) product.files.push_back(options.unit.unit(plan, options.emitter, mode, several));
+  if (!options.package.is_given() && !options.unit.is_given()) emit_sources(recorded, plan, options, several, product);
   if (!options.graph_file.empty()) {
     std::ostringstream text;
     write_graph(text, product.recorded);
@@ -135,6 +138,7 @@ std::optional<std::vector<Product>> generate(program::FrontRequest const &reques
   for (program::Recorded &recorded : front.kernels) {
     auto const start = std::chrono::steady_clock::now();
     Product product{std::move(recorded.graph), {}, {}, {}, {}, 0};
+    (void)find_states(product.recorded);
     product.optimised = optimise(product.recorded, options.passes);
     Schedule const plan = schedule(product.optimised.graph, options.emitter.nesting());
     emit_files(recorded, plan, options, front.kernels.size() > 1, product);
@@ -182,7 +186,7 @@ void write_config(ProjectOptions const &project, std::vector<Lacking> const &lac
 // All files, once it is known that all can be written.
 void write_products(std::vector<Product> const &products, std::vector<OutputFile> const &files,
                     Options const &options) {
-  for (std::string const &directory : {options.output, options.graph_file, options.package.folder})
+  for (std::string const &directory : {options.output, options.graph_file, options.package.folder, options.unit.file})
     if (!directory.empty() && products.size() > 1) make_directory(directory);
   require_writable(files);
   for (Product const &product : products)
@@ -213,6 +217,7 @@ bool write_results(std::vector<Product> const &products, program::Front const &f
 int run(CLI::App &command, Options &options, Session &session) {
   options.source.project.configure(command, session.configured);
   options.package.require_sense(command);
+  options.unit.require_sense(command);
   require_sense(options);
   require_outputs(options);
   Console console;
@@ -258,6 +263,7 @@ void add_generate(CLI::App &app, Session &session) {
   command->add_flag("--check", options->check, "Write nothing; check whether the existing files are up to date");
   options->language.add_to(*command, "c");
   options->package.add_to(*command);
+  options->unit.add_to(*command);
   options->passes.add_to(*command);
   options->emitter.add_to(*command);
   command->add_flag("--wrapper", options->wrapper,

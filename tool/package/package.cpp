@@ -1,11 +1,10 @@
 #include "tool/package/package.h"
 
-#include "diagnostics/diagnostic.h"
 #include "emit/emit.h"
 #include "emit/print/module.h"
 #include "emit/print/source.h"
-#include "graph/complex_function.h"
 #include "graph/names.h"
+#include "tool/package/externals.h"
 #include "tool/package/module_text.h"
 #include "tool/package/project_patterns.h"
 
@@ -16,15 +15,6 @@ namespace symreal::tool {
 namespace {
 
 namespace fs = std::filesystem;
-
-// A package is compiled where nothing is but the package.
-void require_no_externals(Graph const &graph) {
-  for (External const &external : graph.externals)
-    if (!find_complex_function(external))
-      fail(DiagnosticId::bad_option, {},
-           "kernel '" + graph.kernel + "' calls '" + external.name +
-               "', whose library a package would not bring along: generate C with --lang=c, and link it yourself");
-}
 
 std::string batch_text(Schedule const &plan, EmitOptions const &options) {
   Emission const emission{plan, *find_language("c"), options};

@@ -1,6 +1,5 @@
 #include "tool/package/package_option.h"
 
-#include "diagnostics/diagnostic.h"
 #include "tool/package/folder.h"
 
 #include <filesystem>
@@ -14,13 +13,7 @@ void PackageOption::add_to(CLI::App &app) {
 }
 
 void PackageOption::require_sense(CLI::App &command) const {
-  if (!is_given()) return;
-  for (char const *const name : {"-o", "--lang", "--wrapper", "--mainline", "--map"}) {
-    CLI::Option const *const option = command.get_option_no_throw(name);
-    if (option && option->count() != 0)
-      fail(DiagnosticId::option_without_effect, {},
-           std::string(name) + " has no effect with --package, which writes C and Python of its own");
-  }
+  if (is_given()) require_no_source_options(command, "--package");
 }
 
 Package PackageOption::package(Schedule const &plan, EmitterOptions const &options, FloatingPoint mode,

@@ -60,7 +60,7 @@ setup(
             libraries=["m"],
             # Behind all other flags: what the promise of $base.c needs.
             extra_compile_args=["-O2", "-fno-fast-math", "-ffp-contract=off", "-fno-tree-slp-vectorize",
-                                "-fno-builtin-pow"],
+                                "-fno-builtin-pow", "-fvisibility=hidden"],
         )
     ],
 )
@@ -94,6 +94,8 @@ inline constexpr std::string_view batch_pattern = R"(#include "$base.h"
 
 #if defined _WIN32
 #define EXPORTED __declspec(dllexport)
+#elif defined __GNUC__
+#define EXPORTED __attribute__((visibility("default")))
 #else
 #define EXPORTED
 #endif
