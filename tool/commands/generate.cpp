@@ -3,24 +3,18 @@
 #include "program/make_rule.h"
 #include "support/files.h"
 #include "tool/calls/driver_program.h"
-#include "tool/commands/optimise.h"
+#include "tool/commands/products.h"
 #include "tool/commands/subcommands.h"
-#include "tool/fmu/unit.h"
 #include "tool/output/outputs.h"
 #include "tool/output/wrapper.h"
 #include "tool/output/write_config.h"
-#include "tool/package/folder.h"
-#include "tool/package/package_option.h"
 #include "tool/report/console.h"
 #include "tool/report/frozen.h"
 
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
-#include <fmt/ostream.h>
-#include <iostream>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <sstream>
 
@@ -34,22 +28,11 @@ struct Options {
   PassOptions passes;
   EmitterOptions emitter;
   LanguageOption language;
-  PackageOption package;
-  UnitOption unit;
+  BundleOption bundle;
   std::string output, graph_file, decisions = "error";
   FrozenOption frozen;
   std::string depfile;
   bool check = false, wrapper = false, statistics = false, json = false, write_config = false;
-};
-
-// What one kernel gives.
-struct Product {
-  Graph recorded;
-  Optimised optimised;
-  std::vector<OutputFile> files;
-  Package package;
-  std::vector<Diagnostic> warnings;
-  double seconds;
 };
 
 bool names_directory(std::string const &path) { return path.ends_with('/') || fs::is_directory(path); }
@@ -88,6 +71,7 @@ void require_outputs(Options const &options) {
     require_writable(options.output);
   }
   if (may_be_file(options.graph_file)) require_writable(options.graph_file);
+  if (may_be_file(options.bundle.unit.file)) require_writable(options.bundle.unit.file);
 }
 
 // The source files of a kernel.
@@ -106,10 +90,10 @@ void emit_sources(program::Recorded const &recorded, Schedule const &plan, Optio
 // The files of a kernel whose graph is laid out.
 void emit_files(program::Recorded const &recorded, Schedule const &plan, Options const &options, bool several,
                 Product &product) {
-  FloatingPoint const mode = options.passes.floating_point();
-  if (options.package.is_given()) product.package = options.package.package(plan, options.emitter, mode, several);
-  if (options.unit.is_given()) product.files.push_back(options.unit.unit(plan, options.emitter, mode, several));
-  if (!options.package.is_given() && !options.unit.is_given()) emit_sources(recorded, plan, options, several, product);
+  if (options.bundle.is_given())
+    product.bundle = options.bundle.bundle(plan, options.emitter, options.passes.floating_point(), several);
+  else
+    emit_sources(recorded, plan, options, several, product);
   if (!options.graph_file.empty()) {
     std::ostringstream text;
     write_graph(text, product.recorded);
@@ -137,7 +121,7 @@ std::optional<std::vector<Product>> generate(program::FrontRequest const &reques
   std::vector<Product> products;
   for (program::Recorded &recorded : front.kernels) {
     auto const start = std::chrono::steady_clock::now();
-    Product product{std::move(recorded.graph), {}, {}, {}, {}, 0};
+    Product product{std::move(recorded.graph)};
     (void)find_states(product.recorded);
     product.optimised = optimise(product.recorded, options.passes);
     Schedule const plan = schedule(product.optimised.graph, options.emitter.nesting());
@@ -148,67 +132,18 @@ std::optional<std::vector<Product>> generate(program::FrontRequest const &reques
   return products;
 }
 
-void show(std::vector<Product> const &products, program::Front const &front, Options const &options) {
-  nlohmann::ordered_json json = nlohmann::ordered_json::array();
-  for (Product const &product : products) {
-    KernelReport report{&product.recorded, &product.optimised.graph, product.optimised.stages, {}, {}};
-    for (auto const *files : {&product.files, &product.package.files})
-      for (OutputFile const &file : *files) report.files.push_back(file.path);
-    report.seconds = {{"rewrite", front.rewrite_seconds},
-                      {"build", front.build_seconds},
-                      {"run", front.run_seconds},
-                      {"optimise and emit", product.seconds}};
-    print_table(std::cerr, report, options.statistics);
-    if (options.json) json.push_back(to_json(report));
-  }
-  program::ObjectCache const &cache = *front.build.cache;
-  if (options.statistics)
-    fmt::print(std::cerr,
-               "sources: {} read, {} as an earlier run read them\n"
-               "objects: {} compiled, {} as an earlier run compiled them\n",
-               front.rewritten.sources_read, front.rewritten.sources_kept, cache.compiled(), cache.reused());
-  if (options.json)
-    std::cout << nlohmann::ordered_json{{"kernels", json},
-                                        {"sources",
-                                         {{"read", front.rewritten.sources_read},
-                                          {"reused", front.rewritten.sources_kept}}},
-                                        {"objects", {{"compiled", cache.compiled()}, {"reused", cache.reused()}}}}
-                     .dump(2)
-              << "\n";
-}
-
 void write_config(ProjectOptions const &project, std::vector<Lacking> const &lacking, Console &console) {
   std::string const file = project.configuration_file(true);
   write_if_changed(file, with_clauses(file, lacking));
   console.note(file + " now has what the pragma lacks; check it, and run again");
 }
 
-// All files, once it is known that all can be written.
-void write_products(std::vector<Product> const &products, std::vector<OutputFile> const &files,
-                    Options const &options) {
-  for (std::string const &directory : {options.output, options.graph_file, options.package.folder, options.unit.file})
-    if (!directory.empty() && products.size() > 1) make_directory(directory);
-  require_writable(files);
-  for (Product const &product : products)
-    if (options.package.is_given()) require_folder(product.package.folder, product.package.files);
-  write_files(files);
-  for (Product const &product : products)
-    if (options.package.is_given()) write_folder(product.package.folder, product.package.files);
-}
-
 // False if a file is not what it would be.
 bool write_results(std::vector<Product> const &products, program::Front const &front, Options const &options) {
-  std::vector<OutputFile> files, packaged;
-  for (Product const &product : products) {
-    files.insert(files.end(), product.files.begin(), product.files.end());
-    packaged.insert(packaged.end(), product.package.files.begin(), product.package.files.end());
-  }
-  std::string const first = (packaged.empty() ? files : packaged).front().path;
-  if (options.check) {
-    files.insert(files.end(), packaged.begin(), packaged.end());
-    return check_files(files);
-  }
-  write_products(products, files, options);
+  if (options.check) return check_products(products);
+  BundleOption const &bundle = options.bundle;
+  std::string const first =
+      write_products(products, {options.output, options.graph_file, bundle.package.folder, bundle.unit.file});
   if (!options.depfile.empty())
     write_if_changed(options.depfile, program::make_rule({program::make_escaped(first)}, front.read));
   return true;
@@ -216,8 +151,7 @@ bool write_results(std::vector<Product> const &products, program::Front const &f
 
 int run(CLI::App &command, Options &options, Session &session) {
   options.source.project.configure(command, session.configured);
-  options.package.require_sense(command);
-  options.unit.require_sense(command);
+  options.bundle.require_sense(command);
   require_sense(options);
   require_outputs(options);
   Console console;
@@ -244,7 +178,7 @@ int run(CLI::App &command, Options &options, Session &session) {
     for (Diagnostic const &warning : product.warnings) console.report(warning);
   console.clear();
   if (!write_results(*products, front, options)) return out_of_date;
-  if (!options.check) show(*products, front, options);
+  if (!options.check) show_products(*products, front, options.statistics, options.json);
   return clean;
 }
 
@@ -262,8 +196,7 @@ void add_generate(CLI::App &app, Session &session) {
       ->type_name("FILE");
   command->add_flag("--check", options->check, "Write nothing; check whether the existing files are up to date");
   options->language.add_to(*command, "c");
-  options->package.add_to(*command);
-  options->unit.add_to(*command);
+  options->bundle.add_to(*command);
   options->passes.add_to(*command);
   options->emitter.add_to(*command);
   command->add_flag("--wrapper", options->wrapper,

@@ -1,12 +1,10 @@
 #include "graph/graph_text.h"
 #include "schedule/schedule_text.h"
 #include "support/files.h"
+#include "tool/commands/bundle.h"
 #include "tool/commands/optimise.h"
 #include "tool/commands/subcommands.h"
-#include "tool/fmu/unit.h"
 #include "tool/output/outputs.h"
-#include "tool/package/folder.h"
-#include "tool/package/package_option.h"
 
 #include <iostream>
 #include <memory>
@@ -20,17 +18,13 @@ namespace {
 struct Options {
   std::string file, output;
   LanguageOption language;
-  PackageOption package;
-  UnitOption unit;
+  BundleOption bundle;
   PassOptions passes;
   EmitterOptions emitter;
   bool statistics = false, json = false;
 };
 
-// In place of the text of a graph or of sources.
-bool is_handed_on_whole(Options const &options) { return options.package.is_given() || options.unit.is_given(); }
-
-bool emits_code(Options const &options) { return is_handed_on_whole(options) || !options.language.languages().empty(); }
+bool emits_code(Options const &options) { return options.bundle.is_given() || !options.language.languages().empty(); }
 
 void require_sense(Options const &options) {
   EmitterOptions const &emitter = options.emitter;
@@ -45,7 +39,7 @@ void require_sense(Options const &options) {
     fail(DiagnosticId::option_without_effect, {}, "--mainline writes a second file: name the first with -o");
   if (!emitter.map_file.empty() && options.output.empty())
     fail(DiagnosticId::option_without_effect, {}, "--map writes a second file: name the first with -o");
-  if (options.json && options.output.empty() && !is_handed_on_whole(options))
+  if (options.json && options.output.empty() && !options.bundle.is_given())
     fail(DiagnosticId::option_without_effect, {}, "--json prints to standard output: name the result's file with -o");
 }
 
@@ -86,32 +80,25 @@ std::vector<OutputFile> result_files(Graph const &graph, Schedule const *read, O
   return emitted_files(plan, options.emitter, options.passes.floating_point(), languages, path);
 }
 
-// A package, a unit, or both.
-std::vector<std::string> write_whole(Graph const &graph, Schedule const *read, Options const &options) {
+std::vector<std::string> write_bundle(Graph const &graph, Schedule const *read, Options const &options) {
   Schedule const plan = read ? *read : schedule(graph, options.emitter.nesting());
-  FloatingPoint const mode = options.passes.floating_point();
-  Package package;
-  std::vector<OutputFile> units;
-  if (options.unit.is_given()) units.push_back(options.unit.unit(plan, options.emitter, mode, false));
-  if (options.package.is_given()) package = options.package.package(plan, options.emitter, mode, false);
-  require_writable(units);
-  if (options.package.is_given()) require_folder(package.folder, package.files);
-  std::vector<std::string> paths = write_files(units);
-  if (options.package.is_given()) write_folder(package.folder, package.files);
-  for (OutputFile const &file : package.files) paths.push_back(file.path);
+  Bundle const bundle = options.bundle.bundle(plan, options.emitter, options.passes.floating_point(), false);
+  bundle.require_writable();
+  bundle.write();
+  std::vector<std::string> paths;
+  for (OutputFile const &file : bundle.files()) paths.push_back(file.path);
   return paths;
 }
 
 void run(CLI::App &command, Options const &options) {
-  options.package.require_sense(command);
-  options.unit.require_sense(command);
+  options.bundle.require_sense(command);
   require_sense(options);
   Input const input = read_input(options);
   Optimised const optimised = input.schedule ? Optimised{input.graph, {}} : optimise(input.graph, options.passes);
   Schedule const *const read = input.schedule ? &input.schedule->plan : nullptr;
   KernelReport report{&input.graph, &optimised.graph, optimised.stages, {}, {}};
-  if (is_handed_on_whole(options)) {
-    report.files = write_whole(optimised.graph, read, options);
+  if (options.bundle.is_given()) {
+    report.files = write_bundle(optimised.graph, read, options);
   } else {
     std::vector<OutputFile> files = result_files(optimised.graph, read, options);
     if (options.output.empty()) {
@@ -137,8 +124,7 @@ void add_opt(CLI::App &app, Session &session) {
       ->required();
   command->add_option("-o", options->output, "Where the result goes (default: standard output)")->type_name("FILE");
   options->language.add_to(*command, "graph", "graph|schedule");
-  options->package.add_to(*command);
-  options->unit.add_to(*command);
+  options->bundle.add_to(*command);
   options->passes.add_to(*command);
   options->emitter.add_to(*command);
   command->add_flag("--stats", options->statistics, "Print the table of operations to standard error");
