@@ -93,7 +93,7 @@ void check_setting(PragmaFact const &pragma, ClauseFact const &clause, Result &r
 }
 
 void check(PragmaFact const &pragma, Result &result) {
-  bool after_input = false;
+  bool after_input = false, has_begun = pragma.is_function;
   for (ClauseFact const &clause : pragma.clauses) {
     if (is_setting(clause)) {
       check_setting(pragma, clause, result);
@@ -112,12 +112,17 @@ void check(PragmaFact const &pragma, Result &result) {
     if (clause.clause == Clause::range && (clause.items.size() != 2 || !after_input))
       report(result, DiagnosticId::pragma_syntax, clause.place,
              "range(low, high) stands after input(...) and has two numbers");
+    if (clause.clause == Clause::state && (clause.items.size() != 2 || !has_begun))
+      report(result, DiagnosticId::pragma_syntax, clause.place,
+             "state(x, dx) stands after input(...) or output(...), and names an input and the output that is its "
+             "derivative by time");
     if (clause.clause == Clause::generate && (clause.items.size() != 1 || clause.argument.front() != '"'))
       report(result, DiagnosticId::pragma_syntax, clause.place,
              "generate takes the name of a file, as in generate(\"step.c\")");
     if (clause.clause == Clause::call && clause.argument.find_first_not_of("0123456789") != std::string::npos)
       report(result, DiagnosticId::pragma_syntax, clause.place, "call(k) takes the number of a call, counted from 1");
     after_input = after_input || clause.clause == Clause::input;
+    has_begun = has_begun || info(clause.clause).has(trait::OBJECTS);
   }
 }
 

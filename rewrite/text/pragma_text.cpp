@@ -45,6 +45,9 @@ std::string clause_text(PragmaFact const &pragma, ClauseFact const &clause) {
     return (pragma.tests_late ? "SYMREAL_REAL_LATE_LOOP(" : "SYMREAL_REAL_LOOP(") + clause.argument + ", " +
            pragma.loop_targets.value_or("") + ") ";
   if (clause.clause == Clause::range) return "SYMREAL_RANGE(" + with_real(clause.argument) + ") ";
+  if (clause.clause == Clause::state) // two items, or it is an error
+    return "SYMREAL_STATE(" + place_arguments(clause.items.front().label, clause.place) + ", " +
+           quoted(clause.items.back().label) + ") ";
   std::string text;
   if (clause.clause == Clause::table) {
     for (ItemFact const &item : clause.items)

@@ -15,6 +15,7 @@ Graph without_nodes(Graph const &graph) {
   rest.inputs = graph.inputs;
   rest.parameters = graph.parameters;
   rest.outputs = graph.outputs;
+  rest.states = graph.states;
   rest.input_values = graph.input_values;
   rest.parameter_values = graph.parameter_values;
   rest.frozen = graph.frozen;

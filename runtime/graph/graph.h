@@ -39,6 +39,12 @@ struct Object {
   std::vector<Member> members = {}; // of each element, if these are structures
 };
 
+// An input and the output that is its derivative by time, by their labels or the names in these; states.h finds them.
+struct StatePair {
+  std::string state, derivative;
+  Place place = {};
+};
+
 // State that was read while recording and is neither input nor parameter: its value is baked into the program.
 struct Frozen {
   std::string name;
@@ -71,6 +77,7 @@ struct Guard {
 struct Graph {
   std::string kernel;
   std::vector<Object> inputs, parameters, outputs;
+  std::vector<StatePair> states;
 
   std::vector<Node> nodes;         // topological order
   std::vector<NodeId> results;     // per output slot

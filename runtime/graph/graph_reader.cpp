@@ -55,6 +55,8 @@ private:
       read_object(line, graph_.parameters, &graph_.parameter_values);
     else if (head == "output")
       read_object(line, graph_.outputs, nullptr);
+    else if (head == "state")
+      read_state(line);
     else if (head == "frozen")
       read_frozen(line);
     else if (head == "executed")
@@ -110,6 +112,12 @@ private:
     }
     if (members.empty()) line.error("a structure without members");
     return members;
+  }
+
+  void read_state(Line &line) {
+    StatePair pair{line.string("the state"), line.string("its derivative"), {}};
+    pair.place = line.optional_place();
+    graph_.states.push_back(std::move(pair));
   }
 
   void read_frozen(Line &line) {

@@ -59,6 +59,11 @@ void write_graph(std::ostream &out, Graph const &graph) {
   write_objects(out, "input", graph.inputs, &graph.input_values);
   write_objects(out, "parameter", graph.parameters, &graph.parameter_values);
   write_objects(out, "output", graph.outputs, nullptr);
+  for (StatePair const &pair : graph.states) {
+    out << "state " << quoted(pair.state) << ' ' << quoted(pair.derivative);
+    write_place(out, pair.place);
+    out << '\n';
+  }
   for (Frozen const &frozen : graph.frozen) {
     out << "frozen " << quoted(frozen.name);
     write_place(out, frozen.place);

@@ -38,6 +38,10 @@ void detail::end_region(CompiledAs, char const *file_name, SourcePlace place) no
 
 void symreal_set_range(double low, double high) noexcept { Kernel::current().set_range(low, high); }
 
+void symreal_set_state(char const *state, char const *derivative, SourcePlace place) noexcept {
+  Kernel::current().set_state({state, derivative, {place.file, place.line, place.column}});
+}
+
 void FunctionKernel::accept_annotations() noexcept { Kernel::current().accept_annotations(); }
 void FunctionKernel::begin_outputs() noexcept { Kernel::current().begin_outputs(); }
 

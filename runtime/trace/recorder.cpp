@@ -144,6 +144,8 @@ public:
       if (!input.range && input.place.line == last.line && input.place.file == last.file) input.range = {low, high};
   }
 
+  void set_state(StatePair state) override { graph_.states.push_back(std::move(state)); }
+
   void end(std::string const &name, std::string const &output_file, Place const &place) override {
     if (!disable_trap())
       report({DiagnosticId::trap_lost, place,

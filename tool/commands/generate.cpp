@@ -1,8 +1,9 @@
 #include "graph/graph_text.h"
+#include "graph/states.h"
 #include "program/make_rule.h"
 #include "support/files.h"
 #include "tool/calls/driver_program.h"
-#include "tool/commands/optimise.h"
+#include "tool/commands/products.h"
 #include "tool/commands/subcommands.h"
 #include "tool/output/outputs.h"
 #include "tool/output/wrapper.h"
@@ -13,10 +14,7 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
-#include <fmt/ostream.h>
-#include <iostream>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <sstream>
 
@@ -30,19 +28,11 @@ struct Options {
   PassOptions passes;
   EmitterOptions emitter;
   LanguageOption language;
+  BundleOption bundle;
   std::string output, graph_file, decisions = "error";
   FrozenOption frozen;
   std::string depfile;
   bool check = false, wrapper = false, statistics = false, json = false, write_config = false;
-};
-
-// What one kernel gives.
-struct Product {
-  Graph recorded;
-  Optimised optimised;
-  std::vector<OutputFile> files;
-  std::vector<Diagnostic> warnings;
-  double seconds;
 };
 
 bool names_directory(std::string const &path) { return path.ends_with('/') || fs::is_directory(path); }
@@ -84,11 +74,12 @@ void require_outputs(Options const &options) {
     require_writable(options.output);
   }
   if (may_be_file(options.graph_file)) require_writable(options.graph_file);
+  if (may_be_file(options.bundle.unit.file)) require_writable(options.bundle.unit.file);
 }
 
-// The files of a kernel whose graph is laid out.
-void emit_files(program::Recorded const &recorded, Schedule const &plan, Options const &options, bool several,
-                Product &product) {
+// The source files of a kernel.
+void emit_sources(program::Recorded const &recorded, Schedule const &plan, Options const &options, bool several,
+                  Product &product) {
   std::string given = recorded.output_file.empty() ? recorded.kernel.name + ".c" : recorded.output_file;
   std::string const path = place_output(options.output, given, several);
   std::vector<Language const *> const languages = options.language.languages(), any = all_languages();
@@ -97,6 +88,15 @@ void emit_files(program::Recorded const &recorded, Schedule const &plan, Options
   if (options.wrapper)
     product.files.push_back(wrapper_file(recorded.kernel, product.optimised.graph, options.emitter,
                                          fs::path(path).replace_extension(".c"), product.warnings));
+}
+
+// The files of a kernel whose graph is laid out.
+void emit_files(program::Recorded const &recorded, Schedule const &plan, Options const &options, bool several,
+                Product &product) {
+  if (options.bundle.is_given())
+    product.bundle = options.bundle.bundle(plan, options.emitter, options.passes.floating_point(), several);
+  else
+    emit_sources(recorded, plan, options, several, product);
   if (!options.graph_file.empty()) {
     std::ostringstream text;
     write_graph(text, product.recorded);
@@ -124,7 +124,8 @@ std::optional<std::vector<Product>> generate(program::FrontRequest const &reques
   std::vector<Product> products;
   for (program::Recorded &recorded : front.kernels) {
     auto const start = std::chrono::steady_clock::now();
-    Product product{std::move(recorded.graph), {}, {}, {}, 0};
+    Product product{std::move(recorded.graph)};
+    (void)find_states(product.recorded);
     product.optimised = optimise(product.recorded, options.passes);
     Schedule const plan = schedule(product.optimised.graph, options.emitter.nesting());
     emit_files(recorded, plan, options, front.kernels.size() > 1, product);
@@ -132,34 +133,6 @@ std::optional<std::vector<Product>> generate(program::FrontRequest const &reques
     products.push_back(std::move(product));
   }
   return products;
-}
-
-void show(std::vector<Product> const &products, program::Front const &front, Options const &options) {
-  nlohmann::ordered_json json = nlohmann::ordered_json::array();
-  for (Product const &product : products) {
-    KernelReport report{&product.recorded, &product.optimised.graph, product.optimised.stages, {}, {}};
-    for (OutputFile const &file : product.files) report.files.push_back(file.path);
-    report.seconds = {{"rewrite", front.rewrite_seconds},
-                      {"build", front.build_seconds},
-                      {"run", front.run_seconds},
-                      {"optimise and emit", product.seconds}};
-    print_table(std::cerr, report, options.statistics);
-    if (options.json) json.push_back(to_json(report));
-  }
-  program::ObjectCache const &cache = *front.build.cache;
-  if (options.statistics)
-    fmt::print(std::cerr,
-               "sources: {} read, {} as an earlier run read them\n"
-               "objects: {} compiled, {} as an earlier run compiled them\n",
-               front.rewritten.sources_read, front.rewritten.sources_kept, cache.compiled(), cache.reused());
-  if (options.json)
-    std::cout << nlohmann::ordered_json{{"kernels", json},
-                                        {"sources",
-                                         {{"read", front.rewritten.sources_read},
-                                          {"reused", front.rewritten.sources_kept}}},
-                                        {"objects", {{"compiled", cache.compiled()}, {"reused", cache.reused()}}}}
-                     .dump(2)
-              << "\n";
 }
 
 void write_config(ProjectOptions const &project, std::vector<Lacking> const &lacking, Console &console) {
@@ -170,20 +143,18 @@ void write_config(ProjectOptions const &project, std::vector<Lacking> const &lac
 
 // False if a file is not what it would be.
 bool write_results(std::vector<Product> const &products, program::Front const &front, Options const &options) {
-  std::vector<OutputFile> files;
-  for (Product const &product : products) files.insert(files.end(), product.files.begin(), product.files.end());
-  if (options.check) return check_files(files);
-  for (std::string const &directory : {options.output, options.graph_file})
-    if (!directory.empty() && products.size() > 1) make_directory(directory);
-  require_writable(files);
-  write_files(files);
+  if (options.check) return check_products(products);
+  BundleOption const &bundle = options.bundle;
+  std::string const first =
+      write_products(products, {options.output, options.graph_file, bundle.package.folder, bundle.unit.file});
   if (!options.depfile.empty())
-    write_if_changed(options.depfile, program::make_rule({program::make_escaped(files.front().path)}, front.read));
+    write_if_changed(options.depfile, program::make_rule({program::make_escaped(first)}, front.read));
   return true;
 }
 
 int run(CLI::App &command, Options &options, Session &session) {
   options.source.project.configure(command, session.configured);
+  options.bundle.require_sense(command);
   require_sense(options);
   require_outputs(options);
   Console console;
@@ -210,7 +181,7 @@ int run(CLI::App &command, Options &options, Session &session) {
     for (Diagnostic const &warning : product.warnings) console.report(warning);
   console.clear();
   if (!write_results(*products, front, options)) return out_of_date;
-  if (!options.check) show(*products, front, options);
+  if (!options.check) show_products(*products, front, options.statistics, options.json);
   return clean;
 }
 
@@ -228,6 +199,7 @@ void add_generate(CLI::App &app, Session &session) {
       ->type_name("FILE");
   command->add_flag("--check", options->check, "Write nothing; check whether the existing files are up to date");
   options->language.add_to(*command, "c");
+  options->bundle.add_to(*command);
   options->passes.add_to(*command);
   options->emitter.add_to(*command);
   command->add_flag("--wrapper", options->wrapper,

@@ -1,6 +1,7 @@
 #include "graph/graph_text.h"
 #include "schedule/schedule_text.h"
 #include "support/files.h"
+#include "tool/commands/bundle.h"
 #include "tool/commands/optimise.h"
 #include "tool/commands/subcommands.h"
 #include "tool/output/outputs.h"
@@ -17,12 +18,13 @@ namespace {
 struct Options {
   std::string file, output;
   LanguageOption language;
+  BundleOption bundle;
   PassOptions passes;
   EmitterOptions emitter;
   bool statistics = false, json = false;
 };
 
-bool emits_code(Options const &options) { return !options.language.languages().empty(); }
+bool emits_code(Options const &options) { return options.bundle.is_given() || !options.language.languages().empty(); }
 
 void require_sense(Options const &options) {
   EmitterOptions const &emitter = options.emitter;
@@ -40,7 +42,7 @@ void require_sense(Options const &options) {
          "--" + *emitter.extras.begin() + " writes a second file: name the first with -o");
   if (!emitter.map_file.empty() && options.output.empty())
     fail(DiagnosticId::option_without_effect, {}, "--map writes a second file: name the first with -o");
-  if (options.json && options.output.empty())
+  if (options.json && options.output.empty() && !options.bundle.is_given())
     fail(DiagnosticId::option_without_effect, {}, "--json prints to standard output: name the result's file with -o");
 }
 
@@ -81,18 +83,33 @@ std::vector<OutputFile> result_files(Graph const &graph, Schedule const *read, O
   return emitted_files(plan, options.emitter, options.passes.floating_point(), languages, path);
 }
 
-void run(Options const &options) {
+std::vector<std::string> write_bundle(Graph const &graph, Schedule const *read, Options const &options) {
+  Schedule const plan = read ? *read : schedule(graph, options.emitter.nesting());
+  Bundle const bundle = options.bundle.bundle(plan, options.emitter, options.passes.floating_point(), false);
+  bundle.require_writable();
+  bundle.write();
+  std::vector<std::string> paths;
+  for (OutputFile const &file : bundle.files()) paths.push_back(file.path);
+  return paths;
+}
+
+void run(CLI::App &command, Options const &options) {
+  options.bundle.require_sense(command);
   require_sense(options);
   Input const input = read_input(options);
   Optimised const optimised = input.schedule ? Optimised{input.graph, {}} : optimise(input.graph, options.passes);
   Schedule const *const read = input.schedule ? &input.schedule->plan : nullptr;
-  std::vector<OutputFile> files = result_files(optimised.graph, read, options);
   KernelReport report{&input.graph, &optimised.graph, optimised.stages, {}, {}};
-  if (options.output.empty()) {
-    std::cout << files.front().text;
+  if (options.bundle.is_given()) {
+    report.files = write_bundle(optimised.graph, read, options);
   } else {
-    require_writable(files);
-    report.files = write_files(files);
+    std::vector<OutputFile> files = result_files(optimised.graph, read, options);
+    if (options.output.empty()) {
+      std::cout << files.front().text;
+    } else {
+      require_writable(files);
+      report.files = write_files(files);
+    }
   }
   if (options.statistics) print_table(std::cerr, report, true);
   if (options.json) std::cout << to_json(report).dump(2) << "\n";
@@ -110,13 +127,14 @@ void add_opt(CLI::App &app, Session &session) {
       ->required();
   command->add_option("-o", options->output, "Where the result goes (default: standard output)")->type_name("FILE");
   options->language.add_to(*command, "graph", "graph|schedule");
+  options->bundle.add_to(*command);
   options->passes.add_to(*command);
   options->emitter.add_to(*command);
   command->add_flag("--stats", options->statistics, "Print the table of operations to standard error");
   command->add_flag("--json", options->json, "Print the table as JSON to standard output");
-  command->callback([options, &session] {
+  command->callback([options, command, &session] {
     refuse_flags(session);
-    run(*options);
+    run(*command, *options);
   });
 }
 

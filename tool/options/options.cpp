@@ -75,6 +75,15 @@ bool EmitterOptions::is_single() const {
   return real == "float";
 }
 
+void require_no_source_options(CLI::App &command, std::string const &instead) {
+  for (char const *const name : {"-o", "--lang", "--wrapper", "--mainline", "--mex", "--simulink", "--real", "--map"}) {
+    CLI::Option const *const option = command.get_option_no_throw(name);
+    if (option && option->count() != 0)
+      fail(DiagnosticId::option_without_effect, {},
+           std::string(name) + " has no effect with " + instead + ", which writes sources of its own");
+  }
+}
+
 void require_one_of(std::string const &option, std::string const &value, std::string_view words) {
   for (std::string_view rest = words; !rest.empty();) {
     std::size_t end = rest.find('|');

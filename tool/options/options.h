@@ -48,6 +48,9 @@ struct EmitterOptions {
   bool is_single() const;
 };
 
+// Fails for options about source files, where `instead` writes others.
+void require_no_source_options(CLI::App &command, std::string const &instead);
+
 // Fails unless `value` is among the words, separated by '|'.
 void require_one_of(std::string const &option, std::string const &value, std::string_view words);
 

@@ -69,7 +69,8 @@ bool check_files(std::vector<OutputFile> const &files) {
     std::string const there = exists ? read_file(file.path) : "";
     if (exists && there == file.text) continue;
     current = false;
-    std::cout << unified_diff(file.path, there, file.text) << std::flush;
+    bool const is_text = file.text.find('\0') == std::string::npos;
+    if (is_text) std::cout << unified_diff(file.path, there, file.text) << std::flush;
     print(std::cerr,
           {DiagnosticId::out_of_date, {file.path}, exists ? "this file is out of date" : "this file does not exist"});
   }

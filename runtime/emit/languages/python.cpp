@@ -1,4 +1,5 @@
 #include "emit/languages/languages.h"
+#include "emit/languages/python_module.h"
 #include "emit/print/module.h"
 
 #include <algorithm>
@@ -240,25 +241,51 @@ lgamma = each(_lgamma)
     {"wide_shr", "def wide_shr(x, n):\n    return (x.view(int64) >> (n & uint64(63)).view(int64)).view(uint64)\n\n"},
     {"wide_ushr", "def wide_ushr(x, n):\n    return x >> (n & uint64(63))\n\n"},
     {"wide_less", "def wide_less(x, y):\n    return x.view(int64) < y.view(int64)\n\n"},
-    {"check", R"(class GuardError(ValueError):
-    """A guard does not hold: `number` is the first one that does not, `where` the index of the first such sample."""
-
-    def __init__(self, number, failed):
-        self.number = number
-        self.where = tuple(int(i[0]) for i in numpy.nonzero(failed)) if type(failed) is ndarray else ()
-        super().__init__(f"guard {number} does not hold: {guard_text(number)}")
-
-
-def check(fails, number):
+    {"check", R"(def check(fails, number):
     if numpy.any(fails):
-        raise GuardError(number, fails)
+        where_failed = numpy.nonzero(fails) if type(fails) is ndarray else ()
+        raise GuardError(number, tuple(int(i[0]) for i in where_failed))
 
 )"},
 };
 
 static constexpr Companion beside[] = {{"_main.py", module_main, "mainline"}};
+static std::string functions_text() {
+  std::string text(python_arrays);
+  text += R"(
+def _rows(numbers):
+    return list(numpy.moveaxis(numbers, -1, 0)) if numbers.ndim > 1 else list(numbers), numbers.shape[:-1]
+
+
+def _run(function, *arrays):
+    rows, shapes = zip(*map(_rows, arrays))
+    shape = numpy.broadcast_shapes(*shapes)
+    with numpy.errstate(all="ignore"):
+        values = function(*rows)
+    result = numpy.empty(shape + (len(values),))
+    for k, value in enumerate(values):
+        result[..., k] = value
+    return result
+
+)";
+  text += python_preprocess;
+  text += R"(    return _run(_$preprocess, _checked(parameters, $parameters, "parameters"))
+
+
+def $compute(input, constants=None):
+)";
+  text += python_places;
+  text += R"("""
+    constants = $preprocess() if constants is None else constants
+    return _run(_$compute, _checked(input, $inputs, "input"), _checked(constants, $constants, "constants"))
+
+
+)";
+  return text;
+}
 
 Language language_python() {
+  static std::string const functions = functions_text();
   Language python;
   python.names = {keywords, false};
   python.comment = {"# ", "# ", ""};
@@ -326,68 +353,10 @@ from numpy import float32, float64, inf, int64, nan, ndarray, uint64, where
                     .end = "], rename=True)\n",
                     .object = "\"$name\"",
                     .separator = ", "},
-      .functions = R"(
-
-def pack(objects, shapes):
-    """The array of a tuple of objects: pack(Input(...), input_shapes). Leading axes are those of a batch."""
-    parts = [numpy.asarray(value, float64) for value in objects]
-    lead = [part.shape[:part.ndim - len(shape)] for part, shape in zip(parts, shapes)]
-    for part, shape, name in zip(parts, shapes, getattr(objects, "_fields", range(len(shapes)))):
-        if part.shape[part.ndim - len(shape):] != shape:
-            raise ValueError(f"{name} has shape {part.shape}, which does not end in {shape}")
-    lead = numpy.broadcast_shapes(*lead)
-    flat = [numpy.broadcast_to(part, lead + shape).reshape(lead + (math.prod(shape),))
-            for part, shape in zip(parts, shapes)]
-    return numpy.concatenate(flat, axis=-1)
-
-
-def unpack(numbers, shapes):
-    """The list of objects of an array: Output(*unpack(output, output_shapes))."""
-    objects, first = [], 0
-    for shape in shapes:
-        size = math.prod(shape)
-        objects.append(numbers[..., first:first + size].reshape(numbers.shape[:-1] + shape))
-        first += size
-    return objects
-
-
-def _rows(numbers, count, name):
-    numbers = numpy.asarray(numbers, float64)
-    if numbers.shape[-1:] != (count,):
-        raise ValueError(f"{name} has shape {numbers.shape}; its last axis must have {count} numbers")
-    return list(numpy.moveaxis(numbers, -1, 0)) if numbers.ndim > 1 else list(numbers), numbers.shape[:-1]
-
-
-def _run(function, *arrays):
-    rows, shapes = zip(*arrays)
-    shape = numpy.broadcast_shapes(*shapes)
-    with numpy.errstate(all="ignore"):
-        values = function(*rows)
-    result = numpy.empty(shape + (len(values),))
-    for k, value in enumerate(values):
-        result[..., k] = value
-    return result
-
-
-def $preprocess(parameters=()):
-    """The constants of compute, for parameters whose last axis has $parameters numbers. Once, and again whenever a
-    parameter changes."""
-    return _run(_$preprocess, _rows(parameters, $parameters, "parameters"))
-
-
-def $compute(input, constants=None):
-    """The outputs, $outputs numbers in the last axis, for inputs whose last axis has $inputs; the axes before it are a
-    batch, and are broadcast against those of the constants."""
-    constants = $preprocess() if constants is None else constants
-    return _run(_$compute, _rows(input, $inputs, "input"), _rows(constants, $constants, "constants"))
-
-
-)",
-      .guards_begin =
-          "def $guard_text(guard):\n    \"\"\"The condition of a guard and its places in the source.\"\"\"\n"
-          "    text = [\n",
-      .guard = "        $text,\n",
-      .guards_end = "    ]\n    return text[guard - 1] if 0 < guard <= len(text) else \"\"\n",
+      .functions = functions,
+      .guards_begin = python_guards_begin,
+      .guard = python_guard,
+      .guards_end = python_guards_end,
       .main = R"(
 """Runs the kernel once and prints its outputs. Arguments replace the recorded inputs in order, then the parameters."""
 import sys

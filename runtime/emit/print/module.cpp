@@ -103,7 +103,8 @@ std::string all_objects(Emission const &emission, ObjectsSyntax const &syntax) {
          objects(emission, syntax, "output", graph.outputs);
 }
 
-// The values of a list, a few on a line.
+} // namespace
+
 std::string lines_of(Language const &language, std::vector<std::string> const &values) {
   std::string text;
   std::size_t width = 0;
@@ -116,8 +117,6 @@ std::string lines_of(Language const &language, std::vector<std::string> const &v
   }
   return text;
 }
-
-} // namespace
 
 std::string indented(Language const &language, std::string const &text) {
   if (language.module.indent == 0) return text;
@@ -161,8 +160,7 @@ std::string module_end(Emission const &emission) {
   return text + fill(syntax.end);
 }
 
-std::string module_main(Emission const &emission) {
-  ModuleSyntax const &syntax = emission.language.module;
+Filling module_facts(Emission const &emission) {
   Language const &language = emission.language;
   Graph const &graph = emission.graph();
   std::vector<std::string> labels = output_names(emission);
@@ -178,8 +176,15 @@ std::string module_main(Emission const &emission) {
   fill.set("all_values", lines_of(language, constants(language, all)));
   fill.set("input_values", lines_of(language, constants(language, graph.input_values)));
   fill.set("parameter_values", lines_of(language, constants(language, graph.parameter_values)));
-  fill.set("guard_text_import", graph.guards.empty() ? "" : ", " + emission.name("guard_text"));
-  fill.set("call", fill(graph.guards.empty() ? syntax.call : syntax.checked_call));
+  return fill;
+}
+
+std::string module_main(Emission const &emission) {
+  ModuleSyntax const &syntax = emission.language.module;
+  bool const has_guards = !emission.graph().guards.empty();
+  Filling fill = module_facts(emission);
+  fill.set("guard_text_import", has_guards ? ", " + emission.name("guard_text") : "");
+  fill.set("call", fill(has_guards ? syntax.checked_call : syntax.call));
   return banner(emission) + fill(syntax.main);
 }
 

@@ -41,6 +41,7 @@ public:
   virtual void own(void const *, std::size_t) {}
   virtual void end_object(std::vector<std::size_t> extents) = 0;
   virtual void set_range(double low, double high) = 0;
+  virtual void set_state(StatePair) {}
   // `place`: where the kernel ends, or a function kernel's pragma.
   virtual void end(std::string const &name, std::string const &output_file, Place const &place) = 0;
   // The objects so far, for descriptions.
@@ -63,8 +64,10 @@ public:
   void end_region(char const *file_name, SourcePlace place);
 
   void set_range(double low, double high) {
-    if (!muted_ && !inert_region_ && (phase_ == Phase::region || phase_ == Phase::entering))
-      sink_->set_range(low, high);
+    if (takes_clauses()) sink_->set_range(low, high);
+  }
+  void set_state(StatePair state) {
+    if (takes_clauses()) sink_->set_state(std::move(state));
   }
 
   bool is_entering_function() const { return phase_ == Phase::entering; }
@@ -77,6 +80,9 @@ public:
 
 private:
   enum class Phase { none, region, entering, inside, leaving };
+  bool takes_clauses() const {
+    return !muted_ && !inert_region_ && (phase_ == Phase::region || phase_ == Phase::entering);
+  }
   // Identity of an annotation: where it stands.
   using Where = std::pair<std::string, std::pair<unsigned, unsigned>>;
   static Where where(SourcePlace place) { return {place.file, {place.line, place.column}}; }

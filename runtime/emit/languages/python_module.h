@@ -1,0 +1,70 @@
+// What a generated Python module and a Python package have alike: patterns as in language/module.h.
+#pragma once
+
+#include <string_view>
+
+namespace symreal {
+
+// The parts of Input, Output and compute that are about arrays.
+inline constexpr std::string_view python_arrays = R"(
+
+def pack(objects, shapes):
+    """The array of a tuple of objects: pack(Input(...), input_shapes). Leading axes are those of a batch."""
+    parts = [numpy.asarray(value, float64) for value in objects]
+    lead = [part.shape[:part.ndim - len(shape)] for part, shape in zip(parts, shapes)]
+    for part, shape, name in zip(parts, shapes, getattr(objects, "_fields", range(len(shapes)))):
+        if part.shape[part.ndim - len(shape):] != shape:
+            raise ValueError(f"{name} has shape {part.shape}, which does not end in {shape}")
+    lead = numpy.broadcast_shapes(*lead)
+    flat = [numpy.broadcast_to(part, lead + shape).reshape(lead + (math.prod(shape),))
+            for part, shape in zip(parts, shapes)]
+    return numpy.concatenate(flat, axis=-1)
+
+
+def unpack(numbers, shapes):
+    """The list of objects of an array: Output(*unpack(output, output_shapes))."""
+    objects, first = [], 0
+    for shape in shapes:
+        size = math.prod(shape)
+        objects.append(numbers[..., first:first + size].reshape(numbers.shape[:-1] + shape))
+        first += size
+    return objects
+
+
+def _checked(numbers, count, name):
+    numbers = numpy.asarray(numbers, float64)
+    if numbers.shape[-1:] != (count,):
+        raise ValueError(f"{name} has shape {numbers.shape}; its last axis must have {count} numbers")
+    return numbers
+
+)";
+
+// The heads of the two functions.
+inline constexpr std::string_view python_preprocess = R"(
+def $preprocess(parameters=()):
+    """The constants of compute, for parameters whose last axis has $parameters numbers. Once, and again whenever a
+    parameter changes."""
+)";
+
+inline constexpr std::string_view python_places =
+    R"(    """The outputs, $outputs numbers in the last axis, for inputs whose last axis has $inputs; the axes before it are a
+    batch, and are broadcast against those of the constants.)";
+
+inline constexpr std::string_view python_guards_begin = R"(class GuardError(ValueError):
+    """A guard does not hold: `number` is the first one that does not, `where` the index of the first such sample."""
+
+    def __init__(self, number, where):
+        self.number = number
+        self.where = where
+        super().__init__(f"guard {number} does not hold: {$guard_text(number)}")
+
+
+def $guard_text(guard):
+    """The condition of a guard and its places in the source."""
+    text = [
+)";
+inline constexpr std::string_view python_guard = "        $text,\n";
+inline constexpr std::string_view python_guards_end =
+    "    ]\n    return text[guard - 1] if 0 < guard <= len(text) else \"\"\n";
+
+} // namespace symreal

@@ -1,0 +1,41 @@
+#include "tool/commands/bundle.h"
+
+#include "tool/package/folder.h"
+
+namespace symreal::tool {
+
+std::vector<OutputFile> Bundle::files() const {
+  std::vector<OutputFile> all = package.files;
+  all.insert(all.end(), units.begin(), units.end());
+  return all;
+}
+
+void Bundle::require_writable() const {
+  tool::require_writable(units);
+  if (!package.folder.empty()) require_folder(package.folder, package.files);
+}
+
+void Bundle::write() const {
+  write_files(units);
+  if (!package.folder.empty()) write_folder(package.folder, package.files);
+}
+
+void BundleOption::add_to(CLI::App &app) {
+  package.add_to(app);
+  unit.add_to(app);
+}
+
+void BundleOption::require_sense(CLI::App &command) const {
+  package.require_sense(command);
+  unit.require_sense(command);
+}
+
+Bundle BundleOption::bundle(Schedule const &plan, EmitterOptions const &options, FloatingPoint mode,
+                            bool several) const {
+  Bundle bundle;
+  if (package.is_given()) bundle.package = package.package(plan, options, mode, several);
+  if (unit.is_given()) bundle.units.push_back(unit.unit(plan, options, mode, several));
+  return bundle;
+}
+
+} // namespace symreal::tool

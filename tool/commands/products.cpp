@@ -1,0 +1,78 @@
+#include "tool/commands/products.h"
+
+#include "tool/report/report.h"
+
+#include <fmt/ostream.h>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+namespace symreal::tool {
+
+namespace {
+
+// What is handed on whole comes first.
+std::vector<OutputFile> all_files(Product const &product) {
+  std::vector<OutputFile> all = product.bundle.files();
+  all.insert(all.end(), product.files.begin(), product.files.end());
+  return all;
+}
+
+// Of all kernels; two of them must not have one name.
+std::vector<OutputFile> single_files(std::vector<Product> const &products) {
+  std::vector<OutputFile> files;
+  for (Product const &product : products)
+    for (auto const *list : {&product.files, &product.bundle.units})
+      files.insert(files.end(), list->begin(), list->end());
+  return files;
+}
+
+} // namespace
+
+bool check_products(std::vector<Product> const &products) {
+  std::vector<OutputFile> files;
+  for (Product const &product : products)
+    for (OutputFile &file : all_files(product)) files.push_back(std::move(file));
+  return check_files(files);
+}
+
+std::string write_products(std::vector<Product> const &products, std::vector<std::string> const &directories) {
+  for (std::string const &directory : directories)
+    if (!directory.empty() && products.size() > 1) make_directory(directory);
+  require_writable(single_files(products));
+  for (Product const &product : products) product.bundle.require_writable();
+  for (Product const &product : products) {
+    product.bundle.write();
+    write_files(product.files);
+  }
+  return all_files(products.front()).front().path;
+}
+
+void show_products(std::vector<Product> const &products, program::Front const &front, bool details, bool as_json) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::array();
+  for (Product const &product : products) {
+    KernelReport report{&product.recorded, &product.optimised.graph, product.optimised.stages, {}, {}};
+    for (OutputFile const &file : all_files(product)) report.files.push_back(file.path);
+    report.seconds = {{"rewrite", front.rewrite_seconds},
+                      {"build", front.build_seconds},
+                      {"run", front.run_seconds},
+                      {"optimise and emit", product.seconds}};
+    print_table(std::cerr, report, details);
+    if (as_json) json.push_back(to_json(report));
+  }
+  program::ObjectCache const &cache = *front.build.cache;
+  if (details)
+    fmt::print(std::cerr,
+               "sources: {} read, {} as an earlier run read them\n"
+               "objects: {} compiled, {} as an earlier run compiled them\n",
+               front.rewritten.sources_read, front.rewritten.sources_kept, cache.compiled(), cache.reused());
+  if (as_json)
+    std::cout << nlohmann::ordered_json{{"kernels", json},
+                                        {"sources",
+                                         {{"read", front.rewritten.sources_read},
+                                          {"reused", front.rewritten.sources_kept}}},
+                                        {"objects", {{"compiled", cache.compiled()}, {"reused", cache.reused()}}}}
+                     .dump(2)
+              << "\n";
+}
+
+} // namespace symreal::tool

@@ -1,0 +1,32 @@
+// What `generate` gives of each kernel, as it is written and as it is told.
+#pragma once
+
+#include "program/front.h"
+#include "tool/commands/bundle.h"
+#include "tool/commands/optimise.h"
+
+#include <string>
+#include <vector>
+
+namespace symreal::tool {
+
+struct Product {
+  Graph recorded;
+  Optimised optimised = {};
+  std::vector<OutputFile> files = {};
+  Bundle bundle = {};
+  std::vector<Diagnostic> warnings = {};
+  double seconds = 0;
+};
+
+// Does the disk hold these files? Writes nothing.
+bool check_products(std::vector<Product> const &products);
+
+// Writes all files, once it is known that all can be written, below directories that are made where there are none.
+// Returns the path of the first.
+std::string write_products(std::vector<Product> const &products, std::vector<std::string> const &directories);
+
+// The table, and as JSON on standard output.
+void show_products(std::vector<Product> const &products, program::Front const &front, bool details, bool as_json);
+
+} // namespace symreal::tool

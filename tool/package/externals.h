@@ -1,0 +1,11 @@
+// What is handed on whole must bring along what it calls.
+#pragma once
+
+#include "graph/graph.h"
+
+namespace symreal::tool {
+
+// Throws bad_option for a kernel that calls functions of a library.
+void require_no_externals(Graph const &graph);
+
+} // namespace symreal::tool

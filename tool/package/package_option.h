@@ -1,0 +1,30 @@
+// --package: the folder of a Python package in place of source files.
+#pragma once
+
+#include "tool/package/package.h"
+
+#include <CLI/CLI.hpp>
+
+#include <string>
+#include <vector>
+
+namespace symreal::tool {
+
+// A package as it will be written.
+struct Package {
+  std::string folder; // empty: none is wanted
+  std::vector<OutputFile> files;
+};
+
+struct PackageOption {
+  std::string folder;
+
+  void add_to(CLI::App &app);
+  bool is_given() const { return !folder.empty(); }
+  // Fails for options of the subcommand about files that are not written beside a package.
+  void require_sense(CLI::App &command) const;
+  // With several kernels the option names a folder of packages.
+  Package package(Schedule const &plan, EmitterOptions const &options, FloatingPoint mode, bool several) const;
+};
+
+} // namespace symreal::tool
