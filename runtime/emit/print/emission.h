@@ -20,8 +20,8 @@ struct Uses {
   std::array<bool, op_count> spelled{};    // whose spelling is, besides those a condition that is negated or compared
   std::set<std::string_view> integer_functions; // by their names in the table of operations
   std::set<std::size_t> tables, externals;
-  bool kept_integer = false, keep_integer = false; // integers of 64 bits that stand in arrays of numbers
-  bool hidden = false, value_checks = false;
+  bool kept_integer = false, keep_integer = false;               // integers of 64 bits that stand in arrays of numbers
+  bool hidden = false, value_checks = false, not_finite = false; // infinities and NaNs among the constants
 };
 
 struct Emission {
