@@ -21,8 +21,9 @@ struct Uses {
   std::set<std::string_view> integer_functions; // by their names in the table of operations
   std::set<std::size_t> tables, externals;
   bool kept_integer = false, keep_integer = false; // integers of 64 bits that stand in arrays of numbers
-  bool truths = false; // variables with truth values
+  bool truths = false;                             // variables with truth values
   bool hidden = false, value_checks = false;
+  bool not_finite = false; // infinities and NaNs among the constants
 };
 
 struct Emission {

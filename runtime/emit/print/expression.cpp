@@ -102,6 +102,7 @@ void ExpressionPrinter::print_itself(Item const &item) {
 }
 
 void ExpressionPrinter::print_constant(double value, int binding) {
+  context_.emission.uses.not_finite = context_.emission.uses.not_finite || !std::isfinite(value);
   bool const parenthesised = std::signbit(value) && binding > language_.numbers.sign_binding;
   std::string const text = constant(language_, value);
   text_ += parenthesised ? "(" + text + ")" : text;

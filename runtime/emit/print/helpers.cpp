@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 
 namespace symreal {
 
@@ -36,6 +37,16 @@ std::string printed_patterns(Emission const &emission) {
   add(uses.hidden, language.expressions.hidden);
   add(!uses.tables.empty(), language.expressions.table_index);
   add(!uses.tables.empty(), language.tables.begin);
+  auto const any_table = [&](auto const &test) {
+    return std::ranges::any_of(uses.tables, [&](std::size_t k) { return test(emission.graph().tables[k].values); });
+  };
+  add(any_table([&](std::vector<double> const &values) { return values.size() > language.tables.most_values; }),
+      language.tables.joined);
+  bool const in_tables = any_table([](std::vector<double> const &values) {
+    return !std::ranges::all_of(values, [](double value) { return std::isfinite(value); });
+  });
+  add(uses.not_finite || in_tables, language.numbers.infinity);
+  add(uses.not_finite || in_tables, language.numbers.nan);
   add(uses.value_checks, language.statements.value_check);
   add(!emission.graph().guards.empty(), language.statements.check);
   return text;

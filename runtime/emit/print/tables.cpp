@@ -35,10 +35,15 @@ std::string print_table(Emission const &emission, std::size_t number) {
   std::size_t const most = language.tables.most_values;
   if (most == 0 || values.size() <= most) return text + print_values(language, name, values, 0, row);
   std::string parts;
+  std::size_t width = language.lines.width; // so that the first begins a line
   for (std::size_t first = 0; first < values.size(); first += most) {
     std::string const part = language.names.spelled(name + "_" + std::to_string(first / most + 1));
     text += print_values(language, part, values.subspan(first, std::min(most, values.size() - first)), first, row);
-    parts += (parts.empty() ? "" : ", ") + part;
+    bool const breaks = width + part.size() + 4 > language.lines.width - 4;
+    parts += parts.empty() ? "" : ",";
+    parts += breaks ? std::string(language.lines.continuation) + "\n    " : " ";
+    width = (breaks ? 4 : width) + part.size() + 2;
+    parts += part;
   }
   return text + fill(language, language.tables.joined,
                      {{"name", name}, {"parts", parts}, {"count", std::to_string(values.size())}});
