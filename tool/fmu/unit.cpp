@@ -61,7 +61,11 @@ std::string unit_bytes(Schedule const &plan, EmitterOptions const &emitter, Floa
   Graph const &graph = *plan.graph;
   Language const &c = *find_language("c");
   std::string const name = identifier(emitter.prefix.empty() ? graph.kernel : emitter.prefix);
-  EmitOptions const options{name, emitter.prefix, mode, false, emitter.trace_comments, emitter.check_values};
+  EmitOptions const options{.base_name = name,
+                            .prefix = emitter.prefix,
+                            .mode = mode,
+                            .trace_comments = emitter.trace_comments,
+                            .check_values = emitter.check_values};
   std::vector<UnitVariable> const variables = unit_variables(graph);
   Files sources;
   for (EmittedFile const &file : symreal::emit(plan, c, options)) sources.emplace_back(file.name, file.text);

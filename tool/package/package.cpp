@@ -35,7 +35,11 @@ std::vector<OutputFile> package_files(Schedule const &plan, EmitterOptions const
   require_no_externals(graph);
   Language const python = package_language();
   std::string const name = identifier(emitter.prefix.empty() ? graph.kernel : emitter.prefix, python.names);
-  EmitOptions const options{name, emitter.prefix, mode, false, emitter.trace_comments, emitter.check_values};
+  EmitOptions const options{.base_name = name,
+                            .prefix = emitter.prefix,
+                            .mode = mode,
+                            .trace_comments = emitter.trace_comments,
+                            .check_values = emitter.check_values};
   Emission const emission{plan, python, options};
   std::vector<OutputFile> files;
   auto const add = [&](fs::path const &path, std::string text) {
