@@ -177,10 +177,11 @@ GeneratedCode::Result GeneratedCode::run_in(std::span<double const> inputs, std:
   else
     result.failed = std::bit_cast<int (*)(Real const *, Real const *, Real *)>(compute_)(input.data(), constants.data(),
                                                                                          outputs.data());
-  Real const unset = mark<Real>();
-  for (Real const &output : outputs)
-    result.outputs.push_back(std::memcmp(&output, &unset, sizeof unset) == 0 ? mark<double>()
-                                                                             : static_cast<double>(output));
+  using Bits = std::conditional_t<std::is_same_v<Real, double>, std::uint64_t, std::uint32_t>;
+  for (Real const output : outputs) {
+    bool const is_untouched = std::bit_cast<Bits>(output) == std::bit_cast<Bits>(mark<Real>());
+    result.outputs.push_back(is_untouched ? mark<double>() : static_cast<double>(output));
+  }
   return result;
 }
 
