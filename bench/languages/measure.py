@@ -139,7 +139,7 @@ def measure(kernel):
         if missing := [program for program in programs if not program.startswith("./") and not shutil.which(program)]:
             print(f"{name}: left out, there is no {missing[0]}", file=sys.stderr)
             continue
-        (where / driver).write_text(fill((HERE / "drivers" / driver).read_text(), places))
+        (where / driver).write_text(fill((HERE / "drivers" / f"{driver}.in").read_text(), places))
         compiling = sum(command([fill(word, places) for word in build], where) for build in builds) if builds else None
         begin = time.perf_counter()
         drivers[name] = Driver(run, where)
