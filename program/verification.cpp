@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <llvm/Demangle/Demangle.h>
+#include <memory>
 
 namespace symreal::program {
 
@@ -68,9 +69,9 @@ public:
         code_(path, banner, graph_, {}, *front.workspace),
         source_(graph_, options.seed) {
     bool const by_hand = front.original_program.empty();
-    auto const start = [&](std::optional<Replay> &program, char const *what, std::string const &executable,
+    auto const start = [&](std::unique_ptr<Replay> &program, char const *what, std::string const &executable,
                            GeneratedCode const *code) {
-      program.emplace(what, executable, run, recorded.begun_as, graph_, *front.workspace, code);
+      program = std::make_unique<Replay>(what, executable, run, recorded.begun_as, graph_, *front.workspace, code);
     };
     start(original_, "the original", by_hand ? front.replay_program : front.original_program,
           code_.needs_program() ? &code_ : nullptr);
@@ -235,7 +236,7 @@ private:
   std::optional<GeneratedCode> own_code_;
   SampleSource source_;
   std::optional<SingleRuns> single_; // of the sample that is tried, where the code is in single precision
-  std::optional<Replay> original_, rewritten_, own_flags_, wrapped_;
+  std::unique_ptr<Replay> original_, rewritten_, own_flags_, wrapped_;
   std::vector<replay::LeftBehind> left_by_generated_;
   Verification result_;
 };

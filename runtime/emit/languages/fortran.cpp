@@ -15,6 +15,7 @@ static_assert(std::ranges::is_sorted(keywords));
 
 // The functions of C's library are called by their names there; what follows is what Fortran itself has.
 static constexpr OperationSpelling spellings[] = {
+    {Op::neg, "-$x:14", 11},
     {Op::abs, "abs($x)"},
     {Op::sqrt, "sqrt($x)"},
     {Op::trunc, "aint($x)"},
@@ -325,10 +326,20 @@ Language language_fortran() {
   fortran.names = {keywords, true};
   fortran.comment = {"! ", "! ", ""};
   fortran.lines = {.width = 100, .continuation = " &", .base = 2};
-  fortran.numbers = {"not_a_number", "not_a_number", "infinity", "(-infinity)", "d", "d0"};
+  fortran.numbers = {.nan = "not_a_number",
+                     .negative_nan = "not_a_number",
+                     .infinity = "infinity",
+                     .negative_infinity = "(-infinity)",
+                     .exponent = "d",
+                     .suffix = "d0",
+                     .sign_binding = 11}; // no sign stands behind an operator
   fortran.number = {"real(c_double)", "0.0d0"};
   fortran.single = {.number = {"real(c_float)", "0.0"},
-                    .numbers = {"not_a_number", "not_a_number", "infinity", "(-infinity)"}};
+                    .numbers = {.nan = "not_a_number",
+                                .negative_nan = "not_a_number",
+                                .infinity = "infinity",
+                                .negative_infinity = "(-infinity)",
+                                .sign_binding = 11}};
   fortran.words = words;
   fortran.truth = {"logical", ".false."};
   fortran.wide = {"integer(c_int64_t)", "0_c_int64_t"};
