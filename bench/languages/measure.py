@@ -56,7 +56,7 @@ BATCH = 2000  # samples of a batch
 def command(words, where="."):
     """Runs it; the seconds that it took."""
     begin = time.perf_counter()
-    environment = dict(os.environ, GO111MODULE="off")
+    environment = dict(os.environ, GO111MODULE="off", GOCACHE=str(WORK / "go-cache"))  # empty at the beginning
     done = subprocess.run([str(word) for word in words], cwd=where, capture_output=True, text=True, env=environment)
     if done.returncode != 0:
         sys.exit(f"bench: {' '.join(map(str, words))}\n{done.stdout}{done.stderr}")
@@ -182,6 +182,7 @@ def table(kernel, recording, operations, results):
 
 def main():
     kernels = sys.argv[1:] or list(KERNELS)
+    shutil.rmtree(WORK / "go-cache", ignore_errors=True)
     if unknown := [kernel for kernel in kernels if kernel not in KERNELS]:
         sys.exit(f"bench: there is no kernel {unknown[0]}; there are {', '.join(KERNELS)}")
     processor = re.search(r"^model name\s*: (.*)$", pathlib.Path("/proc/cpuinfo").read_text(), re.MULTILINE)
