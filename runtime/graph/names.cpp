@@ -157,8 +157,15 @@ static std::vector<std::string> numbered(std::vector<std::string> names, NameRul
 }
 
 std::vector<std::string> identifiers(std::vector<Object> const &objects, NameRules const &rules) {
+  // What an interface itself has behind "input_" and "output_".
+  static constexpr std::array<std::string_view, 3> own = {"count", "type", "values"};
   std::vector<std::string> names;
-  for (Object const &object : objects) names.push_back(identifier(object.label, rules));
+  for (Object const &object : objects) {
+    std::string const name = identifier(object.label, rules);
+    bool const is_own =
+        std::ranges::any_of(own, [&](std::string_view word) { return rules.key(name) == rules.key(word); });
+    names.push_back(is_own ? "value_" + name : name);
+  }
   return numbered(std::move(names), rules);
 }
 

@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
-"""same_in.py LANGUAGE BASE [--real float] [--ulps FILE] [--all-operations TABLE RUNS | INPUTS...]: builds and runs the main program of
+"""same_in.py LANGUAGE BASE [--library LIBRARY] [--real float] [--ulps FILE] [--all-operations TABLE RUNS | INPUTS...]: builds and runs the main program of
 LANGUAGE (BASE_main.*) and that of C beside it, and compares their outputs for each list of inputs. Numbers must have the
 same bits, but for the units in the last place that FILE grants to an output op_NAME of this language ("javascript sin
 1") and to others ("javascript * 2"); any NaN equals any NaN. Both must end with the same status and tell the same guard.
 Where a language has no infinities, FILE says so ("mathematica values finite"): operands are finite then, an output that is
 not finite in C is not compared; and where it has no negative zero ("mathematica zeros unsigned"), -0 equals 0. Of programs
-in single precision units are those of floats, and FILE calls the language java_float."""
+in single precision units are those of floats, and FILE calls the language java_float. External functions are in LIBRARY.a,
+and for Python in LIBRARY.so."""
 import argparse
 import math
 import os
@@ -19,36 +20,39 @@ import maple_reader
 HERE = os.path.dirname(os.path.abspath(__file__))
 
 
-def build(language, base):
+def build(language, base, library):
     """A function that runs the program, after what it takes to build it."""
     if language in in_one_process.LANGUAGES:
         return in_one_process.Runs(language, base)
     if language == "maple":
         return maple_reader.Runs(language, base)
     where, name = os.path.split(os.path.abspath(base))
+    linked = [f"{library}.a"] if library else []
     run = {
         "javascript": [["node", f"{name}_main.mjs"]],
         "java": [["javac", "-Xlint:all", "-Werror", "-d", f"{name}.classes", f"{name}.java", f"{name}_main.java"],
                  ["java", "-Xshare:auto", "-cp", f"{name}.classes", f"{name}_main"]],
         "go": [["go", "build", "-o", f"{name}.run_go", f"{name}.go", f"{name}_main.go"], [f"./{name}.run_go"]],
         "rust": [["rustc", "--edition", "2021", "-D", "warnings", "-C", "opt-level=1", f"{name}_main.rs", "-o",
-                  f"{name}.run_rust"], [f"./{name}.run_rust"]],
+                  f"{name}.run_rust"] + [f"-Clink-arg={file}" for file in linked], [f"./{name}.run_rust"]],
         "fortran": [["gfortran", "-std=f2018", "-Wall", "-Wextra", "-Werror", "-Wno-compare-reals", "-Wno-unused-dummy-argument", "-O1",
-                     "-ffp-contract=off", f"{name}.f90", f"{name}_main.f90", "-o", f"{name}.run_fortran"],
+                     "-ffp-contract=off", f"{name}.f90", f"{name}_main.f90", *linked, "-o", f"{name}.run_fortran"],
                     [f"./{name}.run_fortran"]],
         "python": [["/usr/bin/python3", "-W", "error", f"{name}_main.py"]],
         "matlab": [["octave-cli", "--quiet", "--norc", "--no-history", f"{name}_main.m"]],
     }[language]
     environment = dict(os.environ, GO111MODULE="off", GOFLAGS="", PYTHONDONTWRITEBYTECODE="1")
+    if library and language == "python":
+        environment["LD_PRELOAD"] = f"{library}.so"
     for command in run[:-1]:
         subprocess.run(command, cwd=where, check=True, env=environment)
     return lambda inputs: subprocess.run(run[-1] + inputs, cwd=where, capture_output=True, text=True, env=environment)
 
 
-def build_c(base):
+def build_c(base, library):
     where, name = os.path.split(os.path.abspath(base))
-    subprocess.run(["gcc", "-std=c99", "-O1", "-ffp-contract=off", "-fno-builtin", f"{name}.c", f"{name}_main.c", "-lm",
-                    "-o", f"{name}.run_c"], cwd=where, check=True)
+    subprocess.run(["gcc", "-std=c99", "-O1", "-ffp-contract=off", "-fno-builtin", f"{name}.c", f"{name}_main.c",
+                    *([f"{library}.a"] if library else []), "-lm", "-o", f"{name}.run_c"], cwd=where, check=True)
     return lambda inputs: subprocess.run([f"./{name}.run_c"] + inputs, cwd=where, capture_output=True, text=True)
 
 
@@ -116,6 +120,7 @@ def main():
     parser.add_argument("base")
     parser.add_argument("--real", default="double", choices=["double", "float"])
     parser.add_argument("--ulps")
+    parser.add_argument("--library")
     parser.add_argument("--all-operations", nargs=2)
     parser.add_argument("--show", action="store_true", help="print the largest distance of each operation")
     options, runs = parser.parse_known_args()
@@ -127,7 +132,7 @@ def main():
         words = ["--finite"] * (ulps.get("values") == "finite") + ["--real", "float"] * is_float
         lists = [subprocess.run([sys.executable, f"{HERE}/all_operations.py", "--inputs", str(run), table, *words],
                                 check=True, capture_output=True, text=True).stdout.split() for run in range(int(count))]
-    in_c, in_it, worst, failed = build_c(options.base), build(options.language, options.base), {}, False
+    in_c, in_it, worst, failed = build_c(options.base, options.library), build(options.language, options.base, options.library), {}, False
     if hasattr(in_it, "prepare"):
         in_it.prepare(lists)
     for run, inputs in enumerate(lists):

@@ -8,6 +8,7 @@
 // behind a number without an exponent, and the language's own words.
 #pragma once
 
+#include "emit/language/bridge.h"
 #include "emit/language/module.h"
 #include "emit/language/numbers.h"
 #include "emit/language/pattern.h"
@@ -77,7 +78,8 @@ struct StatementSyntax {
 
 struct FunctionSyntax {
   std::string_view head = {}, local_head = {},
-                   end = {}; // $result $name $parameters $target; of the interface; of this file; behind the last
+                   end = {}; // $result $name $parameters $target $pure; of the interface; of this file; behind the last
+  std::string_view pure = {};                   // in heads, of functions that call nothing outside of the file
   std::string_view no_result = {}, status = {}; // $result
   // $target: the array that a function fills. $name: a parameter that is an array of numbers; no output: the function
   // returns the array
@@ -120,10 +122,13 @@ struct ExternalCall {
   bool is_wanted = true; // somebody reads the returned value
 };
 
-// How external functions are called; nothing where the language cannot.
+// How external functions are called: directly, or by bridges; nothing where the language cannot.
 struct ExternalSyntax {
   Part declarations = nullptr;
   std::vector<std::string> (*call)(ExternalCall const &) = nullptr; // the statements
+  BridgeSyntax bridge = {};
+
+  bool is_given() const { return call || bridge.is_given(); }
 };
 
 // A file beside the source.

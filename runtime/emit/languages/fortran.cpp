@@ -311,6 +311,60 @@ end function
 )"},
 };
 
+static constexpr BridgeInteger integers[] = {
+    {"int", "c_int"},
+    {"long", "c_long"},
+    {"long long", "c_long_long"},
+    {"short", "c_short"},
+    {"signed char", "c_signed_char"},
+    {"unsigned int", "c_int", "int(int($value, c_long_long), $type)",
+     "real(iand(int($value, c_long_long), 4294967295_c_long_long), c_double)"},
+    // What is beyond a signed one of 64 bits is beyond the integers that a number holds.
+    {"unsigned long", "c_long"},
+    {"unsigned long long", "c_long_long"},
+    {"unsigned short", "c_short", "int(int($value, c_long_long), $type)",
+     "real(iand(int($value, c_long_long), 65535_c_long_long), c_double)"},
+    {"unsigned char", "c_signed_char", "int(int($value, c_long_long), $type)",
+     "real(iand(int($value, c_long_long), 255_c_long_long), c_double)"},
+    {"_Bool", "c_signed_char", "merge(1_c_signed_char, 0_c_signed_char, $value /= 0)"},
+};
+
+// Structures go by value. A part of an array without a stride is handed on as it is.
+static constexpr BridgeSyntax bridge = {
+    .integers = integers,
+    .to_integer = "int($value, $type)",
+    .from_integer = "real($value, c_double)",
+    .number = {"    real(c_double), value :: $p\n", "a($at)"},
+    .integer = {"    integer($type), value :: $p\n", "$value"},
+    .input = {"    real(c_double), intent(in) :: $p(*)\n", "a($at:$last)"},
+    .output = {"    real(c_double), intent(inout) :: $p(*)\n", "r($at:$last)"},
+    .object = {"    type(numbers_$count), value :: $p\n", "numbers_$count(a($at:$last))"},
+    .copy = "  r($at:$last) = a($from:$from_last)\n",
+    .number_result = "real(c_double)",
+    .integer_result = "integer($type)",
+    .object_result = "type(numbers_$count)",
+    .no_store = "  $made\n",
+    .number_store = "  r(1) = $made\n",
+    .integer_store = "  r(1) = $made\n",
+    .object_store = "  s = $made\n  r(1:$count) = s%m\n",
+    .object_local = "  type(numbers_$count) :: s\n",
+    .made = "c_$name($passed)",
+    .made_without_result = "call c_$name($passed)",
+    .structure = "type, bind(c) :: numbers_$count\n  real(c_double) :: m($count)\nend type\n",
+    .import_structure = "    import :: numbers_$count\n",
+    .begin = "! Functions of the program's libraries, with structures as what they consist of.\n",
+    .declaration = "interface\n  function c_$name($names) bind(c, name='$c_name') result(y)\n"
+                   "    use, intrinsic :: iso_c_binding\n$structures$declared    $result :: y\n"
+                   "  end function\nend interface\n",
+    .declaration_without_result = "interface\n  subroutine c_$name($names) bind(c, name='$c_name')\n"
+                                  "    use, intrinsic :: iso_c_binding\n$structures$declared"
+                                  "  end subroutine\nend interface\n",
+    .bridge = "subroutine $name(a, r)\n  use, intrinsic :: iso_c_binding\n  real(c_double), intent(in) :: a(*)\n"
+              "  real(c_double), intent(inout) :: r(*)\n$locals$copies${stored}"
+              "end subroutine\n",
+    .call = "call $name([$real :: $arguments], $array($first))",
+};
+
 static constexpr Companion beside[] = {{"_main.f90", module_main, "mainline"}};
 
 static constexpr Word words[] = {
@@ -369,9 +423,10 @@ Language language_fortran() {
       .check = "if ($condition) then; guard = $number; return; end if",
   };
   fortran.functions = {
-      .head = "pure subroutine $name($parameters$result)",
-      .local_head = "pure subroutine $name($parameters$result)",
+      .head = "${pure}subroutine $name($parameters$result)",
+      .local_head = "${pure}subroutine $name($parameters$result)",
       .end = "end subroutine $name",
+      .pure = "pure ",
       .no_result = "",
       .status = ", guard",
       .input = "$name",
@@ -387,6 +442,7 @@ Language language_fortran() {
                     .end = "]",
                     .most_values = 700, // a statement has 255 continuation lines
                     .joined = "$real, parameter :: $name($count) = [$parts]\n"};
+  fortran.externals = {.bridge = bridge};
   fortran.files = {
       .extension = ".f90",
       .kept_when = ", when compiled with\n-ffp-contract=off and without -ffast-math",

@@ -111,6 +111,54 @@ end
     {"wide_less", "wide_less(x, y) = signed(x) < signed(y)\n"},
 };
 
+static constexpr BridgeInteger integers[] = {
+    {"int", "Cint"},
+    {"long", "Clong"},
+    {"long long", "Clonglong"},
+    {"short", "Cshort"},
+    {"signed char", "Int8"},
+    {"char", "Cchar"},
+    {"unsigned int", "Cuint"},
+    {"unsigned long", "Culong"},
+    {"unsigned long long", "Culonglong"},
+    {"unsigned short", "Cushort"},
+    {"unsigned char", "Cuchar"},
+    {"_Bool", "Bool"},
+};
+
+static constexpr BridgeSyntax bridge = {
+    .integers = integers,
+    .to_integer = "$type($value)",
+    .from_integer = "Float64($value)",
+    .number = {"Cdouble, ", "a[$at]"},
+    .integer = {"$type, ", "$value"},
+    .input = {"Ptr{Cdouble}, ", "pointer(a, $at)"},
+    .output = {"Ptr{Cdouble}, ", "pointer(r, $at)"},
+    .object = {"Numbers$count, ", "Numbers$count(Tuple(a[$at:$last]))"},
+    .copy = "    r[$at:$last] = a[$from:$from_last]\n",
+    .no_result = "Cvoid",
+    .number_result = "Cdouble",
+    .integer_result = "$type",
+    .object_result = "Numbers$count",
+    .no_store = "    GC.@preserve a r $made\n",
+    .number_store = "    r[1] = GC.@preserve a r $made\n",
+    .integer_store = "    r[1] = GC.@preserve a r $made\n",
+    .object_store = "    r[1:$count] .= (GC.@preserve a r $made).m\n",
+    .made = "ccall(library_function(:$c_name), $result, ($declared), $passed)",
+    .made_without_result = "ccall(library_function(:$c_name), $result, ($declared), $passed)",
+    .structure = "struct Numbers$count\n    m::NTuple{$count, Cdouble}\nend\n",
+    .begin =
+        R"(# Functions of the program's libraries, with structs as what they consist of, in the library that use_library names.
+const library = Ref{Ptr{Cvoid}}(C_NULL)
+use_library(path) = library[] = Base.Libc.Libdl.dlopen(path)
+library_function(name) = library[] != C_NULL ? Base.Libc.Libdl.dlsym(library[], name) :
+    error("the library that has $$name is not known: call use_library")
+
+)",
+    .bridge = "function $name(a, r)\n$copies$stored    return\nend\n",
+    .call = "$name(Float64[$arguments], view($array, $first:length($array)))",
+};
+
 static constexpr Companion beside[] = {{"_main.jl", module_main, "mainline"}};
 
 Language language_julia() {
@@ -160,6 +208,7 @@ Language language_julia() {
       .checked_call = "failed = $name!($arguments)\nif failed != 0; return failed; end",
   };
   julia.tables = {.begin = "const $name = [", .end = "]"};
+  julia.externals = {.bridge = bridge};
   julia.files = {
       .extension = ".jl",
       .kept_when = ", where the library\nof C is the same and @fastmath is not used",

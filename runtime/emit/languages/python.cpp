@@ -249,6 +249,92 @@ lgamma = each(_lgamma)
 )"},
 };
 
+static constexpr BridgeInteger integers[] = {
+    {"int", "int"},
+    {"long", "long"},
+    {"long long", "longlong"},
+    {"short", "short"},
+    {"signed char", "byte"},
+    {"char", "byte"},
+    {"unsigned int", "uint"},
+    {"unsigned long", "ulong"},
+    {"unsigned long long", "ulonglong"},
+    {"unsigned short", "ushort"},
+    {"unsigned char", "ubyte"},
+    {"_Bool", "bool"},
+};
+
+// Calls take one sample after the other, in the order of the program.
+static constexpr BridgeSyntax bridge = {
+    .integers = integers,
+    .to_integer = "int($value)",
+    .from_integer = "$value",
+    .number = {"ctypes.c_double, ", "a[$at]"},
+    .integer = {"ctypes.c_$type, ", "$value"},
+    .input = {"ctypes.c_void_p, ", "(ctypes.c_double*$count)(*a[$at:$next])"},
+    .output = {"ctypes.c_void_p, ", "ctypes.byref(r, 8*$at)"},
+    .object = {"_Numbers$count, ", "_Numbers$count((ctypes.c_double*$count)(*a[$at:$next]))"},
+    .copy = "    r[$at:$next] = a[$from:$from_next]\n",
+    .no_result = "None",
+    .number_result = "ctypes.c_double",
+    .integer_result = "ctypes.c_$type",
+    .object_result = "_Numbers$count",
+    .no_store = "    $made\n",
+    .number_store = "    r[0] = $made\n",
+    .integer_store = "    r[0] = $made\n",
+    .object_store = "    r[0:$count] = list($made.m)\n",
+    .made = "function($passed)",
+    .made_without_result = "function($passed)",
+    .structure = "class _Numbers$count(ctypes.Structure):\n    _fields_ = [(\"m\", ctypes.c_double*$count)]\n\n\n",
+    .begin = R"(import ctypes
+
+# Functions of the program's libraries, with structs as what they consist of.
+_library = None
+
+
+def use_library(path):
+    """Has external functions called in this library, a path or name as ctypes.CDLL takes it; before, among those that the
+    process has loaded."""
+    global _library
+    _library = ctypes.CDLL(path)
+
+
+def _function(name, result, parameters):
+    if _library is None:
+        use_library(None)
+    function = _library[name]
+    function.restype, function.argtypes = result, parameters
+    return function
+
+
+def _in_turn(run):
+    """Functions of libraries take one sample after the other."""
+    def each(function, *arrays):
+        shape = numpy.broadcast_shapes(*(numbers.shape[:-1] for numbers in arrays))
+        if not shape:
+            return run(function, *arrays)
+        count = $constant_count if function is _$preprocess else $output_count
+        results = numpy.empty(shape + (count,))
+        samples = [numpy.broadcast_to(numbers, shape + numbers.shape[-1:]) for numbers in arrays]
+        for k in numpy.ndindex(shape):
+            try:
+                results[k] = run(function, *(numbers[k] for numbers in samples))
+            except ValueError as error:
+                error.where = k
+                raise
+        return results
+    return each
+
+
+_run = _in_turn(_run)
+
+)",
+    .bridge = "def $name(*a):\n    function = _function(\"$c_name\", $result, [$declared])\n"
+              "    r = (ctypes.c_double*max(1, $result_count))()\n$copies$stored"
+              "    return [float64(number) for number in r[:$result_count]]\n\n\n",
+    .call = "$array[$first:$next] = $name($arguments)",
+};
+
 static constexpr Companion beside[] = {{"_main.py", module_main, "mainline"}};
 static std::string functions_text() {
   std::string text(python_arrays);
@@ -324,6 +410,7 @@ Language language_python() {
       .most_statements = 2000,
   };
   python.tables = {.begin = "$name = numpy.array([", .end = "])"};
+  python.externals = {.bridge = bridge};
   python.files = {
       .extension = ".py",
       .kept_when = ", but for functions of\nNumPy on arrays, which have a unit or two in the last place of their own",

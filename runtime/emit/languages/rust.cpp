@@ -43,6 +43,53 @@ static constexpr OperationSpelling spellings[] = {
     {Op::select, "if $x { $y } else { $z }", 3},
 };
 
+static constexpr BridgeInteger integers[] = {
+    {"int", "c_int"},
+    {"long", "c_long"},
+    {"long long", "c_longlong"},
+    {"short", "c_short"},
+    {"signed char", "c_schar"},
+    {"char", "c_char"},
+    {"unsigned int", "c_uint"},
+    {"unsigned long", "c_ulong"},
+    {"unsigned long long", "c_ulonglong"},
+    {"unsigned short", "c_ushort"},
+    {"unsigned char", "c_uchar"},
+    {"_Bool", "bool", "$value != 0.0", "f64::from(u8::from($value))"},
+};
+
+static constexpr BridgeSyntax bridge = {
+    .integers = integers,
+    .to_integer = "$value as std::os::raw::$type",
+    .from_integer = "$value as f64",
+    .number = {"$p: f64, ", "a[$at]"},
+    .integer = {"$p: $type, ", "$value"},
+    .input = {"$p: *const f64, ", "a[$at..$next].as_ptr()"},
+    .output = {"$p: *mut f64, ", "r[$at..$next].as_mut_ptr()"},
+    .object = {"$p: Numbers$count, ",
+               "library::Numbers$count { m: std::convert::TryFrom::try_from(&a[$at..$next]).unwrap() }"},
+    .copy = "    r[$at..$next].copy_from_slice(&a[$from..$from_next]);\n",
+    .number_result = " -> f64",
+    .integer_result = " -> $type",
+    .object_result = " -> Numbers$count",
+    .no_store = "    $made;\n",
+    .number_store = "    r[0] = $made;\n",
+    .integer_store = "    r[0] = $made;\n",
+    .object_store = "    let returned = $made;\n    r[..$count].copy_from_slice(&returned.m);\n",
+    .made = "unsafe { library::c_$name($passed) }",
+    .made_without_result = "unsafe { library::c_$name($passed) }",
+    .structure = "    #[repr(C)]\n    pub struct Numbers$count {\n        pub m: [f64; $count],\n    }\n\n",
+    .begin = "/// Functions of the program's libraries, with structs as what they consist of.\n"
+             "mod library {\n    use std::os::raw::*;\n\n",
+    .declaration = "    extern \"C\" {\n        #[link_name = \"$c_name\"]\n"
+                   "        pub fn c_$name($declared)$result;\n    }\n",
+    .declaration_without_result = "    extern \"C\" {\n        #[link_name = \"$c_name\"]\n"
+                                  "        pub fn c_$name($declared);\n    }\n",
+    .end = "}\n\n",
+    .bridge = "fn $name(a: &[f64], r: &mut [f64]) {\n    let _ = (a.len(), r.len());\n$copies$stored}\n\n",
+    .call = "$name(&[$arguments], &mut $array[$first..]);",
+};
+
 static constexpr Companion beside[] = {{"_main.rs", rust_mainline, "mainline"}};
 
 Language language_rust() {
@@ -101,6 +148,7 @@ Language language_rust() {
                       "    if index < extent as $real { index as usize } else { extent - 1 }\n"
                       "}\n\n",
   };
+  rust.externals = {.bridge = bridge};
   rust.files = {
       .extension = ".rs",
       .fast_when = " Any compiler flags.",

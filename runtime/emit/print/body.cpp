@@ -5,6 +5,7 @@
 #include "schedule/order.h"
 #include "support/quoted.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace symreal {
@@ -144,10 +145,15 @@ void BodyPrinter::print_call(Step const &step, std::size_t indent, CodeText &out
   if (step.kind == Step::Kind::keep) return;
   StatementSyntax const &syntax = language_.statements;
   CallStatement const call(context_, step.index);
-  std::string const count = std::to_string(call.function().result_count());
-  if (call.has_array() && step.kind != Step::Kind::set)
-    out.statement(indent, fill(language_, step.kind == Step::Kind::declare ? syntax.zero_array : syntax.array,
-                               {{"name", call.array()}, {"count", count}}));
+  std::string const count = std::to_string(std::max<std::size_t>(call.function().result_count(), 1));
+  if (call.has_array() && step.kind != Step::Kind::set) {
+    std::string const array = fill(language_, step.kind == Step::Kind::declare ? syntax.zero_array : syntax.array,
+                                   {{"name", call.array()}, {"count", count}});
+    bool const stands_first = !syntax.first_declaration.empty();
+    (stands_first ? declarations_ : out).statement(stands_first ? 2 : indent, array);
+    if (stands_first && step.kind == Step::Kind::declare)
+      out.statement(indent, fill(language_, syntax.set, {{"name", call.array()}, {"value", language_.number.zero}}));
+  }
   if (step.kind == Step::Kind::declare) return;
   context_.spelled_out = {body_.variables[step.index]};
   std::vector<std::string> const lines = call.print();

@@ -1,5 +1,6 @@
 #include "emit/print/call.h"
 
+#include "emit/print/bridges.h"
 #include "emit/print/constant_paths.h"
 #include "graph/complex_function.h"
 #include "graph/opaque.h"
@@ -15,6 +16,7 @@ CallStatement::CallStatement(FunctionContext &context, std::size_t statement)
       is_wanted_(context.body.wanted_returns.contains(call_)) {}
 
 bool CallStatement::has_array() const {
+  if (context_.emission.language.externals.bridge.is_given()) return !is_kept(); // a bridge stores all
   return !is_kept() && function_.result_count() > (is_wanted_ ? 0 : function_.returned_count());
 }
 
@@ -27,14 +29,17 @@ std::vector<std::string> CallStatement::print() const {
   bool const is_folded = !context_.constant_paths.empty() && find_complex_function(function_);
   NodeId const hidden = is_folded ? hidden_argument(graph, context_.constant_paths, values) : no_node;
   Language const &language = context_.emission.language;
+  bool const has_bridge = language.externals.bridge.is_given(); // which takes numbers alone
   ExternalCall call{function_, std::to_string(statement_),           {},
                     array(),   is_kept() ? context_.kept[call_] : 0, is_wanted_};
   for (NodeId value : values) {
-    bool const is_integer = graph.nodes[value].is_constant() && function_.takes_integer(call.arguments.size());
+    bool const is_integer =
+        !has_bridge && graph.nodes[value].is_constant() && function_.takes_integer(call.arguments.size());
     std::string const use = is_integer ? shortest(graph.nodes[value].value()) : print_use(context_, value);
     uses.hidden = uses.hidden || value == hidden;
     call.arguments.push_back(value == hidden ? fill(language, language.expressions.hidden, {{"x", use}}) : use);
   }
+  if (has_bridge) return {bridge_call(context_.emission, call)};
   return language.externals.call(call);
 }
 

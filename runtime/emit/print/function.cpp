@@ -13,7 +13,8 @@ namespace {
 class FunctionPrinter {
 public:
   FunctionPrinter(Emission &emission, bool is_compute)
-      : language_(emission.language),
+      : graph_(emission.graph()),
+        language_(emission.language),
         syntax_(emission.language.functions),
         body_(is_compute ? emission.plan.compute : emission.plan.preprocess),
         name_(emission.name(is_compute ? "compute" : "preprocess")),
@@ -101,6 +102,7 @@ private:
                          .set("result", std::string(may_fail ? syntax_.status : syntax_.no_result))
                          .set_name("name", name)
                          .set("target", last)
+                         .set("pure", std::string(graph_.externals.empty() ? syntax_.pure : ""))
                          .set("parameters", parameters)(with_words(language_, head)));
     for (std::string const &input : inputs_)
       out.statement(2, fill(language_, syntax_.input_declaration, {{"name", input}}));
@@ -117,6 +119,7 @@ private:
     out.statement(0, Filling().set_name("name", name)(with_words(language_, syntax_.end)));
   }
 
+  Graph const &graph_;
   Language const &language_;
   FunctionSyntax const &syntax_;
   FunctionBody const &body_;

@@ -1,6 +1,9 @@
 #include "emit/print/requirements.h"
 
+#include "emit/print/bridges.h"
+#include "graph/complex_function.h"
 #include "graph/names.h"
+#include "graph/opaque.h"
 
 #include <algorithm>
 
@@ -25,6 +28,23 @@ static void require_file_name(Language const &language, EmitOptions const &optio
            "' is no name there: give another with -o");
 }
 
+// What a bridge cannot hand over.
+template <class Require> static void require_bridges(Graph const &graph, BridgeSyntax const &syntax,
+                                                     std::string const &kernel, Require const &require) {
+  std::vector<char> const live = live_nodes(graph);
+  for (std::size_t id = 0; id < graph.nodes.size(); ++id) {
+    if (!live[id] || !is_call(graph.nodes[id].op)) continue;
+    External const &external = graph.externals[function_of(graph, graph.nodes[id])];
+    require(false, find_complex_function(external).has_value(), kernel + "functions of complex numbers");
+    auto const look = [&](ExternalValue const &value) {
+      require(find_integer(syntax, value.type), value.kind == ExternalValue::Kind::integer,
+              kernel + "'" + external.name + "', which has an integer of type '" + value.type + "'");
+    };
+    look(external.returned);
+    for (ExternalValue const &parameter : external.parameters) look(parameter);
+  }
+}
+
 void require_expressible(Graph const &graph, Language const &language, EmitOptions const &options) {
   auto const require = [&](bool is_there, bool is_wanted, std::string const &what) {
     if (is_wanted && !is_there)
@@ -32,7 +52,9 @@ void require_expressible(Graph const &graph, Language const &language, EmitOptio
   };
   require_file_name(language, options);
   std::string const kernel = "kernel '" + graph.kernel + "' needs ";
-  require(language.externals.call, has_live(graph, is_call), kernel + "external functions");
+  bool const calls = has_live(graph, is_call);
+  require(language.externals.is_given(), calls, kernel + "external functions");
+  if (calls && language.externals.bridge.is_given()) require_bridges(graph, language.externals.bridge, kernel, require);
   require(!language.tables.begin.empty(), has_live(graph, [](Op op) { return op == Op::lookup || op == Op::lookup2; }),
           kernel + "tables");
   bool const has_integers = language.files.integer_functions || !language.files.helpers.empty();

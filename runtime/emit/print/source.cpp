@@ -1,5 +1,6 @@
 #include "emit/print/source.h"
 
+#include "emit/print/bridges.h"
 #include "emit/print/function.h"
 #include "emit/print/helpers.h"
 #include "emit/print/module.h"
@@ -19,6 +20,7 @@ EmittedFile print_source(Emission &emission) {
   text.lines(banner(emission));
   text.lines(part(files.begin));
   text.lines(part(emission.language.externals.declarations));
+  text.lines(print_bridge_declarations(emission));
   text.lines(part(files.open));
   text.lines(indented(emission.language, print_tables(emission)));
   text.lines(part(files.integer_functions));
@@ -26,6 +28,7 @@ EmittedFile print_source(Emission &emission) {
   text.lines(indented(emission.language, print_helpers(emission, true)));
   text.lines(emission.language.module.contains);
   text.lines(indented(emission.language, print_helpers(emission, false)));
+  text.lines(print_bridges(emission));
   text.append(functions);
   text.lines(part(files.end));
   return {name, text.text(), text.origins()};

@@ -1,5 +1,6 @@
 #include "emit/print/variable_names.h"
 
+#include "emit/print/bridges.h"
 #include "graph/names.h"
 
 #include <algorithm>
@@ -51,6 +52,7 @@ VariableNames::VariableNames(Emission const &emission, FunctionBody const &body)
   for (std::string const &name : graph.names) all.insert(rules.key(name));
   for (std::string const &name : own_names(emission)) own.insert(rules.key(name));
   for (External const &external : graph.externals) own.insert(rules.key(external.name));
+  for (std::string const &name : bridge_names(emission)) own.insert(rules.key(name));
   for (std::string const &name : graph.names) {
     std::string base = name;
     // C reserves what begins with an underscore; other letters than ASCII's are not C99.
