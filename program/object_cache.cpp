@@ -164,6 +164,14 @@ Captured ObjectCache::make(Command const &compilation, std::string const &worksp
   return result;
 }
 
+std::optional<std::vector<std::string>> ObjectCache::looked_for_in_vain(Command const &compilation,
+                                                                        std::string const &workspace) {
+  std::optional<std::string> const bytes = directory_->find(key_of_words(compilation, workspace));
+  auto before = bytes ? compiled_from_bytes(*bytes) : std::nullopt;
+  if (!before) return {};
+  return std::move(before->first.names);
+}
+
 std::size_t position_after(Words const &words, std::string_view option) {
   auto const found = std::find(words.begin(), words.end(), option);
   return found == words.end() || found + 1 == words.end() ? 0 : static_cast<std::size_t>(found - words.begin()) + 1;

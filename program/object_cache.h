@@ -16,7 +16,9 @@
 #include <atomic>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace symreal::program {
 
@@ -32,6 +34,9 @@ public:
   // The same for what is not an object of the program, and does not count as one. False: it was not compiled before.
   bool take(Command const &compilation, std::string const &workspace, FilesNow &files);
   Captured make(Command const &compilation, std::string const &workspace, FilesNow &files);
+
+  // What the texts of a compilation that was kept ask for and some searched directory has not.
+  std::optional<std::vector<std::string>> looked_for_in_vain(Command const &compilation, std::string const &workspace);
 
   std::size_t compiled() const { return compiled_; }
   std::size_t reused() const { return reused_; }

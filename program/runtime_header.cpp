@@ -25,6 +25,29 @@ std::size_t header_position(Words const &words) {
   return is_ours && std::ranges::count_if(rewrite::driver_options(words), includes) == 1 ? at : 0;
 }
 
+bool is_searched_last(rewrite::DriverOption const &option) {
+  return option.about == rewrite::About::directories && option.name == "-idirafter";
+}
+
+// The words without the directories that are searched behind the system's, which go to `last`.
+Words without_last(Words const &words, Words &last) {
+  Words kept;
+  for (rewrite::DriverOption const &option : rewrite::driver_options(words))
+    if (is_searched_last(option))
+      last.push_back(option.value);
+    else
+      rewrite::append(kept, option, words);
+  return kept;
+}
+
+// Whether the words may name a file by where the compiler runs.
+bool depends_on_directory(Words const &words) {
+  return std::ranges::any_of(rewrite::driver_options(words), [](rewrite::DriverOption const &option) {
+    bool const may = option.about == rewrite::About::directories || option.about == rewrite::About::other;
+    return may && option.value.find_first_of("./") < option.value.size() && !option.value.starts_with('/');
+  });
+}
+
 // How the header is compiled, to this file.
 Command header_compilation(Command compilation, std::string const &to) {
   Words &words = compilation.arguments;
@@ -61,12 +84,27 @@ void RuntimeHeader::make(One &one, Command const &compilation, std::string const
   // gcc reads the text where it cannot take what lies beside it.
   write_if_changed(path, "#include <" + header + ">\n");
   one.path = path;
+  one.in_vain = objects_.looked_for_in_vain(precompilation, workspace_);
+}
+
+// Whether one of the directories has what the header asks for.
+bool RuntimeHeader::may_read(One const &one, Words const &directories, std::string const &base, FilesNow &files) {
+  if (!one.in_vain) return !directories.empty();
+  return std::ranges::any_of(directories, [&](std::string const &directory) {
+    std::filesystem::path const path = std::filesystem::path(base) / directory;
+    return std::ranges::any_of(*one.in_vain,
+                               [&](std::string const &name) { return files.exists((path / name).string()); });
+  });
 }
 
 std::optional<Command> RuntimeHeader::use(Command const &compilation, FilesNow &files) {
   std::size_t const header = header_position(compilation.arguments);
   if (header == 0 || !directory_.exists()) return {};
-  Command const precompilation = header_compilation(compilation, "");
+  Words last;
+  Command common = compilation;
+  common.arguments = without_last(compilation.arguments, last);
+  if (!depends_on_directory(common.arguments)) common.directory = "/";
+  Command const precompilation = header_compilation(common, "");
   std::string key = precompilation.directory;
   for (std::string const &word : precompilation.arguments) {
     std::string shown = word;
@@ -78,8 +116,8 @@ std::optional<Command> RuntimeHeader::use(Command const &compilation, FilesNow &
   lock.unlock();
   std::unique_lock const mine(one.mutex, std::try_to_lock); // whoever comes while it is made does without
   if (!mine) return {};
-  if (one.path.empty() && !one.tried) make(one, compilation, key, files);
-  if (one.path.empty()) return {};
+  if (one.path.empty() && !one.tried) make(one, common, key, files);
+  if (one.path.empty() || may_read(one, last, compilation.directory, files)) return {};
   Command with = compilation;
   with.arguments[header] = is_clang(compilation) ? one.path + ".gch" : one.path;
   if (is_clang(compilation)) with.arguments[header - 1] = "-include-pch";

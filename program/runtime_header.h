@@ -1,7 +1,8 @@
 // The header of the runtime that each rewritten source includes first, precompiled.
 //
 // It is as large as a small program. gcc and clang take a precompiled header in its place if it was made by the same
-// compiler, with the same words, in the same directory: so there is one for each of these. It is kept like an object
+// compiler with the same words: so there is one for each of these. Directories that are searched behind the system's do
+// not count, unless one of them has a header by a name that the precompiled one asks for. It is kept like an object
 // (object_cache.h), made from what it is made from. Making it costs as much as three sources gain; it is made for the
 // third that asks for it, in this run or an earlier one.
 #pragma once
@@ -12,6 +13,7 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace symreal::program {
 
@@ -31,8 +33,11 @@ private:
     std::size_t asked = 0;
     bool tried = false;
     std::string path; // of the text beside which the precompiled header lies; empty: there is none
+    std::optional<std::vector<std::string>> in_vain; // names that it asks for and some directory has not
   };
   void make(One &one, Command const &compilation, std::string const &key, FilesNow &files);
+  static bool may_read(One const &one, std::vector<std::string> const &directories, std::string const &base,
+                       FilesNow &files);
 
   ObjectCache &objects_;
   CacheDirectory &directory_;
