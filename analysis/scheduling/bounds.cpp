@@ -66,6 +66,17 @@ private:
   std::vector<Change> changes_;
 };
 
+} // namespace
+
+Time Bounds::best() const { return std::max({critical_path, work, interval}); }
+
+Time critical_path(Network const &network) {
+  std::vector<Time> const head = longest_paths(network);
+  Time result = 0;
+  for (TaskId task = 0; task < network.size(); ++task) result = std::max(result, head[task] + network.duration[task]);
+  return result;
+}
+
 Time work_bound(Network const &network, Units const &units) {
   std::vector<Time> work(units.count.size());
   for (TaskId task = 0; task < network.size(); ++task) work[network.kind[task]] += network.duration[task];
@@ -75,18 +86,11 @@ Time work_bound(Network const &network, Units const &units) {
   return best;
 }
 
-} // namespace
-
-Time Bounds::best() const { return std::max({critical_path, work, interval}); }
-
 Bounds bounds(Network const &network, Units const &units, Windows const &windows, std::size_t effort) {
   Bounds result;
-  std::vector<Time> const head = longest_paths(network);
-  for (TaskId task = 0; task < network.size(); ++task) {
-    result.critical_path = std::max(result.critical_path, head[task] + network.duration[task]);
-    result.interval =
-        std::max(result.interval, windows.head[task] + network.duration[task] + windows.tail[task]);
-  }
+  result.critical_path = critical_path(network);
+  for (TaskId task = 0; task < network.size(); ++task)
+    result.interval = std::max(result.interval, windows.head[task] + network.duration[task] + windows.tail[task]);
   result.work = work_bound(network, units);
   result.interval = result.best();
   for (std::size_t kind = 0; kind < units.count.size(); ++kind) {

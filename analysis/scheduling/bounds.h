@@ -15,6 +15,8 @@ struct Bounds {
   Time best() const;
 };
 
+Time critical_path(Network const &network);
+Time work_bound(Network const &network, Units const &units);
 // The bound of intervals is raised until no interval that is looked at has more work than units; `effort` is how many
 // steps that may take, about.
 Bounds bounds(Network const &network, Units const &units, Windows const &windows, std::size_t effort = 10'000'000);

@@ -56,6 +56,12 @@ private:
         if (a != b && network_.duration[a] == network_.duration[b] && network_.kind[a] == network_.kind[b] &&
             (after[a] & after[b]) == after[b] && (after[a] != after[b] || a < b))
           first_[b] |= one(a);
+    longer_.resize(network_.size());
+    for (TaskId a = 0; a < network_.size(); ++a)
+      for (TaskId b = 0; b < network_.size(); ++b)
+        if (network_.duration[a] < network_.duration[b] && network_.kind[a] == network_.kind[b] &&
+            (after[a] & after[b]) == after[a])
+          longer_[a] |= one(b);
   }
 
   bool is_over() const { return is_over_limit_ || best_ <= enough_; }
@@ -120,10 +126,16 @@ private:
       started_ &= ~one(task);
       if (is_over()) return;
     }
-    go_on(now, ended, can_begin);
+    go_on(ended, can_begin);
   }
 
-  void go_on(Time now, Set ended, Set can_begin) {
+  bool was_ready(TaskId task, Time at) const {
+    for (TaskId before : network_.before.of(task))
+      if (end_of(before) > at) return false;
+    return true;
+  }
+
+  void go_on(Set ended, Set can_begin) {
     Set const running = started_ & ~ended;
     if (running == 0) return;
     Time next = end_of(static_cast<TaskId>(std::countr_zero(running)));
@@ -137,7 +149,11 @@ private:
       if (end_of(task) == next) ending |= one(task);
     });
     for_each(ending, [&](TaskId task) { ++free_[network_.kind[task]]; });
-    (void)now;
+    for_each(ending, [&](TaskId task) {
+      for_each(longer_[task] & can_begin & ~started_ & ~held_back, [&](TaskId other) {
+        if (was_ready(other, start_[task])) held_back |= one(other);
+      });
+    });
     enter(next, ended | ending, held_back);
     for_each(ending, [&](TaskId task) { --free_[network_.kind[task]]; });
   }
@@ -192,7 +208,9 @@ private:
   std::vector<unsigned> free_; // units, per kind
   SeenStates seen_;
   std::vector<Time> start_, head_, best_start_, work_;
-  std::vector<Set> before_, first_; // predecessors; twins that must not be ready and unstarted
+  std::vector<Set> before_;
+  std::vector<Set> first_;  // those that must not be ready and unstarted when it begins
+  std::vector<Set> longer_; // those that, if ready when it begins, do not begin when it ends
   std::vector<TaskId> by_tail_, by_urgency_;
 };
 

@@ -10,27 +10,6 @@
 namespace symreal {
 namespace {
 
-// Beyond this many tasks there is time for one list only.
-constexpr std::size_t most_searched_tasks = 20'000;
-// Up to this many the exact search has nodes enough to come to its end.
-constexpr std::size_t small = 30;
-
-std::size_t times_ten(std::size_t number, unsigned times) {
-  for (; times != 0; --times) number *= 10;
-  return number;
-}
-
-std::size_t search_steps(std::size_t tasks, unsigned level) {
-  if (level == 0 || tasks > most_searched_tasks) return 0;
-  return std::min(times_ten(200, level - 1), times_ten(1'000'000, level - 1) / tasks);
-}
-
-std::uint64_t exact_nodes(std::size_t tasks, unsigned level) {
-  if (level == 0 || tasks > most_exact_tasks) return 0;
-  if (tasks <= small) return level == most_effort ? ~std::uint64_t{0} : times_ten(5'000'000, level - 1);
-  return times_ten(200'000, level - 1);
-}
-
 // Of a part; its units are not assigned yet.
 struct PartSolution {
   std::vector<Time> start;
@@ -47,10 +26,10 @@ PartSolution schedule_part(TaskGraph const &graph, Units const &units, Effort co
     improvement.try_one_list();
   else
     improvement.try_lists(window);
-  improvement.search(window, search_steps(graph.size(), effort.level), effort.seed);
+  improvement.search(window, effort.search_steps(graph.size()), effort.seed);
   PartSolution result{improvement.start(), improvement.length(), bound.interval, bound.best()};
   if (improvement.is_enough()) return result;
-  if (std::uint64_t const nodes = exact_nodes(graph.size(), effort.level)) {
+  if (std::uint64_t const nodes = effort.exact_nodes(graph.size())) {
     ExactResult const exact = search_exactly(network, units, window, result.length, bound.best(), nodes);
     if (!exact.start.empty()) result.start = exact.start, result.length = length(graph, exact.start);
     if (exact.is_complete) result.at_least = result.length;
@@ -58,17 +37,12 @@ PartSolution schedule_part(TaskGraph const &graph, Units const &units, Effort co
   return result;
 }
 
-Bounds simple_bounds(Network const &network, Units const &units) {
-  std::vector<Time> const none(network.size());
-  return bounds(network, units, {none, none}, 1);
-}
-
 Solution schedule_chain(TaskGraph const &graph, Units const &units, Effort const &effort) {
   Network const network = make_network(graph);
   Solution result;
   std::vector<Time> start(graph.size());
-  result.bounds = simple_bounds(network, units);
-  result.bounds.interval = 0;
+  result.bounds.critical_path = critical_path(network);
+  result.bounds.work = work_bound(network, units);
   for (std::vector<TaskId> const &part : chain_of_parts(network)) {
     PartSolution const solved = schedule_part(part_graph(graph, part), units, effort);
     for (std::size_t i = 0; i < part.size(); ++i) start[part[i]] = result.length + solved.start[i];

@@ -7,15 +7,10 @@
 #pragma once
 
 #include "analysis/scheduling/bounds.h"
+#include "analysis/scheduling/effort.h"
 #include "analysis/scheduling/timetable.h"
 
 namespace symreal {
-
-struct Effort {
-  unsigned level = 1; // 0: lists only; 1: a second or so; 2, 3: ten times as much each. Counted in steps, not in time
-  std::uint64_t seed = 1;
-};
-inline constexpr unsigned most_effort = 3;
 
 struct Solution {
   Timetable timetable;

@@ -15,6 +15,7 @@ public:
     high_ = mix(high_ + word * 0x9e3779b97f4a7c15 + 1);
   }
   std::uint64_t low() const { return low_; }
+  std::uint64_t high() const { return high_; }
   bool operator==(StateKey const &) const = default;
 
 private:
