@@ -23,7 +23,8 @@ public:
   bool has(TaskId task, TaskId other) const { return bits_[task * words_ + other / 64] >> other % 64 & 1; }
   std::size_t count(TaskId task) const {
     std::size_t result = 0;
-    for (std::size_t i = 0; i < words_; ++i) result += static_cast<std::size_t>(std::popcount(bits_[task * words_ + i]));
+    for (std::size_t i = 0; i < words_; ++i)
+      result += static_cast<std::size_t>(std::popcount(bits_[task * words_ + i]));
     return result;
   }
 

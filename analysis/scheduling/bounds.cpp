@@ -7,13 +7,15 @@ namespace {
 
 Time ceiling(Time work, Time units) { return (work + units - 1) / units; }
 
-// Intervals that begin at a time a and end c before the end, for one kind of unit. Of a task with head h, duration d and
-// tail t at least min(d, h + d - a, t + d - c, L - a - c) lies within, where L is the length. As c falls from
-// min(t + d, L - a), this grows evenly until it has reached min(d, h + d - a).
+// Intervals that begin at a time a and end c before the end, for one kind of unit. Of a task with head h, duration d
+// and tail t at least min(d, h + d - a, t + d - c, L - a - c) lies within, where L is the length. As c falls from min(t
+// + d, L - a), this grows evenly until it has reached min(d, h + d - a).
 class IntervalWork {
 public:
   IntervalWork(Network const &network, Windows const &windows, std::size_t kind, unsigned units)
-      : network_(network), windows_(windows), units_(units) {
+      : network_(network),
+        windows_(windows),
+        units_(units) {
     for (TaskId task = 0; task < network.size(); ++task)
       if (network.kind[task] == kind && network.duration[task] != 0) tasks_.push_back(task);
   }

@@ -16,8 +16,14 @@ class Search {
 public:
   Search(TaskGraph const &graph, Network const &network, Units const &units, std::vector<char> const &is_dummy,
          Time enough)
-      : graph_(graph), network_(network), reversed_(reversed(network)), units_(units), is_dummy_(is_dummy),
-        enough_(enough), forward_(network_, units, is_dummy_), backward_(reversed_, units, is_dummy_) {}
+      : graph_(graph),
+        network_(network),
+        reversed_(reversed(network)),
+        units_(units),
+        is_dummy_(is_dummy),
+        enough_(enough),
+        forward_(network_, units, is_dummy_),
+        backward_(reversed_, units, is_dummy_) {}
 
   void try_lists() {
     for (bool const from_end : {false, true}) {
@@ -59,9 +65,8 @@ private:
     std::vector<Time> result(net.size());
     for_each_in_order(net, [&](TaskId task) {
       for (TaskId other : net.before.of(task))
-        result[task] = std::max(result[task], result[other] + (is_dummy_[other] || is_dummy_[task]
-                                                                   ? 0
-                                                                   : scale * units_.communication));
+        result[task] = std::max(
+            result[task], result[other] + (is_dummy_[other] || is_dummy_[task] ? 0 : scale * units_.communication));
       result[task] += scale * net.duration[task];
     });
     return result;
@@ -129,8 +134,8 @@ Solution schedule_communicating(TaskGraph const &graph, Units const &units, Effo
   result.length = search.length();
   if (result.is_optimal()) return result;
   if (std::uint64_t const nodes = effort.exact_nodes(graph.size())) {
-    ExactTimetable exact = search_communicating(network, units, is_dummy, window.tail, result.length, result.at_least,
-                                                nodes);
+    ExactTimetable exact =
+        search_communicating(network, units, is_dummy, window.tail, result.length, result.at_least, nodes);
     if (!exact.timetable.start.empty()) {
       result.timetable = std::move(exact.timetable);
       result.length = length(graph, result.timetable.start);

@@ -21,9 +21,17 @@ class Search {
 public:
   Search(Network const &network, Units const &units, Windows const &windows, Time below, Time enough,
          std::uint64_t most_nodes)
-      : network_(network), units_(units), tail_(windows.tail), best_(below), enough_(enough), most_nodes_(most_nodes),
-        all_(network.size() == 64 ? ~Set{0} : one(static_cast<TaskId>(network.size())) - 1), free_(units.count),
-        seen_(most_nodes < 1'000'000 ? 16 : 20), start_(network.size()), head_(network.size()) {
+      : network_(network),
+        units_(units),
+        tail_(windows.tail),
+        best_(below),
+        enough_(enough),
+        most_nodes_(most_nodes),
+        all_(network.size() == 64 ? ~Set{0} : one(static_cast<TaskId>(network.size())) - 1),
+        free_(units.count),
+        seen_(most_nodes < 1'000'000 ? 16 : 20),
+        start_(network.size()),
+        head_(network.size()) {
     order_tasks();
     find_twins();
   }
@@ -117,7 +125,8 @@ private:
     Set const can_begin = ready(ended) & ~started_;
     for (std::size_t i = from; i < by_urgency_.size(); ++i) {
       TaskId const task = by_urgency_[i];
-      if (!(can_begin & ~held_back & one(task)) || free_[network_.kind[task]] == 0 || (first_[task] & can_begin)) continue;
+      if (!(can_begin & ~held_back & one(task)) || free_[network_.kind[task]] == 0 || (first_[task] & can_begin))
+        continue;
       start_[task] = now;
       started_ |= one(task);
       --free_[network_.kind[task]];

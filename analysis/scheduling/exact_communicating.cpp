@@ -17,10 +17,22 @@ class Search {
 public:
   Search(Network const &network, Units const &units, std::vector<char> const &is_dummy, std::vector<Time> const &tail,
          Time below, Time enough, std::uint64_t most_nodes)
-      : network_(network), units_(units), is_dummy_(is_dummy), tail_(tail), best_length_(below), enough_(enough),
-        most_nodes_(most_nodes), count_(static_cast<TaskId>(network.size())), seen_(16), free_(units.total()),
-        has_work_(units.total()), now_{{}, std::vector<std::uint32_t>(network.size())}, head_(network.size()),
-        before_(network.size()), after_(network.size()), by_tail_(network.size()) {
+      : network_(network),
+        units_(units),
+        is_dummy_(is_dummy),
+        tail_(tail),
+        best_length_(below),
+        enough_(enough),
+        most_nodes_(most_nodes),
+        count_(static_cast<TaskId>(network.size())),
+        seen_(16),
+        free_(units.total()),
+        has_work_(units.total()),
+        now_{{}, std::vector<std::uint32_t>(network.size())},
+        head_(network.size()),
+        before_(network.size()),
+        after_(network.size()),
+        by_tail_(network.size()) {
     now_.start.resize(count_);
     for (TaskId task = 0; task < count_; ++task) {
       for (TaskId other : network.before.of(task)) before_[task] |= one(other);

@@ -1,6 +1,6 @@
-// The shortest timetable with communication, by branch and bound. A branch is a task and its unit, in the order in which
-// the tasks begin. Of units without work one is as good as another; of states that differ in the names of units, or in
-// time alone, the earliest is followed.
+// The shortest timetable with communication, by branch and bound. A branch is a task and its unit, in the order in
+// which the tasks begin. Of units without work one is as good as another; of states that differ in the names of units,
+// or in time alone, the earliest is followed.
 #pragma once
 
 #include "analysis/scheduling/network.h"

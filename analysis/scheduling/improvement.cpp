@@ -23,8 +23,13 @@ std::vector<Time> with_duration(Network const &network, std::vector<Time> tail) 
 } // namespace
 
 Improvement::Improvement(Network const &network, Units const &units, Time enough)
-    : network_(network), enough_(enough), reversed_(reversed(network)), list_(network_, units),
-      list_from_end_(reversed_, units), insertion_(network_, units), insertion_from_end_(reversed_, units) {}
+    : network_(network),
+      enough_(enough),
+      reversed_(reversed(network)),
+      list_(network_, units),
+      list_from_end_(reversed_, units),
+      insertion_(network_, units),
+      insertion_from_end_(reversed_, units) {}
 
 void Improvement::keep(std::vector<Time> const &start, Time length) {
   if (!start_.empty() && length >= length_) return;

@@ -1,6 +1,6 @@
-// Insertion: the tasks are taken one by one, the most urgent among those whose predecessors are placed, and each goes to
-// the earliest gap that takes it, between tasks that are placed already. Every timetable that no task could leave for
-// an earlier time comes from some order; among them is a shortest one (J. E. Kelley, 1963).
+// Insertion: the tasks are taken one by one, the most urgent among those whose predecessors are placed, and each goes
+// to the earliest gap that takes it, between tasks that are placed already. Every timetable that no task could leave
+// for an earlier time comes from some order; among them is a shortest one (J. E. Kelley, 1963).
 #pragma once
 
 #include "analysis/scheduling/network.h"
@@ -27,7 +27,9 @@ private:
 class InsertionScheduler {
 public:
   InsertionScheduler(Network const &network, Units const &units)
-      : network_(network), units_(units), busy_(units.count.size()) {}
+      : network_(network),
+        units_(units),
+        busy_(units.count.size()) {}
 
   // The tasks of greater priority are more urgent, then those of smaller id. Returns the length.
   Time run(std::span<Time const> priority, std::vector<Time> &start);

@@ -1,5 +1,5 @@
-// List scheduling: time goes forward; whenever a unit is free and a task of its kind is ready, the most urgent such task
-// begins. No unit ever idles while it could work (R. L. Graham, 1966).
+// List scheduling: time goes forward; whenever a unit is free and a task of its kind is ready, the most urgent such
+// task begins. No unit ever idles while it could work (R. L. Graham, 1966).
 #pragma once
 
 #include "analysis/scheduling/network.h"
@@ -37,9 +37,9 @@ private:
   std::span<Time const> priority_;
   Time now_ = 0;
   std::vector<Time> *start_ = nullptr;
-  std::vector<std::uint32_t> waits_for_;               // per task: predecessors that have not ended
-  std::vector<std::priority_queue<Urgent>> ready_;     // per kind
-  std::vector<TaskId> instant_;                        // ready, and take no time
+  std::vector<std::uint32_t> waits_for_;           // per task: predecessors that have not ended
+  std::vector<std::priority_queue<Urgent>> ready_; // per kind
+  std::vector<TaskId> instant_;                    // ready, and take no time
   std::priority_queue<End, std::vector<End>, std::greater<>> running_;
 };
 

@@ -1,5 +1,5 @@
-// A graph as a chain of parts: all tasks of a part must end before any of the next begins. So the parts can be scheduled
-// one by one, and a shortest timetable of the graph is the shortest ones of its parts, one after the other.
+// A graph as a chain of parts: all tasks of a part must end before any of the next begins. So the parts can be
+// scheduled one by one, and a shortest timetable of the graph is the shortest ones of its parts, one after the other.
 #pragma once
 
 #include "analysis/scheduling/network.h"

@@ -57,6 +57,7 @@ Solution schedule_chain(TaskGraph const &graph, Units const &units, Effort const
 } // namespace
 
 Solution schedule_tasks(TaskGraph const &graph, Units const &units, Effort const &effort) {
+  if (graph.size() == 0) return {};
   return units.communication == 0 ? schedule_chain(graph, units, effort) : schedule_communicating(graph, units, effort);
 }
 

@@ -24,7 +24,8 @@ std::optional<std::string> fault_of_task(TaskGraph const &graph, Units const &un
                                          std::vector<char> const &is_dummy, TaskId task) {
   std::uint32_t const unit = timetable.unit[task], first = units.first_of(kind_of(graph, task));
   if (timetable.start[task] < 0) return name(task) + " begins before time 0";
-  if (unit < first || unit >= first + units.count[kind_of(graph, task)]) return name(task) + " needs a unit of its kind";
+  if (unit < first || unit >= first + units.count[kind_of(graph, task)])
+    return name(task) + " needs a unit of its kind";
   for (TaskId before : graph.predecessors(task)) {
     bool const moved = timetable.unit[before] != unit && !is_dummy[before] && !is_dummy[task];
     if (timetable.start[before] + graph.duration[before] + (moved ? units.communication : 0) > timetable.start[task])

@@ -9,10 +9,14 @@ namespace symreal {
 class UnitChooser {
 public:
   UnitChooser(Network const &network, Units const &units, std::vector<char> const &is_dummy)
-      : network_(network), units_(units), is_dummy_(is_dummy), busy_(units.total()), data_(units.total()) {}
+      : network_(network),
+        units_(units),
+        is_dummy_(is_dummy),
+        busy_(units.total()),
+        data_(units.total()) {}
 
-  // Takes the tasks one by one, the most urgent among those whose predecessors are placed. Each goes to the earliest gap
-  // of its unit in `fixed`; without that, of the unit in which it ends first. Returns the length.
+  // Takes the tasks one by one, the most urgent among those whose predecessors are placed. Each goes to the earliest
+  // gap of its unit in `fixed`; without that, of the unit in which it ends first. Returns the length.
   Time run(std::span<Time const> priority, std::vector<std::uint32_t> const *fixed, Timetable &result);
 
 private:
