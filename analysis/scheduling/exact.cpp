@@ -6,6 +6,7 @@
 #include <array>
 #include <bit>
 #include <numeric>
+#include <tuple>
 
 namespace symreal {
 namespace {
@@ -29,7 +30,7 @@ public:
         most_nodes_(most_nodes),
         all_(network.size() == 64 ? ~Set{0} : one(static_cast<TaskId>(network.size())) - 1),
         free_(units.count),
-        seen_(most_nodes < 1'000'000 ? 16 : 20),
+        seen_(std::min<std::size_t>(network.size() + 4, most_nodes < 1'000'000 ? 16 : 20)),
         start_(network.size()),
         head_(network.size()) {
     order_tasks();
@@ -47,8 +48,11 @@ private:
     std::iota(by_tail_.begin(), by_tail_.end(), TaskId{0});
     std::ranges::stable_sort(by_tail_, std::greater<>(), [&](TaskId task) { return tail_[task]; });
     by_urgency_ = by_tail_;
-    std::ranges::stable_sort(by_urgency_, std::greater<>(),
-                             [&](TaskId task) { return tail_[task] + network_.duration[task]; });
+    // Those that must not be left behind come first: also where the urgency is the same.
+    std::ranges::sort(by_urgency_, {}, [&](TaskId task) {
+      return std::tuple(-tail_[task] - network_.duration[task], -static_cast<Time>(network_.after.of(task).size()),
+                        task);
+    });
   }
 
   void find_twins() {
@@ -65,6 +69,7 @@ private:
             (after[a] & after[b]) == after[b] && (after[a] != after[b] || a < b))
           first_[b] |= one(a);
     longer_.resize(network_.size());
+    could_change_.resize(network_.size());
     for (TaskId a = 0; a < network_.size(); ++a)
       for (TaskId b = 0; b < network_.size(); ++b)
         if (network_.duration[a] < network_.duration[b] && network_.kind[a] == network_.kind[b] &&
@@ -115,6 +120,7 @@ private:
     for_each(started_ & ~ended, [&](TaskId task) {
       result.add(task);
       result.add(static_cast<std::uint64_t>(end_of(task) - now));
+      result.add(could_change_[task] & ~started_);
     });
     return result;
   }
@@ -128,6 +134,7 @@ private:
       if (!(can_begin & ~held_back & one(task)) || free_[network_.kind[task]] == 0 || (first_[task] & can_begin))
         continue;
       start_[task] = now;
+      could_change_[task] = longer_[task] & can_begin;
       started_ |= one(task);
       --free_[network_.kind[task]];
       begin_some(now, ended, held_back, i + 1);
@@ -136,12 +143,6 @@ private:
       if (is_over()) return;
     }
     go_on(ended, can_begin);
-  }
-
-  bool was_ready(TaskId task, Time at) const {
-    for (TaskId before : network_.before.of(task))
-      if (end_of(before) > at) return false;
-    return true;
   }
 
   void go_on(Set ended, Set can_begin) {
@@ -158,11 +159,7 @@ private:
       if (end_of(task) == next) ending |= one(task);
     });
     for_each(ending, [&](TaskId task) { ++free_[network_.kind[task]]; });
-    for_each(ending, [&](TaskId task) {
-      for_each(longer_[task] & can_begin & ~started_ & ~held_back, [&](TaskId other) {
-        if (was_ready(other, start_[task])) held_back |= one(other);
-      });
-    });
+    for_each(ending, [&](TaskId task) { held_back |= could_change_[task] & ~started_; });
     enter(next, ended | ending, held_back);
     for_each(ending, [&](TaskId task) { --free_[network_.kind[task]]; });
   }
@@ -218,8 +215,9 @@ private:
   SeenStates seen_;
   std::vector<Time> start_, head_, best_start_, work_;
   std::vector<Set> before_;
-  std::vector<Set> first_;  // those that must not be ready and unstarted when it begins
-  std::vector<Set> longer_; // those that, if ready when it begins, do not begin when it ends
+  std::vector<Set> first_;        // those that must not be ready and unstarted when it begins
+  std::vector<Set> longer_;       // those that could change places with it, if ready when it begins
+  std::vector<Set> could_change_; // those of them that were
   std::vector<TaskId> by_tail_, by_urgency_;
 };
 

@@ -3,6 +3,7 @@
 #include "analysis/scheduling/communicating.h"
 #include "analysis/scheduling/exact.h"
 #include "analysis/scheduling/improvement.h"
+#include "analysis/scheduling/packing.h"
 #include "analysis/scheduling/parts.h"
 
 #include <algorithm>
@@ -14,9 +15,35 @@ namespace {
 struct PartSolution {
   std::vector<Time> start;
   Time length, interval_bound, at_least;
+  std::uint64_t nodes = 0; // of its exact search
 };
 
-PartSolution schedule_part(TaskGraph const &graph, Units const &units, Effort const &effort) {
+void take(PartSolution &result, TaskGraph const &graph, std::vector<Time> const &start) {
+  if (start.empty()) return;
+  result.start = start;
+  result.length = length(graph, start);
+}
+
+// Of small parts the bound is raised and the timetable shortened until they meet, or the nodes are used up.
+void finish_exactly(PartSolution &result, TaskGraph const &graph, Network const &network, Units const &units,
+                    Windows const &window, std::uint64_t nodes) {
+  if (nodes == 0) return;
+  if (graph.predecessor.empty()) {
+    IndependentPacking const packing = pack_independent(network, units, result.at_least, result.length);
+    take(result, graph, packing.start);
+    result.at_least = packing.at_least;
+  } else {
+    result.at_least = packing_bound(network, units, window, result.at_least, result.length);
+  }
+  if (result.at_least == result.length) return;
+  ExactResult const exact = search_exactly(network, units, window, result.length, result.at_least, nodes);
+  take(result, graph, exact.start);
+  result.nodes = std::min(exact.nodes, nodes);
+  if (exact.is_complete) result.at_least = result.length;
+}
+
+PartSolution schedule_part(TaskGraph const &graph, Units const &units, Effort const &effort,
+                           std::uint64_t &nodes_left) {
   Network const network = make_network(graph);
   bool const is_large = graph.size() > most_searched_tasks;
   Windows const window = windows(network, units);
@@ -27,13 +54,10 @@ PartSolution schedule_part(TaskGraph const &graph, Units const &units, Effort co
   else
     improvement.try_lists(window);
   improvement.search(window, effort.search_steps(graph.size()), effort.seed);
-  PartSolution result{improvement.start(), improvement.length(), bound.interval, bound.best()};
-  if (improvement.is_enough()) return result;
-  if (std::uint64_t const nodes = effort.exact_nodes(graph.size())) {
-    ExactResult const exact = search_exactly(network, units, window, result.length, bound.best(), nodes);
-    if (!exact.start.empty()) result.start = exact.start, result.length = length(graph, exact.start);
-    if (exact.is_complete) result.at_least = result.length;
-  }
+  PartSolution result{improvement.start(), improvement.length(), bound.interval, bound.best(), 0};
+  if (!improvement.is_enough())
+    finish_exactly(result, graph, network, units, window, std::min(effort.exact_nodes(graph.size()), nodes_left));
+  nodes_left -= result.nodes;
   return result;
 }
 
@@ -43,8 +67,9 @@ Solution schedule_chain(TaskGraph const &graph, Units const &units, Effort const
   std::vector<Time> start(graph.size());
   result.bounds.critical_path = critical_path(network);
   result.bounds.work = work_bound(network, units);
+  std::uint64_t nodes_left = effort.exact_nodes(1); // for all parts together
   for (std::vector<TaskId> const &part : chain_of_parts(network)) {
-    PartSolution const solved = schedule_part(part_graph(graph, part), units, effort);
+    PartSolution const solved = schedule_part(part_graph(graph, part), units, effort, nodes_left);
     for (std::size_t i = 0; i < part.size(); ++i) start[part[i]] = result.length + solved.start[i];
     result.length += solved.length;
     result.at_least += solved.at_least;
