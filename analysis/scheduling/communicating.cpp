@@ -129,7 +129,7 @@ Solution schedule_communicating(TaskGraph const &graph, Units const &units, Effo
   result.at_least = result.bounds.best();
   Search search(graph, network, units, is_dummy, result.at_least);
   search.try_lists();
-  search.improve(effort.search_steps(graph.size()), effort.seed);
+  search.improve(effort.search_steps(graph.size(), 1 + units.total() / 16), effort.seed);
   result.timetable = search.best();
   result.length = search.length();
   if (result.is_optimal()) return result;

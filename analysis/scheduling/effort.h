@@ -14,8 +14,8 @@ struct Effort {
   unsigned level = 1; // 0: lists only; 1: a second or so; 2, 3: ten times as much each
   std::uint64_t seed = 1;
 
-  // Of timetables that the local search makes.
-  std::size_t search_steps(std::size_t tasks) const;
+  // Of timetables that the local search makes; `cost` is that of placing a task.
+  std::size_t search_steps(std::size_t tasks, std::size_t cost = 1) const;
   // Of an exact search; 0: none. Up to 30 tasks there are enough to come to the end.
   std::uint64_t exact_nodes(std::size_t tasks) const;
 };
