@@ -1,6 +1,7 @@
 #include "analysis/scheduling/exact_communicating.h"
 
 #include "analysis/scheduling/seen_states.h"
+#include "analysis/scheduling/task_sets.h"
 
 #include <algorithm>
 #include <limits>
@@ -9,9 +10,6 @@
 
 namespace symreal {
 namespace {
-
-using Set = std::uint64_t;
-Set one(TaskId task) { return Set{1} << task; }
 
 class Search {
 public:
@@ -35,8 +33,8 @@ public:
         by_tail_(network.size()) {
     now_.start.resize(count_);
     for (TaskId task = 0; task < count_; ++task) {
-      for (TaskId other : network.before.of(task)) before_[task] |= one(other);
-      for (TaskId other : network.after.of(task)) after_[task] |= one(other);
+      for (TaskId other : network.before.of(task)) before_[task] |= set_of(other);
+      for (TaskId other : network.after.of(task)) after_[task] |= set_of(other);
     }
     std::iota(by_tail_.begin(), by_tail_.end(), TaskId{0});
     std::ranges::sort(by_tail_, std::greater<>(), [&](TaskId task) { return std::pair(tail[task], task); });
@@ -66,7 +64,7 @@ private:
   void enter(Time last, Time length) {
     if (++nodes_ > most_nodes_) is_over_limit_ = true;
     if (is_over_limit_ || best_length_ <= enough_ || is_hopeless(last)) return;
-    if (placed_ == (count_ == 64 ? ~Set{0} : one(count_) - 1)) {
+    if (placed_ == (count_ == 64 ? ~TaskSet{0} : set_of(count_) - 1)) {
       if (length < best_length_) best_ = now_, best_length_ = length;
       return;
     }
@@ -102,11 +100,11 @@ private:
     char const had_work = has_work_[unit];
     now_.start[task] = start;
     now_.unit[task] = unit;
-    placed_ |= one(task);
+    placed_ |= set_of(task);
     if (!is_dummy_[task]) has_work_[unit] = 1;
     if (takes_time) free_[unit] = end_of(task);
     enter(is_dummy_[task] ? last : start, std::max(length, end_of(task)));
-    placed_ &= ~one(task);
+    placed_ &= ~set_of(task);
     free_[unit] = free;
     has_work_[unit] = had_work;
   }
@@ -181,13 +179,13 @@ private:
   std::uint64_t most_nodes_, nodes_ = 0;
   bool is_over_limit_ = false;
   TaskId count_;
-  Set placed_ = 0;
+  TaskSet placed_ = 0;
   SeenStates seen_;
   std::vector<Time> free_;
   std::vector<char> has_work_; // per unit
   Timetable now_, best_;
   std::vector<Time> head_;
-  std::vector<Set> before_, after_;
+  std::vector<TaskSet> before_, after_;
   std::vector<TaskId> by_tail_;
 };
 
