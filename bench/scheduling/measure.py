@@ -12,8 +12,8 @@ import graphs
 
 SIZES = [50, 100, 300, 500, 1000, 2500, 5000]
 UNITS = [2, 4, 8, 16]
-WIDTHS = [6, 20]
-LONGEST = {6: 10, 20: 100}  # durations by width, so that both occur
+WIDTHS = [1, 1.5, 2, 3]  # of the graph, by unit: at about 1.5 work and longest path ask for the same length, which is hardest
+LONGEST = {1: 10, 1.5: 100, 2: 10, 3: 100}  # durations, so that both occur
 RESULTS = pathlib.Path(__file__).with_name("results.md")
 
 
@@ -28,12 +28,12 @@ def solve(path, units, *options):
 def runs(sizes, directory):
     for size in sizes:
         for way in graphs.WAYS:
-            for width in WIDTHS:
-                path = pathlib.Path(directory) / f"{way}-{size}-{width}.stg"
-                path.write_text(graphs.task_graph(way, size, width, LONGEST[width]))
-                for units in UNITS:
-                    yield {"size": size, "way": way.replace("_", " "), "units": units, **solve(path, units)}
-                path.unlink()
+            for units in UNITS:
+                for width in WIDTHS:
+                    path = pathlib.Path(directory) / f"{way}-{size}-{units}-{width}.stg"
+                    path.write_text(graphs.task_graph(way, size, round(width * units), LONGEST[width]))
+                    yield {"size": size, "way": way.replace("_", " "), "units": units, "width": width, **solve(path, units)}
+                    path.unlink()
 
 
 def row(name, found):
@@ -58,18 +58,19 @@ def main():
     with tempfile.TemporaryDirectory() as directory:
         for result in runs(sizes or SIZES, directory):
             found.append(result)
-            print(f"{result['size']:6} {result['way']:22} {result['units']:3} units  {result['gap']:6.2f} %  {result['seconds']:6.2f} s",
+            print(f"{result['size']:6} {result['way']:22} {result['units']:3} units {result['width']:4} {result['gap']:6.2f} %  {result['seconds']:6.2f} s",
                   file=sys.stderr)
     page = f"""# Schedules beside their lower bounds
 
-Written by bench/scheduling/run: `symreal schedule` at its usual effort on graphs of [four kinds](graphs.py), with layers or
-dependencies for {WIDTHS[0]} and {WIDTHS[1]} tasks at once, for {', '.join(map(str, UNITS))} units. The gap is how much longer the timetable is than the
-best lower bound; a timetable without gap is a shortest one. Times are those of the whole command, on a machine that others
-used as well.
+Written by bench/scheduling/run: `symreal schedule` at its usual effort on graphs of [four kinds](graphs.py), for {', '.join(map(str, UNITS))} units,
+whose layers have {', '.join(map(str, WIDTHS))} tasks per unit. The gap is how much longer the timetable is than the best lower bound; a timetable without
+gap is a shortest one. Times are those of the whole command, on a machine that others used as well.
 
 {table(found, 'size', 'Tasks')}
 
 {table(found, 'units', 'Units')}
+
+{table(found, 'width', 'Width per unit')}
 
 {table(found, 'way', 'Dependencies')}
 """

@@ -42,7 +42,7 @@ void print_summary(std::ostream &out, ScheduleReport const &report) {
   fmt::print(out, "at least       {:>12}   critical path {}, work {}, intervals {}\n", solution.at_least,
              solution.bounds.critical_path, solution.bounds.work, solution.bounds.interval);
   if (solution.is_optimal())
-    fmt::print(out, "gap                     0   proven optimal\n");
+    fmt::print(out, "{:<15}{:>12}   proven optimal\n", "gap", 0);
   else
     fmt::print(out, "gap            {:>11.2f}%   not proven optimal\n", gap(solution));
   std::vector<Time> const busy = busy_times(report);
