@@ -16,7 +16,7 @@ std::size_t times_ten(std::size_t number, unsigned times) {
 
 std::size_t Effort::search_steps(std::size_t tasks, std::size_t cost) const {
   if (level == 0 || tasks == 0 || tasks > most_searched_tasks) return 0;
-  return std::min(times_ten(200, level - 1), times_ten(1'000'000, level - 1) / (tasks * cost));
+  return std::min(times_ten(200, level - 1), times_ten(400'000, level - 1) / (tasks * cost));
 }
 
 std::uint64_t Effort::exact_nodes(std::size_t tasks) const {

@@ -1,6 +1,7 @@
 // Task graphs as text, in the format of the Standard Task Graph set (T. Tobita and H. Kasahara, 2002): the number of
 // tasks, then a line for each: its id, its processing time, the number of its predecessors, their ids. Comments begin
-// with '#'. The published files begin and end with a dummy task, which takes no time and which the number leaves out.
+// with '#'. The published files begin and end with a dummy task, which takes no time and which the number leaves out;
+// some have a number of units behind it, which is not used.
 #pragma once
 
 #include "analysis/tasks/task_graph.h"

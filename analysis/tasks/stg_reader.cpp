@@ -90,13 +90,14 @@ std::vector<Row> read_rows(std::string_view text, std::string const &file) {
   Lines lines(text, file);
   std::vector<Word> words;
   if (!lines.next(words)) malformed(lines.end(), "the number of tasks is missing");
-  if (words.size() != 1) malformed(words[1].place, "the number of tasks stands on a line of its own");
+  if (words.size() > 2) malformed(words[2].place, "the number of tasks stands on a line of its own");
+  if (words.size() == 2) number(words[1], "number of units", most_tasks); // that the file was made for
   Word const head = words[0];
   std::uint64_t const count = number(head, "number of tasks", most_tasks);
   std::vector<Row> rows;
   while (lines.next(words)) rows.push_back(read_row(words));
-  auto const dummies = std::ranges::count(rows, Time{0}, &Row::duration);
-  if (rows.size() != count && (rows.size() != count + 2 || dummies < 2))
+  auto const instants = static_cast<std::uint64_t>(std::ranges::count(rows, Time{0}, &Row::duration));
+  if (rows.size() < count || rows.size() > count + std::min(instants, std::uint64_t{2}))
     malformed(head.place, "the number of tasks is " + std::string(head.text) + ", and " + std::to_string(rows.size()) +
                               " follow; only two that take no time may be left out");
   return rows;

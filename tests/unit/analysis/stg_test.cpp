@@ -18,13 +18,14 @@ std::string written(TaskGraph const &graph, std::vector<std::uint64_t> const &id
 constexpr char const *rows = "0 0 0\n1 4 1 0\n2 3 1 0\n3 0 2 1 2\n";
 
 TEST(Stg, counts_the_dummies_or_not) {
-  for (char const *count : {"2\n", "4\n"}) {
+  for (char const *count : {"2\n", "3\n", "4\n", "4 16\n"}) {
     StgTasks const read = read_stg(std::string(count) + rows, "f.stg");
     EXPECT_EQ(read.tasks.duration, (std::vector<Time>{0, 4, 3, 0}));
     EXPECT_EQ(read.tasks.predecessor, (std::vector<TaskId>{0, 0, 1, 2}));
     EXPECT_EQ(written(read.tasks, read.id), std::string("2\n") + rows);
   }
-  EXPECT_THROW(read_stg(std::string("3\n") + rows, "f.stg"), DiagnosticError);
+  EXPECT_THROW(read_stg(std::string("4 16 1\n") + rows, "f.stg"), DiagnosticError);
+  EXPECT_THROW(read_stg(std::string("1\n") + rows, "f.stg"), DiagnosticError);
 }
 
 TEST(Stg, sorts_tasks_and_keeps_their_ids) {
