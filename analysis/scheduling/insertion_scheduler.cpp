@@ -1,0 +1,55 @@
+#include "analysis/scheduling/insertion_scheduler.h"
+
+#include <algorithm>
+
+namespace symreal {
+
+std::size_t Profile::step_at(Time at) {
+  auto const next = std::ranges::upper_bound(steps_, at, {}, &Step::at);
+  auto const step = next - 1;
+  if (step->at == at) return static_cast<std::size_t>(step - steps_.begin());
+  return static_cast<std::size_t>(steps_.insert(next, {at, step->busy}) - steps_.begin());
+}
+
+Time Profile::place(Time earliest, Time duration, unsigned units) {
+  auto i = static_cast<std::size_t>(std::ranges::upper_bound(steps_, earliest, {}, &Step::at) - steps_.begin()) - 1;
+  Time begin = earliest;
+  for (; i < steps_.size() && steps_[i].at < begin + duration; ++i)
+    if (steps_[i].busy >= units) begin = steps_[i + 1].at; // the last step is never full
+  std::size_t const first = step_at(begin), end = step_at(begin + duration);
+  for (std::size_t step = first; step < end; ++step) ++steps_[step].busy;
+  return begin;
+}
+
+Time InsertionScheduler::run(std::span<Time const> priority, std::vector<Time> &start) {
+  for (Profile &profile : busy_) profile.clear();
+  start.assign(network_.size(), 0);
+  waits_for_.resize(network_.size());
+  ready_.clear();
+  for (TaskId task = 0; task < network_.size(); ++task) {
+    waits_for_[task] = static_cast<std::uint32_t>(network_.before.of(task).size());
+    if (waits_for_[task] == 0) ready_.push_back({priority[task], ~task});
+  }
+  std::ranges::make_heap(ready_);
+  Time end = 0;
+  while (!ready_.empty()) {
+    std::ranges::pop_heap(ready_);
+    TaskId const task = ~ready_.back().second;
+    ready_.pop_back();
+    Time earliest = 0;
+    for (TaskId before : network_.before.of(task))
+      earliest = std::max(earliest, start[before] + network_.duration[before]);
+    std::size_t const kind = network_.kind[task];
+    Time const duration = network_.duration[task];
+    start[task] = duration == 0 ? earliest : busy_[kind].place(earliest, duration, units_.count[kind]);
+    end = std::max(end, start[task] + duration);
+    for (TaskId after : network_.after.of(task))
+      if (--waits_for_[after] == 0) {
+        ready_.push_back({priority[after], ~after});
+        std::ranges::push_heap(ready_);
+      }
+  }
+  return end;
+}
+
+} // namespace symreal
