@@ -46,6 +46,21 @@ void require_sense(Goal const &goal, Levels const &levels, Costs const &costs) {
                    costs.in_unit(levels.span), costs.time_unit));
 }
 
+// That of list scheduling is never longer.
+Time longest_schedule(Goal const &goal, Levels const &levels) {
+  return goal.units != 0 ? levels.span + levels.work / goal.units
+                         : std::max(levels.span, std::min(goal.length, levels.work));
+}
+
+// Profiles have a count for each unit of time.
+void require_countable(Time length, Costs const &costs) {
+  constexpr Time most = Time{1} << 28;
+  if (length > most)
+    fail(DiagnosticId::cost_file, {costs.name},
+         fmt::format("with these costs a schedule takes {} {}, and only {} can be counted", costs.in_unit(length),
+                     costs.time_unit, costs.in_unit(most)));
+}
+
 } // namespace
 
 Figures figures(Graph const &graph, Costs const &costs, Goal const &goal) {
@@ -60,6 +75,7 @@ Figures figures(Graph const &graph, Costs const &costs, Goal const &goal) {
   result.levels = levels(tasks);
   Levels const &all = result.levels;
   require_sense(goal, all, costs);
+  require_countable(longest_schedule(goal, all), costs);
   result.slack = slack_figures(tasks, all);
   result.throughput_work = throughput_work(graph, costs, result.operations.node);
   for (TaskId task : critical_path(tasks, all))
@@ -67,7 +83,7 @@ Figures figures(Graph const &graph, Costs const &costs, Goal const &goal) {
       result.critical_path.push_back({result.operations.node[task], all.earliest[task], tasks.duration[task]});
   result.from_inputs = profile(tasks, all.earliest, all.span);
   result.from_outputs = profile(tasks, all.latest, all.span);
-  LevelBounds const bounds(all, result.from_inputs, result.from_outputs);
+  LevelBounds const bounds(tasks, all, result.from_inputs, result.from_outputs);
   result.bounds = length_bounds(bounds, all.span);
   result.levelled = goal.units != 0 ? level_for_units(tasks, all, goal.units)
                                     : level_for_length(tasks, all, bounds, std::max(goal.length, all.span));

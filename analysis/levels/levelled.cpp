@@ -1,5 +1,7 @@
 #include "analysis/levels/levelled.h"
 
+#include "analysis/levels/ready_tasks.h"
+
 #include <algorithm>
 #include <functional>
 #include <optional>
@@ -9,9 +11,7 @@ namespace symreal {
 
 namespace {
 
-// A task and the time by which it is chosen. Ties go to the older task.
-using Entry = std::pair<Time, TaskId>;
-using Earliest = std::priority_queue<Entry, std::vector<Entry>, std::greater<>>;
+using Ending = std::pair<Time, TaskId>;
 
 class Machine {
 public:
@@ -24,18 +24,17 @@ public:
   std::optional<std::vector<Time>> run(std::uint32_t units, Time length) {
     start_.assign(graph_.size(), 0);
     missing_.resize(graph_.size());
-    ready_ = {};
+    ReadyTasks ready(graph_.size(), levels_.span);
     running_ = {};
     for (TaskId task = 0; task < graph_.size(); ++task) {
       missing_[task] = static_cast<std::uint32_t>(graph_.predecessors(task).size());
       if (missing_[task] == 0) fresh_.push_back(task);
     }
-    admit(0);
-    for (Time now = 0; !ready_.empty() || !running_.empty();) {
-      while (!ready_.empty() && running_.size() < units) {
-        auto const [latest, task] = ready_.top();
-        ready_.pop();
-        if (now - latest > length - levels_.span) return {};
+    admit(0, ready);
+    for (Time now = 0; !ready.empty() || !running_.empty();) {
+      while (!ready.empty() && running_.size() < units) {
+        TaskId const task = ready.pop();
+        if (now - levels_.latest[task] > length - levels_.span) return {};
         start_[task] = now;
         running_.emplace(now + graph_.duration[task], task);
       }
@@ -44,7 +43,7 @@ public:
         finish(running_.top().second);
         running_.pop();
       }
-      admit(now);
+      admit(now, ready);
     }
     return std::move(start_);
   }
@@ -56,12 +55,12 @@ private:
   }
 
   // What needs nothing more is ready; or done, if it lasts no time.
-  void admit(Time now) {
+  void admit(Time now, ReadyTasks &ready) {
     while (!fresh_.empty()) {
       TaskId const task = fresh_.back();
       fresh_.pop_back();
       if (graph_.duration[task] != 0) {
-        ready_.emplace(levels_.latest[task], task);
+        ready.push(levels_.latest[task], task);
         continue;
       }
       start_[task] = now;
@@ -75,7 +74,7 @@ private:
   std::vector<Time> start_;
   std::vector<std::uint32_t> missing_; // per task: those before it that have not ended
   std::vector<TaskId> fresh_;
-  Earliest ready_, running_;
+  std::priority_queue<Ending, std::vector<Ending>, std::greater<>> running_;
 };
 
 Levelled finished(TaskGraph const &graph, std::vector<Time> start) {

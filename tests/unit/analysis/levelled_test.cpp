@@ -14,7 +14,7 @@ struct Case {
   TaskGraph graph;
   Levels all = levels(graph);
   LevelProfile early = profile(graph, all.earliest, all.span), late = profile(graph, all.latest, all.span);
-  LevelBounds bounds = LevelBounds(all, early, late);
+  LevelBounds bounds = LevelBounds(graph, all, early, late);
 };
 
 void expect_in_order(TaskGraph const &graph, Levelled const &found) {
@@ -83,7 +83,7 @@ TEST(Levelled, PeaksMoveIntoValleys) {
   LevelProfile const early = profile(graph, all.earliest, 4), late = profile(graph, all.latest, 4);
   EXPECT_EQ(early, (LevelProfile{5, 1, 1, 1}));
   EXPECT_EQ(late, (LevelProfile{1, 1, 1, 5}));
-  Levelled const found = level_for_length(graph, all, LevelBounds(all, early, late), 4);
+  Levelled const found = level_for_length(graph, all, LevelBounds(graph, all, early, late), 4);
   EXPECT_EQ(profile(graph, found.start, 4), (LevelProfile{2, 2, 2, 2}));
 }
 
