@@ -5,6 +5,7 @@
 #include "support/number.h"
 #include "support/quoted.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <iosfwd>
@@ -18,6 +19,7 @@ namespace symreal {
 class Line {
 public:
   Line(std::string_view text, Place place) : place_(std::move(place)) {
+    words_.reserve(8); // those of a node
     for (std::size_t i = 0; i < text.size();) {
       if (text[i] == ';') break;
       if (text[i] == ' ' || text[i] == '\t' || text[i] == '\r') {
@@ -32,7 +34,9 @@ public:
         }
         if (i++ >= text.size()) error("a string is not closed");
       } else {
-        while (i < text.size() && std::string_view(" \t\r;").find(text[i]) == std::string_view::npos) word += text[i++];
+        std::size_t const end = std::min(text.find_first_of(" \t\r;", i), text.size());
+        word.append(text, i, end - i);
+        i = end;
       }
       words_.push_back(std::move(word));
     }

@@ -64,7 +64,7 @@ def commands(block):
 
 
 shutil.rmtree(work, ignore_errors=True)
-for name in ("inputs", "tests/tool", "tests/bad_input"):
+for name in ("inputs", "tests/tool", "tests/bad_input", "tests/analysis"):
     shutil.copytree(root / name, work / name)
 shell = Shell(work)
 count = wrong = 0

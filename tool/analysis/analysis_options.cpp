@@ -1,0 +1,37 @@
+#include "tool/analysis/analysis_options.h"
+
+#include "support/files.h"
+
+#include <cmath>
+
+namespace symreal::tool {
+
+void AnalysisOptions::add_to(CLI::App &app) {
+  app.add_option(
+         "--cost", cost,
+         "What an operation costs: unit (1), table (the table of operations), or a file of symreal measure-costs")
+      ->type_name("unit|table|FILE")
+      ->capture_default_str();
+  CLI::Option *const of_units =
+      app.add_option("--units", units, "Level the operations for so many units that work at once")
+          ->check(CLI::Range(1U, 1U << 20))
+          ->type_name("P");
+  app.add_option("--length", length, "Level them for this length, in the costs' unit (default: the span)")
+      ->check(CLI::PositiveNumber)
+      ->excludes(of_units);
+}
+
+Costs AnalysisOptions::costs() const {
+  if (cost == "unit") return unit_cost_model();
+  if (cost == "table") return table_cost_model();
+  return read_costs(read_file(cost), cost);
+}
+
+Goal AnalysisOptions::goal(Costs const &costs) const {
+  constexpr double longest = 1e15;
+  double const parts = std::floor(length * static_cast<double>(costs.scale) + 1e-6);
+  if (!(parts < longest)) fail(DiagnosticId::bad_option, {}, "--length is no length of a schedule");
+  return {units, length == 0 ? 0 : std::max<Time>(static_cast<Time>(parts), 1)};
+}
+
+} // namespace symreal::tool

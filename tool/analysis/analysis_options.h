@@ -1,0 +1,23 @@
+// Which costs, and what the levelled schedule is for.
+#pragma once
+
+#include "analysis/figures/figures.h"
+
+#include <CLI/CLI.hpp>
+
+#include <string>
+
+namespace symreal::tool {
+
+struct AnalysisOptions {
+  std::string cost = "unit";
+  std::uint32_t units = 0;
+  double length = 0;
+
+  void add_to(CLI::App &app);
+  // Throws cost_file, unreadable_file.
+  Costs costs() const;
+  Goal goal(Costs const &costs) const;
+};
+
+} // namespace symreal::tool

@@ -1,0 +1,30 @@
+// The critical path by source line: operations that follow each other and come from one line are one entry.
+#pragma once
+
+#include "analysis/figures/figures.h"
+#include "graph/operation_counts.h"
+
+#include <string>
+#include <vector>
+
+namespace symreal::tool {
+
+struct PathLine {
+  Place place;      // an empty file: the graph has no places
+  std::string name; // what the source calls the last of its numbers; may be empty
+  Time start = 0, duration = 0;
+  OperationCounts operations;
+  std::size_t count = 0;
+};
+std::vector<PathLine> path_lines(Graph const &graph, std::vector<PathStep> const &path);
+
+// The user's own place of a node; no place where none is known.
+Place place_of(Graph const &graph, NodeId node);
+
+// "2 mul, add"
+std::string to_string(OperationCounts const &operations);
+
+// The line of the source without its indentation; empty where it cannot be read.
+std::string source_text(Place const &place);
+
+} // namespace symreal::tool

@@ -1,0 +1,71 @@
+#include "tool/analysis/plot.h"
+
+#include "support/number.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <iterator>
+
+namespace symreal::tool {
+
+namespace {
+
+constexpr std::size_t most_steps = 2000; // more than there are dots in a plot's width
+
+// In single quotes a quote is doubled, and nothing else has a meaning.
+std::string quoted(std::string_view text) {
+  std::string result = "'";
+  for (char const c : text) result += c == '\'' ? std::string("''") : std::string(1, c);
+  return result + "'";
+}
+
+std::string terminal(std::string const &image) {
+  if (image.ends_with(".svg")) return "svg size 1500,420 dynamic noenhanced font 'Helvetica,13' background '#ffffff'";
+  if (image.ends_with(".png")) return "pngcairo size 1500,420 noenhanced font 'Helvetica,10'";
+  fail(DiagnosticId::bad_option, {}, "the ending of '" + image + "' names no image: use .svg or .png");
+}
+
+// Where there are more than can be told apart, each step is as high as the highest of its own.
+std::string data(std::string const &name, Costs const &costs, LevelProfile const &profile) {
+  std::size_t const width = (profile.size() + most_steps - 1) / most_steps;
+  std::string text = "$" + name + " << END\n";
+  for (std::size_t time = 0; time < profile.size(); time += width) {
+    auto const first = profile.begin() + static_cast<std::ptrdiff_t>(time);
+    auto const last = profile.begin() + static_cast<std::ptrdiff_t>(std::min(time + width, profile.size()));
+    fmt::format_to(std::back_inserter(text), "{} {}\n", shortest(costs.in_unit(static_cast<Time>(time))),
+                   *std::max_element(first, last));
+  }
+  return text + shortest(costs.in_unit(static_cast<Time>(profile.size()))) + " 0\nEND\n";
+}
+
+} // namespace
+
+std::string plot_script(Graph const &graph, Costs const &costs, Figures const &figures, std::string const &image) {
+  struct Plot {
+    std::string name, title;
+    LevelProfile const &profile;
+  } const plots[] = {{"inputs", "from the inputs", figures.from_inputs},
+                     {"outputs", "from the outputs", figures.from_outputs},
+                     {"levelled", "levelled", figures.evened}};
+  std::string text = "set terminal " + terminal(image) + "\nset output " + quoted(image) + "\n";
+  std::size_t length = 0;
+  for (Plot const &plot : plots) {
+    text += data(plot.name, costs, plot.profile);
+    length = std::max(length, plot.profile.size());
+  }
+  std::uint32_t const highest = std::max(peak(figures.from_inputs), peak(figures.from_outputs));
+  std::string const heading =
+      fmt::format("{}: {} operations, span {} {}, mean parallelism {:.2f}", graph.kernel, figures.count,
+                  shortest(costs.in_unit(figures.levels.span)), costs.time_unit, figures.levels.parallelism());
+  text += fmt::format("set multiplot layout 1,3 title {}\n", quoted(heading));
+  text += fmt::format("set xrange [0:{}]\nset yrange [0:{}]\n", shortest(costs.in_unit(static_cast<Time>(length))),
+                      highest + std::max(highest / 20, 1U));
+  text += fmt::format("set xlabel {}\nset ylabel 'operations at once'\nunset key\n",
+                      quoted(costs.scale == 1 ? "level (" + costs.time_unit + ")" : "time (" + costs.time_unit + ")"));
+  for (Plot const &plot : plots)
+    text += fmt::format("set title {}\nplot ${} using 1:2 with fillsteps fillstyle solid 1.0 linecolor rgb '#3b6ea5'\n",
+                        quoted(fmt::format("{}, peak {}", plot.title, peak(plot.profile))), plot.name);
+  return text + "unset multiplot\n";
+}
+
+} // namespace symreal::tool

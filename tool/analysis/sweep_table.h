@@ -1,0 +1,35 @@
+// The figures of a family of programs by its size, and how they grow.
+#pragma once
+
+#include "analysis/figures/figures.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <ostream>
+#include <string>
+#include <vector>
+
+namespace symreal::tool {
+
+// "N=1..16", "N=1..64:4", "N=1,2,4,8": what the size is called, and its values in ascending order.
+struct SweepSizes {
+  std::string name;
+  std::vector<long> values;
+};
+// Throws bad_option.
+SweepSizes parse_sweep(std::string const &text);
+
+struct SweepMember {
+  long size;
+  std::vector<double> figures; // one for each of figure_names
+};
+std::vector<std::string_view> figure_names();
+SweepMember sweep_member(long size, Graph const &graph, Costs const &costs, Figures const &figures);
+
+void print_sweep(std::ostream &out, std::string const &kernel, SweepSizes const &sizes, Costs const &costs,
+                 std::vector<SweepMember> const &members);
+nlohmann::ordered_json to_json(std::string const &kernel, SweepSizes const &sizes, Costs const &costs,
+                               std::vector<SweepMember> const &members);
+std::string sweep_csv(SweepSizes const &sizes, std::vector<SweepMember> const &members);
+
+} // namespace symreal::tool

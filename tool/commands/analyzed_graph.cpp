@@ -1,0 +1,23 @@
+#include "tool/commands/analyzed_graph.h"
+
+#include "graph/graph_text.h"
+#include "support/files.h"
+#include "tool/commands/optimise.h"
+
+namespace symreal::tool {
+
+void add_passes_before_analysis(CLI::App &command, PassOptions &passes) {
+  passes.add_to(command);
+  passes.passes_option->description(
+      "Passes to run before (default: none on a graph, all on a family); symreal opt --help lists them");
+}
+
+Graph analyzed_graph(CLI::App const &command, PassOptions const &passes, std::string const &file) {
+  if (command.count("--fp") != 0 && !passes.is_given())
+    fail(DiagnosticId::option_without_effect, {},
+         "--fp is for passes: without --passes a graph is analyzed as it stands");
+  Graph graph = read_graph(read_file(file), file);
+  return passes.is_given() ? optimise(graph, passes).graph : graph;
+}
+
+} // namespace symreal::tool

@@ -1,0 +1,64 @@
+#include "analysis/costs/measuring.h"
+
+#include "program/process.h"
+#include "program/workspace.h"
+#include "support/files.h"
+#include "tool/commands/subcommands.h"
+#include "tool/output/outputs.h"
+
+#include <fmt/format.h>
+#include <memory>
+
+namespace symreal::tool {
+namespace {
+
+struct Options {
+  std::string output, compiler = "cc";
+  unsigned rounds = 31;
+};
+
+std::string first_line(std::string const &text) { return text.substr(0, text.find('\n')); }
+
+// The compiler in its own words, as other compilers measure other costs.
+std::string version_of(std::string const &compiler) {
+  program::Captured const run = program::capture({{compiler, "--version"}});
+  if (!run.outcome.success()) fail(DiagnosticId::compiler_missing, {}, "the compiler '" + compiler + "' cannot be run");
+  return first_line(run.output);
+}
+
+void run(Options const &options) {
+  require_writable(options.output);
+  std::string const version = version_of(options.compiler);
+  program::Workspace const workspace(/*keep=*/false);
+  std::string const source = workspace.file("costs.c"), executable = workspace.file("costs");
+  write_if_changed(source, measuring_program());
+  std::vector<std::string> command = {options.compiler};
+  for (std::string const &flag : program::split_words(measuring_flags)) command.push_back(flag);
+  command.insert(command.end(), {"-o", executable, source, "-lm"});
+  if (program::Captured const built = program::capture({command}); !built.outcome.success())
+    fail(DiagnosticId::build_failed, {},
+         "'" + options.compiler + "' fails on what measures: " + first_line(built.output));
+  program::Captured const measured = program::capture({{executable, std::to_string(options.rounds)}});
+  std::string const text = measured.outcome.success() ? cost_file_text(measured.output, version) : "";
+  if (text.empty()) fail(DiagnosticId::program_crashed, {}, "the program that measures did not come to its end");
+  write_if_changed(options.output, text);
+}
+
+} // namespace
+
+void add_measure_costs(CLI::App &app, Session &session) {
+  CLI::App *command =
+      app.add_subcommand("measure-costs", "Measure what operations cost on this machine, for analyze --cost");
+  auto options = std::make_shared<Options>();
+  command->add_option("-o", options->output, "Where the costs go, as JSON")->required()->type_name("FILE");
+  command->add_option("--cc", options->compiler, "The C compiler")->capture_default_str();
+  command->add_option("--rounds", options->rounds, "How often each operation is timed; the median counts")
+      ->check(CLI::Range(1U, 10000U))
+      ->capture_default_str();
+  command->callback([options, &session] {
+    refuse_flags(session);
+    run(*options);
+  });
+}
+
+} // namespace symreal::tool
