@@ -1,0 +1,68 @@
+#include "tool/analysis/analysis_options.h"
+#include "tool/commands/optimise.h"
+#include "tool/commands/subcommands.h"
+#include "tool/html/page.h"
+#include "tool/html/report_data.h"
+#include "tool/output/outputs.h"
+
+#include "graph/graph_text.h"
+#include "support/files.h"
+
+#include <iostream>
+#include <memory>
+
+namespace symreal::tool {
+namespace {
+
+struct Options {
+  std::string file, output, units = "4", verification;
+  AnalysisOptions analysis;
+  PassOptions passes;
+};
+
+void run(Options const &options) {
+  require_writable(options.output);
+  Graph const recorded = read_graph(read_file(options.file), options.file);
+  Costs const costs = options.analysis.costs();
+  nlohmann::ordered_json verification;
+  if (!options.verification.empty()) verification = read_verification(options.verification, recorded.kernel);
+  Optimised const optimised = optimise(recorded, options.passes);
+  Sources const sources(recorded);
+  std::string const text = page(recorded.kernel, report_data({{&recorded, &optimised.graph, optimised.stages, {}, {}},
+                                                              costs,
+                                                              options.passes.floating_point(),
+                                                              options.units,
+                                                              std::move(verification)},
+                                                             sources));
+  for (Diagnostic const &warning : gone_sources(sources)) print(std::cerr, warning);
+  write_if_changed(options.output, text);
+}
+
+} // namespace
+
+void add_report(CLI::App &app, Session &session) {
+  CLI::App *command = app.add_subcommand("report", "Write a page on a graph: operations, sources, plots, timetable");
+  auto options = std::make_shared<Options>();
+  command->add_option("graph", options->file, "Graph text, as written by generate --graph")->required();
+  command->add_option("-o", options->output, "The page")->required()->type_name("FILE.html");
+  command
+      ->add_option("--units", options->units,
+                   "Of the timetable: how many, or how many of each kind of operation: mul=2,arithmetic=1,other=1")
+      ->capture_default_str()
+      ->type_name("N|KIND=N,...");
+  command
+      ->add_option(
+          "--cost", options->analysis.cost,
+          "What an operation costs: 1 (unit), the table's weight (table), or what measure-costs wrote (a file)")
+      ->capture_default_str()
+      ->type_name("unit|table|FILE");
+  command->add_option("--verification", options->verification, "What verify --json printed: the page shows it")
+      ->type_name("FILE");
+  options->passes.add_to(*command);
+  command->callback([options, &session] {
+    refuse_flags(session);
+    run(*options);
+  });
+}
+
+} // namespace symreal::tool

@@ -1,0 +1,17 @@
+// The files of the page, which CMake embeds into the tool (cmake/embed.cmake).
+#pragma once
+
+#include <span>
+#include <string_view>
+
+namespace symreal::tool {
+
+struct Asset {
+  std::string_view name; // "page/report.css"
+  std::string_view text;
+};
+
+// The template comes first.
+std::span<Asset const> assets();
+
+} // namespace symreal::tool
