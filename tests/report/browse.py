@@ -70,15 +70,14 @@ def use_graph(browser):
         if "closed" in text(browser, "#graph-status"):
             browser.keys("Enter")
     browser.keys("n")
-    browser.keys(*"++++")
+    browser.keys(*"+" * max(0, round(browser.ask("JSON.parse(document.querySelector('#data').textContent).graph.count") ** 0.5 / 60)))
     see("selected", text(browser, "#graph .details code"))
     see("nodes open", browser.ask(drawn % "nodes"))
     before = browser.ask(f"document.querySelector('{canvas}').toDataURL()")
     browser.wheel(canvas, -240)
     see("wheel changes the graph", before != browser.ask(f"document.querySelector('{canvas}').toDataURL()"))
-    if count(browser, "#graph .details .link[title*='=']"):
-        browser.click("#graph .details .link[title*='=']")
-        see("neighbour", text(browser, "#graph .details code"))
+    browser.click("#graph .details .link[title^='%']")
+    see("neighbour", text(browser, "#graph .details code"))
     browser.ask(f"document.querySelector('{canvas}').focus()")
     browser.keys("0")
 

@@ -4,12 +4,12 @@ function make(tag, properties, ...children) {
   for (const [name, value] of Object.entries(properties || {}))
     if (name.startsWith("on")) element.addEventListener(name.slice(2), value);
     else if (value !== undefined && value !== false) element.setAttribute(name, value === true ? "" : value);
-  element.append(...children.flat().filter(child => child !== undefined && child !== null).map(child =>
+  element.append(...children.flat(Infinity).filter(child => child !== undefined && child !== null).map(child =>
     child instanceof Node ? child : String(child)));
   return element;
 }
 
-const number = value => typeof value === "number" ? value.toLocaleString("en", {maximumFractionDigits: 2}) : String(value);
+const number = value => value === null ? "not finite" : typeof value === "number" ? value.toLocaleString("en", {maximumFractionDigits: 2}) : String(value);
 const plural = (count, word) => `${number(count)} ${word}${count === 1 ? "" : "s"}`;
 const baseName = path => path.slice(path.lastIndexOf("/") + 1);
 

@@ -133,7 +133,7 @@ function graphSection(report) {
       + "arcs lead to the groups that use a group's numbers. Operations of the critical path are outlined."),
     make("div", {class: "tools"}, rangeButtons(view.range, "the graph"),
       button("Taller", () => view.taller(1.4), {"aria-label": "Taller rows"}), button("Flatter", () => view.taller(1 / 1.4), {"aria-label": "Flatter rows"}),
-      button("Open / close", () => view.toggle(view.current), {"aria-label": "Open or close the current group"}), search,
-      make("span", {class: "hint"}, "Click a group to open it. The wheel zooms once the picture has the focus; with Shift it scrolls.")),
+      button("Open / close", () => view.toggle(view.current), {"aria-label": "Open or close the current group"}), search),
+    make("p", {class: "hint"}, "Click a group to open it. The wheel zooms once the picture has the focus; with Shift it scrolls."),
     legend(), view.canvas, view.status, view.details];
 }

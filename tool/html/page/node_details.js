@@ -11,9 +11,9 @@ function nodeDetails(view) {
     row("Operation", make("code", {}, model.text(selected))),
     name ? row("Called", make("code", {}, name)) : [],
     file ? row("From", lineLink(file, group.line), group.parent !== undefined ? " in " + data.groups[group.parent].label : "") : [],
-    row("Takes", operands.length ? operands.map(code => [code >= 0 ? leadTo(code) : make("code", {}, model.operandText(code)), " "]).flat() : "nothing: it goes in"),
-    row("Used by", users.length ? users.slice(0, most).map(user => [leadTo(user), " "]).flat() : "none",
+    row("Takes", operands.length ? operands.map(code => [code >= 0 ? leadTo(code) : make("code", {}, model.operandText(code)), " "]) : "nothing: it goes in"),
+    row("Used by", users.length ? users.slice(0, most).map(user => [leadTo(user), " "]) : "none",
       users.length > most ? ` and ${number(users.length - most)} more` : ""),
     model.results.has(selected) ? row("Output", model.results.get(selected).slice(0, 8).join(", ")) : [],
-    row("Depth", number(model.depth[selected]), model.critical.has(selected) ? " · on the critical path" : ""))];
+    row("Depth", plural(model.depth[selected], "step"), " from the inputs", model.critical.has(selected) ? " · on the critical path" : ""))];
 }

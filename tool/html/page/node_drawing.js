@@ -18,12 +18,13 @@ class NodeDrawing {
       if (lanes.list[i].hasNodes) this.lane(lanes.list[i], height);
     if (this.seen.length <= this.most) {
       context.globalAlpha = 0.55;
-      for (const node of this.seen) this.lines(node, "faint", false);
+      for (const node of this.seen)
+        for (const operand of this.view.model.operands(node)) if (operand >= 0 && this.isShown(operand)) this.line(operand, node, "faint", 1);
       context.globalAlpha = 1;
     }
     const {selected} = this.view;
     if (selected >= 0) {
-      this.lines(selected, "accent", true);
+      for (const operand of this.view.model.operands(selected)) if (operand >= 0) this.line(operand, selected, "accent", 1.75);
       for (const user of this.view.model.users(selected).slice(0, 2000)) this.line(selected, user, "plot-2", 1.75);
     }
     for (const node of this.seen) this.node(node);
@@ -56,9 +57,7 @@ class NodeDrawing {
     const x = this.base.x(model.depth[node] + 0.5), y = this.base.y(lane);
     return lane.hasNodes ? [x, y + 6 + (lanes.rowOf(node) + 0.5) * lanes.pitch] : [x, y + lane.height / 2];
   }
-  lines(node, tint, strong) {
-    for (const operand of this.view.model.operands(node)) if (operand >= 0) this.line(operand, node, tint, strong ? 1.75 : 1);
-  }
+  isShown(node) { return this.view.lanes.list[this.view.lanes.of[this.view.model.group[node]]].hasNodes; }
   line(from, to, tint, thick) {
     const {context} = this, [x1, y1] = this.at(from), [x2, y2] = this.at(to), bend = Math.max(10, (x2 - x1) / 2);
     context.strokeStyle = colour(tint);

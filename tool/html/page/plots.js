@@ -10,13 +10,14 @@ function onePlot(place, report, [key, title, , tint], top, zoomed) {
   const times = values.map((_, i) => i * profiles.step / report.time_scale);
   // The last step is as long as the others.
   times.push(values.length * profiles.step / report.time_scale);
-  const axis = label => ({label, labelSize: 22, size: 46, stroke: () => colour("muted"), font: "12px system-ui",
+  const wholes = [1, 2, 5].flatMap(first => Array.from({length: 10}, (_, i) => first * 10 ** i)).sort((a, b) => a - b);
+  const axis = more => ({...more, stroke: () => colour("muted"), font: "12px system-ui",
     labelFont: "12px system-ui", grid: {stroke: () => colour("line"), width: 1}, ticks: {stroke: () => colour("line"), width: 1}});
   return new uPlot({
     width: place.clientWidth, height: 220, cursor: {sync: {key: "profiles"}, drag: {x: true, y: false}},
     scales: {x: {time: false}, y: {range: [0, top]}},
     legend: {live: true},
-    axes: [axis(`time in ${figures.time_unit}`), axis("")],
+    axes: [axis({label: `time in ${figures.time_unit}`, size: 30, labelSize: 20}), axis({size: 44, incrs: wholes})],
     series: [{label: "time"}, {label: title, stroke: () => colour(tint), fill: () => colour(tint) + "33", width: 1.5,
       paths: uPlot.paths.stepped({align: 1}), points: {show: false}}],
     hooks: {setScale: [(plot, scale) => { if (scale === "x") zoomed(plot); }]},

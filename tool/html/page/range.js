@@ -2,7 +2,7 @@
 class ViewRange {
   constructor(length, changed) {
     this.length = Math.max(length, 1);
-    this.least = Math.min(4, this.length);
+    this.least = Math.min(1, this.length);
     this.changed = changed;
     this.fit();
   }

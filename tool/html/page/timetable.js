@@ -42,12 +42,11 @@ class TimetableView {
     context.font = "12px system-ui, sans-serif";
     context.textBaseline = "middle";
     context.textAlign = "center";
-    context.strokeStyle = colour("line");
-    context.fillStyle = colour("muted");
     for (const at of marks(this.range.from, this.range.to, 12)) {
-      context.fillText(number(at / scale), this.x(at), 11);
-      context.fillRect(this.x(at), gutter.axis, 1, this.height);
       context.fillStyle = colour("muted");
+      context.fillText(number(at / scale), this.x(at), 11);
+      context.fillStyle = colour("line");
+      context.fillRect(this.x(at), gutter.axis, 1, this.height);
     }
     context.save();
     context.beginPath();
@@ -145,8 +144,9 @@ class TimetableView {
 function timetableSection(report) {
   const {timetable, figures, time_scale} = report, view = new TimetableView(report);
   const amount = time => `${number(time / time_scale)} ${figures.time_unit}`;
+  const inARow = figures.time_unit === "nanoseconds" ? "" : " one after the other";
   const words = timetable.proven_optimal ? "No timetable is shorter." : `None is shorter than ${amount(timetable.bounds.best)}: the gap is at most ${number(timetable.gap_percent)} %.`;
-  return [make("p", {}, `${plural(timetable.units.length, "unit")} take ${amount(timetable.length)}. ${words}`),
+  return [make("p", {}, `On ${plural(timetable.units.length, "unit")} it takes as long as ${amount(timetable.length)}${inARow}. ${words}`),
     make("div", {class: "tools"}, rangeButtons(view.range, "the timetable"),
       make("span", {class: "hint"}, "A click on a bar shows the operation in the graph above.")),
     legend(), view.canvas, view.status];
