@@ -70,7 +70,7 @@ def use_graph(browser):
         if "closed" in text(browser, "#graph-status"):
             browser.keys("Enter")
     browser.keys("n")
-    browser.keys(*"+" * max(0, round(browser.ask("JSON.parse(document.querySelector('#data').textContent).graph.count") ** 0.5 / 60)))
+    browser.keys("+")
     see("selected", text(browser, "#graph .details code"))
     see("nodes open", browser.ask(drawn % "nodes"))
     before = browser.ask(f"document.querySelector('{canvas}').toDataURL()")
@@ -124,6 +124,8 @@ def main():
         browser.ask("document.querySelector('#graph').scrollIntoView(); 1")
         browser.settle()
         browser.screenshot(work / f"{name}.png")
+    see("guards", text(browser, "#guards p"))
+    see("verdict", text(browser, "#verification p"))
     see("printed", browser.pdf()[:5].decode())
     print(f"{len(browser.errors)} errors", *browser.errors, sep="\n")
     browser.close()

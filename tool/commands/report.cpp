@@ -8,6 +8,7 @@
 #include "graph/graph_text.h"
 #include "support/files.h"
 
+#include <filesystem>
 #include <iostream>
 #include <memory>
 
@@ -21,6 +22,8 @@ struct Options {
 };
 
 void run(Options const &options) {
+  if (std::filesystem::path(options.output).extension() != ".html")
+    fail(DiagnosticId::bad_option, {}, "-o takes a file that ends in .html, not '" + options.output + "'");
   require_writable(options.output);
   Graph const recorded = read_graph(read_file(options.file), options.file);
   Costs const costs = options.analysis.costs();

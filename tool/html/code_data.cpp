@@ -17,7 +17,7 @@ static Json places(Graph const &graph, std::vector<LocationId> const &locations,
 }
 
 Json code_data(Graph const &graph, FloatingPoint mode, Sources const &sources) {
-  constexpr std::size_t most_nodes = 200'000; // beyond, nobody reads the code, and the page would be slow
+  constexpr std::size_t most_nodes = 100'000; // beyond, nobody reads the code, and the page would be slow
   if (graph.nodes.size() > most_nodes) return {{"nodes", graph.nodes.size()}};
   Schedule const plan = schedule(graph);
   EmitOptions options;

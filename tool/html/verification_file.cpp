@@ -5,11 +5,20 @@ namespace symreal::tool {
 
 using Json = nlohmann::ordered_json;
 
-// What the page reads of it.
+static bool has_number(Json const &json, char const *key) { return json.contains(key) && json[key].is_number(); }
+
+// Whether the page finds in it what it reads.
 static bool is_verification(Json const &json) {
-  return json.is_object() && json.contains("kernel") && json["kernel"].is_string() && json.contains("samples") &&
-         json["samples"].is_number() && json.contains("inside") && json["inside"].is_number() &&
-         json.contains("outputs") && json["outputs"].is_array();
+  if (!json.is_object() || !json.contains("kernel") || !json["kernel"].is_string() || !has_number(json, "samples") ||
+      !has_number(json, "inside") || !json.contains("outputs") || !json["outputs"].is_array())
+    return false;
+  for (Json const &output : json["outputs"])
+    if (!output.is_object() || !output.contains("label") || !has_number(output, "worst_ulp") ||
+        !has_number(output, "different"))
+      return false;
+  for (Json const &guard : json.value("guards", Json::array()))
+    if (!guard.is_object() || !has_number(guard, "failed")) return false;
+  return true;
 }
 
 Json read_verification(std::string const &file, std::string const &kernel) {

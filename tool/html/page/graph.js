@@ -110,10 +110,13 @@ class GraphView {
   }
   reveal(node) {
     this.lanes.openFor(node);
+    if (this.lanes.pitch < 6) this.lanes.setPitch(14);
     this.current = this.lanes.of[this.model.group[node]];
     const lane = this.lanes.list[this.current], y = lane.y + this.lanes.rowOf(node) * this.lanes.pitch;
     if (y < this.scroll || y > this.scroll + this.height - 60) this.scroll = y - this.height / 3;
-    this.range.show(this.model.depth[node]);
+    const steps = (this.canvas.clientWidth - this.laneDrawing.left) / 24, depth = this.model.depth[node];
+    if (this.range.to - this.range.from > 2 * steps) this.range.set(depth + 0.5 - steps / 2, depth + 0.5 + steps / 2);
+    this.range.show(depth);
     this.scrollBy(0);
     this.say();
   }

@@ -15,8 +15,8 @@ class LineList {
       }}, this.rows);
     this.picked = picked;
     new ResizeObserver(() => this.draw()).observe(this.element);
-    addEventListener("beforeprint", () => { this.all = this.lines.length <= 3000; this.draw(); });
-    addEventListener("afterprint", () => { this.all = false; this.draw(); });
+    addEventListener("beforeprint", () => this.print(true));
+    addEventListener("afterprint", () => this.print(false));
   }
   show(text, weights) {
     this.lines = text.replace(/\n$/, "").split("\n");
@@ -27,6 +27,12 @@ class LineList {
     this.rows.style.height = this.lines.length * this.rowHeight + "px";
     this.rows.style.setProperty("--digits", String(this.lines.length).length + "ch");
     this.element.scrollTop = 0;
+    this.draw();
+  }
+  // On paper there are all lines, or, of very many, those in sight.
+  print(begins) {
+    this.all = begins && this.lines.length <= 3000;
+    this.element.classList.toggle("whole", this.all);
     this.draw();
   }
   mark(lines, reveal = true) {

@@ -11,10 +11,7 @@ function tiles(report) {
   ];
   if (!operations.executed.arithmetic) result[0][2] = share(operations.compute.arithmetic, operations.recorded.arithmetic) + " recorded";
   result.push(["Guards", (kernel.guards || []).length, kernel.guards ? "conditions on the inputs" : "holds for all inputs"]);
-  if (verification) {
-    const wrong = verification.outputs.filter(output => output.different).length;
-    result.push(["Verification", wrong ? `${number(wrong)} differ` : "equal", plural(verification.inside, "sample")]);
-  }
+  if (verification) result.push(["Verification", verdict(verification).word, plural(verification.inside, "sample")]);
   return result.map(([name, value, note]) => make("div", {class: "tile"}, make("dt", {}, name),
     make("dd", {}, make("strong", {}, typeof value === "number" ? number(value) : value), make("span", {}, note))));
 }

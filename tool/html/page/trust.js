@@ -1,14 +1,20 @@
 // What the code rests on: guards, baked-in state, verification.
 function guardsSection(report) {
-  const guards = report.kernel.guards || [], checks = (report.verification || {}).guards, samples = (report.verification || {}).samples;
+  const guards = report.kernel.guards || [], {guards: checks, samples} = report.verification || {};
   if (!guards.length) return [make("p", {class: "empty"}, "No guards: the code follows the one path that there is for all inputs.")];
-  const rows = guards.map((guard, i) => [i + 1, make("code", {}, guard.condition || "?"),
-    guard.places.length ? lineLink(guard.places[0].file, guard.places[0].line) : "",
-    ...(checks && checks[i] ? [bar(1 - checks[i].failed / samples, {title: "samples on which it holds"}),
-      `${number(samples - checks[i].failed)} of ${number(samples)}`] : [])]);
-  const heads = ["Guard", "Condition", "Source", ...(checks ? ["Coverage", "Holds on samples"] : [])];
-  return [make("p", {}, "The generated function returns the number of the first guard that does not hold."
-    + (checks ? "" : " How often each holds is known after a verification: --verification FILE.")),
+  // Of code that other passes made, the guards may be others.
+  const covered = checks && checks.length === guards.length, stopped = covered ? checks.map(check => check.failed) : [];
+  let left = samples;
+  const rows = guards.map((guard, i) => {
+    const row = [i + 1, make("code", {}, guard.condition || "?"),
+      guard.places.length ? lineLink(guard.places[0].file, guard.places[0].line) : ""];
+    if (!covered) return row;
+    left -= stopped[i];
+    return [...row, bar(left / samples, {title: "samples on which this one and those above hold"}), left, stopped[i]];
+  });
+  const heads = ["Guard", "Condition", "Source", ...(covered ? ["Coverage", "Go on", "Stop here"] : [])];
+  return [make("p", {}, "The generated function returns the number of the first guard that does not hold. " + (covered
+    ? `All hold on ${number(left)} of ${plural(samples, "sample")} of the verification.` : "How often each holds is known after a verification: --verification FILE.")),
     table("Guards: what the recorded path rests on", heads, rows)];
 }
 
@@ -24,22 +30,38 @@ function frozenSection(report) {
     frozen.map(state => [make("code", {}, state.name), make("code", {}, values(state.values)), link(state.place)]))];
 }
 
+const ulp = distance => distance > 2 ** 53 ? "NaN" : distance;
+
+// Whether all is well, in a word and in a sentence.
+function verdict(result) {
+  const wrong = result.outputs.filter(output => output.different).length, left = result.left_behind || [];
+  const faults = [
+    [wrong, `${plural(wrong, "output")} of ${number(result.outputs.length)} differ from the original.`],
+    [result.rewritten_different, `The rewritten program differs from the original in ${plural(result.rewritten_different, "output")}.`],
+    [result.called_again_different, `Called again, the original differs in ${plural(result.called_again_different, "output")}.`],
+    [left.length, `State is left behind: ${left.map(state => state.name).join(", ")}.`],
+    [!result.inside, "No sample lies within the premises: nothing was compared."],
+  ].filter(([is]) => is);
+  if (faults.length) return {good: false, word: "failed", sentence: faults.map(([, words]) => words).join(" ")};
+  const worst = result.outputs.reduce((most, output) => Math.max(most, output.worst_ulp), 0);
+  const where = `on ${plural(result.inside, "sample")}, in mode ${result.mode}.`;
+  return worst === 0 ? {good: true, word: "equal", sentence: `Every output is equal to the original's ${where}`}
+    : {good: true, word: "in tolerance", sentence: `Every output is within the tolerance, at most ${number(ulp(worst))} ULP from the original's, ${where}`};
+}
+
 function verificationSection(report) {
   const result = report.verification;
   if (!result) return [make("p", {class: "empty"}, "Not given. symreal verify --json SOURCES CODE > FILE, then --verification FILE.")];
-  const wrong = result.outputs.filter(output => output.different), most = 200;
-  const ulp = distance => distance > 2 ** 53 ? "NaN" : distance;
+  const most = 200, {good, sentence} = verdict(result);
   const outside = [["not_finite", "with values that are not finite"], ["zero_sign", "in which the sign of a zero counts"],
     ["undefined", "in which the original is undefined"]].filter(([key]) => result[key]).map(([key, words]) => `${number(result[key])} ${words}`);
-  const rows = [...wrong, ...result.outputs.filter(output => !output.different)].slice(0, most).map(output =>
+  const rows = [...result.outputs].sort((a, b) => (b.different > 0) - (a.different > 0)).slice(0, most).map(output =>
     [make("code", {}, `${output.label} · ${output.element}`), ulp(output.worst_ulp), output.different]);
   return [
-    make("p", {class: wrong.length ? "verdict bad" : "verdict good"}, wrong.length
-      ? `${plural(wrong.length, "output")} of ${number(result.outputs.length)} differ from the original.`
-      : `Every output is equal to the original's on ${plural(result.inside, "sample")}, in mode ${result.mode}.`),
+    make("p", {class: good ? "verdict good" : "verdict bad"}, sentence),
     make("p", {}, `${plural(result.samples, "sample")} were drawn, ${number(result.inside)} lie within the premises.`
       + (outside.length ? ` Outside: ${outside.join(", ")}.` : "")),
-    make("details", {open: wrong.length > 0}, make("summary", {}, "Each output"),
+    make("details", {open: !good}, make("summary", {}, "Each output"),
       table("The largest distance from the original", ["Output · element", "Worst ULP", "Samples that differ"], rows),
       result.outputs.length > most ? make("p", {class: "hint"}, `The first ${most} of ${number(result.outputs.length)}.`) : null)];
 }
