@@ -9,6 +9,7 @@ namespace symreal {
 namespace {
 
 constexpr std::size_t highest_exact = 6, highest_fitted = 3;
+constexpr double close = 0.03;
 
 // Gaussian elimination with pivoting on a few equations; the last column is the right side.
 std::vector<double> solved(std::vector<std::vector<long double>> rows) {
@@ -28,16 +29,15 @@ std::vector<double> solved(std::vector<std::vector<long double>> rows) {
   return result;
 }
 
-// By least squares of the relative deviation.
+// By least squares: of a law the large sizes tell most.
 std::vector<double> coefficients(std::vector<Point> const &points, std::size_t degree) {
   std::vector<std::vector<long double>> rows(degree + 1, std::vector<long double>(degree + 2));
   for (Point const &point : points) {
-    long double const weight = 1 / std::max<long double>(std::abs(point.figure), 1);
-    std::vector<long double> power(degree + 1, weight);
+    std::vector<long double> power(degree + 1, 1);
     for (std::size_t k = 1; k <= degree; ++k) power[k] = power[k - 1] * point.size;
     for (std::size_t i = 0; i <= degree; ++i) {
       for (std::size_t j = 0; j <= degree; ++j) rows[i][j] += power[i] * power[j];
-      rows[i][degree + 1] += power[i] * weight * point.figure;
+      rows[i][degree + 1] += power[i] * point.figure;
     }
   }
   return solved(std::move(rows));
@@ -60,7 +60,15 @@ std::vector<double> through(std::vector<Point> const &points) {
   return {sum.begin(), sum.end()};
 }
 
-double deviation(double fitted, double figure) { return (fitted - figure) / std::max(std::abs(figure), 1.0); }
+// The root of the mean square of the deviation, against that of the figures.
+double residual(Polynomial const &polynomial, std::vector<Point> const &points) {
+  double off = 0, all = 0;
+  for (Point const &point : points) {
+    off += std::pow(polynomial.at(point.size) - point.figure, 2);
+    all += point.figure * point.figure;
+  }
+  return off == 0 ? 0 : std::sqrt(off / all);
+}
 
 bool goes_through(Polynomial const &polynomial, Point const &point) {
   return std::abs(polynomial.at(point.size) - point.figure) <= 1e-6 * std::max(1.0, 1e-3 * std::abs(point.figure));
@@ -108,11 +116,9 @@ std::optional<Polynomial> fit_polynomial(std::vector<Point> const &points) {
   for (std::size_t degree = 0; degree <= highest_fitted && degree + 2 <= points.size(); ++degree) {
     Polynomial candidate{coefficients(points, degree)};
     candidate.from = points.front().size;
-    for (Point const &point : points)
-      candidate.residual += std::pow(deviation(candidate.at(point.size), point.figure), 2);
-    candidate.residual = std::sqrt(candidate.residual / static_cast<double>(points.size()));
+    candidate.residual = residual(candidate, points);
     if (!best || candidate.residual < best->residual) best = candidate;
-    if (best->residual < 0.01) break;
+    if (best->residual < close) break;
   }
   return best;
 }

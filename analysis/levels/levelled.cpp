@@ -1,6 +1,7 @@
 #include "analysis/levels/levelled.h"
 
 #include "analysis/levels/ready_tasks.h"
+#include "diagnostics/diagnostic.h"
 
 #include <algorithm>
 #include <functional>
@@ -89,7 +90,9 @@ Levelled finished(TaskGraph const &graph, std::vector<Time> start) {
 
 Levelled level_for_units(TaskGraph const &graph, Levels const &levels, std::uint32_t units) {
   // No task waits longer than for all the others.
-  return finished(graph, *Machine(graph, levels).run(units, levels.span + levels.work));
+  auto start = Machine(graph, levels).run(units, levels.span + levels.work);
+  if (!start) internal_failure("a list is never longer than all its tasks", __FILE__, __LINE__);
+  return finished(graph, std::move(*start));
 }
 
 Levelled level_for_length(TaskGraph const &graph, Levels const &levels, LevelBounds const &bounds, Time length) {

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
-"""examples_in.py SYMREAL INPUTS DIR LANGUAGE...: generates every example program of INPUTS in C and the languages, into DIR,
-runs each with its recorded inputs, and compares with C as same_in.py does. What calls a library of its own is left out."""
+"""examples_in.py SYMREAL INPUTS DIR [--only NAME,...] LANGUAGE...: generates every example program of INPUTS, or those of these
+names, in C and the languages, into DIR, runs each with its recorded inputs, and compares with C as same_in.py does. What calls
+a library of its own is left out."""
 import os
 import subprocess
 import sys
@@ -34,8 +35,11 @@ EXAMPLES = {
 
 def main():
     symreal, inputs, directory, *languages = sys.argv[1:]
-    failed = False
-    for name, (sources, options) in EXAMPLES.items():
+    failed, names = False, list(EXAMPLES)
+    if languages[0] == "--only":
+        names, languages = languages[1].split(","), languages[2:]
+    for name in names:
+        sources, options = EXAMPLES[name]
         base = os.path.join(directory, f"the_{name}")  # no name that a language has
         before, _, behind = options.partition("-- ")
         subprocess.run([symreal, "generate", *(os.path.join(inputs, source) for source in sources.split()),
@@ -47,7 +51,7 @@ def main():
             if done.returncode != 0:
                 failed = True
                 print(f"{name} in {language}:\n{done.stdout}{done.stderr}")
-    print(f"{len(EXAMPLES)} examples in {', '.join(languages)}: {'not ' if failed else ''}as in C")
+    print(f"{len(names)} examples in {', '.join(languages)}: {'not ' if failed else ''}as in C")
     sys.exit(failed)
 
 

@@ -38,6 +38,8 @@ def build(language, base, library):
         "fortran": [["gfortran", "-std=f2018", "-Wall", "-Wextra", "-Werror", "-Wno-compare-reals", "-Wno-unused-dummy-argument", "-O1",
                      "-ffp-contract=off", f"{name}.f90", f"{name}_main.f90", *linked, "-o", f"{name}.run_fortran"],
                     [f"./{name}.run_fortran"]],
+        "cpp": [["g++", "-std=c++17", "-Wall", "-Wextra", "-Wconversion", "-Werror", "-O1", "-ffp-contract=off", f"{name}.cpp",
+                 f"{name}_main.cpp", *linked, "-o", f"{name}.run_cpp"], [f"./{name}.run_cpp"]],
         "python": [["/usr/bin/python3", "-W", "error", f"{name}_main.py"]],
         "matlab": [["octave-cli", "--quiet", "--norc", "--no-history", f"{name}_main.m"]],
     }[language]

@@ -60,6 +60,15 @@ TEST(Growth, WhatIsNoPolynomialHasAResidual) {
   EXPECT_LT(fit->residual, 0.1);
 }
 
+// A line but for what rounding and the first member leave.
+TEST(Growth, TheSmallestDegreeThatIsCloseIsTaken) {
+  auto const fit = fit_polynomial(family(1, 10, [](int n) { return n == 1 ? 5 : 95 * n / 10; }));
+  ASSERT_TRUE(fit);
+  EXPECT_FALSE(fit->is_exact);
+  ASSERT_EQ(fit->coefficient.size(), 2U);
+  EXPECT_NEAR(fit->coefficient[1], 9.5, 0.5);
+}
+
 // Two points are met by every line, and say nothing of a degree.
 TEST(Growth, TooFewPointsAreNoLaw) {
   auto const fit = fit_polynomial({{1, 1}, {2, 8}});
