@@ -1,5 +1,7 @@
 #include "tool/analysis/blocks_report.h"
 
+#include "graph/graph_text.h"
+
 #include <fmt/format.h>
 #include <fmt/ostream.h>
 #include <nlohmann/json.hpp>
@@ -88,10 +90,11 @@ Json to_json(BlocksReport const &report) {
   return json;
 }
 
-std::string blocks_csv(KernelBlocks const &kernel) {
+std::string blocks_csv(Graph const &graph, KernelBlocks const &kernel) {
+  std::vector<NodeId> const numbers = line_numbers(graph);
   std::string text = "node,block\n";
   for (TaskId task = 0; task < kernel.operations.node.size(); ++task)
-    text += fmt::format("%{},{}\n", kernel.operations.node[task], kernel.blocks[task]);
+    text += fmt::format("%{},{}\n", numbers[kernel.operations.node[task]], kernel.blocks[task]);
   return text;
 }
 

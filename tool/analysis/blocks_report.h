@@ -24,6 +24,6 @@ void print_blocks(std::ostream &out, BlocksReport const &report);
 void print_advice(std::ostream &out, BlocksReport const &report);
 nlohmann::ordered_json to_json(BlocksReport const &report);
 // A line per operation: its node in the graph's text, its block.
-std::string blocks_csv(KernelBlocks const &kernel);
+std::string blocks_csv(Graph const &graph, KernelBlocks const &kernel);
 
 } // namespace symreal::tool

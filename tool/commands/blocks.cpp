@@ -26,7 +26,7 @@ void run(Options const &options, CLI::App const &command) {
   BlocksReport const report = blocks_report(graph, costs, kernel);
   if (!options.csv.empty()) {
     require_writable(options.csv);
-    write_if_changed(options.csv, blocks_csv(kernel));
+    write_if_changed(options.csv, blocks_csv(graph, kernel));
   }
   if (options.json) {
     std::cout << to_json(report).dump(2) << "\n";
