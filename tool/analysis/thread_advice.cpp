@@ -18,7 +18,7 @@ void print_times(std::ostream &out, Advice const &advice) {
   auto const row = [&](std::string const &name, double nanoseconds, std::string const &why) {
     fmt::print(out, "  {:<18}{:>14}   {}\n", name, time(nanoseconds), why);
   };
-  fmt::print(out, "one evaluation takes at least\n");
+  fmt::print(out, "by these costs one evaluation takes at least\n");
   row("on one core", advice.one_core, "the larger of work and longest path");
   row("by levels", advice.by_levels,
       fmt::format("{} levels, a barrier of {} each", advice.levels, time(advice.barrier)));
