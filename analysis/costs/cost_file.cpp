@@ -27,7 +27,8 @@ Times scaled(Times const &times, int factor) { return {times.latency * factor, t
 
 } // namespace
 
-std::string cost_file_text(std::string_view output, std::string const &compiler) {
+std::string cost_file_text(std::string_view output, std::string const &compiler,
+                           std::optional<ThreadCosts> const &threads) {
   std::map<std::string, Times> times;
   std::istringstream lines{std::string(output)};
   for (auto [name, one] = std::pair(std::string(), Times{}); lines >> name >> one.latency >> one.throughput;)
@@ -46,6 +47,7 @@ std::string cost_file_text(std::string_view output, std::string const &compiler)
     if (!is_measured && row.cost != 0) estimated.push_back(name);
   }
   json["estimated"] = estimated;
+  if (threads) json["threads"] = to_json(*threads);
   return json.dump(2) + "\n";
 }
 

@@ -50,6 +50,7 @@ Costs read_costs(std::string_view text, std::string const &file_name) {
     nlohmann::json const json = nlohmann::json::parse(text);
     if (json.at("symreal-costs").get<int>() != 1) throw std::out_of_range("its version is not 1");
     read_operations(json.at("nanoseconds"), costs);
+    if (json.contains("threads")) costs.threads = thread_costs(json.at("threads"));
   } catch (std::exception const &problem) {
     fail(DiagnosticId::cost_file, {file_name}, fmt::format("this file has no costs of operations: {}", problem.what()));
   }

@@ -1,6 +1,7 @@
 // What operations cost: counted, by the table, or as measured on a machine.
 #pragma once
 
+#include "analysis/costs/thread_costs.h"
 #include "analysis/tasks/operation_tasks.h"
 
 #include <array>
@@ -18,6 +19,7 @@ struct Costs {
   OperationCosts latency = {};
   std::array<double, std::tuple_size_v<OperationCosts>> throughput = {};
   std::array<bool, std::tuple_size_v<OperationCosts>> is_known = {};
+  std::optional<ThreadCosts> threads = {}; // of a file that has them
 
   double in_unit(Time time) const { return static_cast<double>(time) / static_cast<double>(scale); }
 };

@@ -21,6 +21,7 @@ inline constexpr std::string_view measuring_flags = "-O1 -std=c99 -ffp-contract=
 
 // From its output the file that read_costs reads. What cannot be measured, as calls of the user's functions, costs what
 // the table says against a measured addition. Nothing if the output is not that of the program.
-std::string cost_file_text(std::string_view output, std::string const &compiler);
+std::string cost_file_text(std::string_view output, std::string const &compiler,
+                           std::optional<ThreadCosts> const &threads = {});
 
 } // namespace symreal

@@ -6,12 +6,22 @@
 
 namespace symreal::tool {
 
-void AnalysisOptions::add_to(CLI::App &app) {
+void add_cost_option(CLI::App &app, std::string &cost) {
   app.add_option(
          "--cost", cost,
          "What an operation costs: unit (1), table (the table of operations), or a file of symreal measure-costs")
       ->type_name("unit|table|FILE")
       ->capture_default_str();
+}
+
+Costs costs_named(std::string const &cost) {
+  if (cost == "unit") return unit_cost_model();
+  if (cost == "table") return table_cost_model();
+  return read_costs(read_file(cost), cost);
+}
+
+void AnalysisOptions::add_to(CLI::App &app) {
+  add_cost_option(app, cost);
   CLI::Option *const of_units =
       app.add_option("--units", units, "Level the operations for so many units that work at once")
           ->check(CLI::Range(1U, 1U << 20))
@@ -21,11 +31,7 @@ void AnalysisOptions::add_to(CLI::App &app) {
       ->excludes(of_units);
 }
 
-Costs AnalysisOptions::costs() const {
-  if (cost == "unit") return unit_cost_model();
-  if (cost == "table") return table_cost_model();
-  return read_costs(read_file(cost), cost);
-}
+Costs AnalysisOptions::costs() const { return costs_named(cost); }
 
 Goal AnalysisOptions::goal(Costs const &costs) const {
   constexpr double longest = 1e15;

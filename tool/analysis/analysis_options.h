@@ -9,6 +9,10 @@
 
 namespace symreal::tool {
 
+void add_cost_option(CLI::App &app, std::string &cost);
+// Throws cost_file, unreadable_file.
+Costs costs_named(std::string const &cost);
+
 struct AnalysisOptions {
   std::string cost = "unit";
   std::uint32_t units = 0;

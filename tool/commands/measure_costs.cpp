@@ -7,6 +7,7 @@
 #include "tool/output/outputs.h"
 
 #include <fmt/format.h>
+#include <iostream>
 #include <memory>
 
 namespace symreal::tool {
@@ -26,29 +27,40 @@ std::string version_of(std::string const &compiler) {
   return first_line(run.output);
 }
 
-void run(Options const &options) {
-  require_writable(options.output);
-  std::string const version = version_of(options.compiler);
+// What a program prints that is compiled and run; nothing if it crashes.
+std::string output_of(Options const &options, std::string_view program, std::string_view flags) {
   program::Workspace const workspace(/*keep=*/false);
   std::string const source = workspace.file("costs.c"), executable = workspace.file("costs");
-  write_if_changed(source, measuring_program());
+  write_if_changed(source, std::string(program));
   std::vector<std::string> command = {options.compiler};
-  for (std::string const &flag : program::split_words(measuring_flags)) command.push_back(flag);
+  for (std::string const &flag : program::split_words(flags)) command.push_back(flag);
   command.insert(command.end(), {"-o", executable, source, "-lm"});
   if (program::Captured const built = program::capture({command}); !built.outcome.success())
     fail(DiagnosticId::build_failed, {},
          "'" + options.compiler + "' fails on what measures: " + first_line(built.output));
   program::Captured const measured = program::capture({{executable, std::to_string(options.rounds)}});
-  std::string const text = measured.outcome.success() ? cost_file_text(measured.output, version) : "";
-  if (text.empty()) fail(DiagnosticId::program_crashed, {}, "the program that measures did not come to its end");
+  return measured.outcome.success() ? measured.output : "";
+}
+
+void run(Options const &options) {
+  require_writable(options.output);
+  std::string const version = version_of(options.compiler);
+  auto const threads = measured_thread_costs(output_of(options, thread_measuring_program(), thread_measuring_flags));
+  std::string const text = cost_file_text(output_of(options, measuring_program(), measuring_flags), version, threads);
+  if (!threads || text.empty())
+    fail(DiagnosticId::program_crashed, {}, "the program that measures did not come to its end");
   write_if_changed(options.output, text);
+  if (!threads->is_measured())
+    std::cerr << "one processor: threads only take turns on it, so that barriers and hand-overs are not measured\n";
+  else if (threads->cores == 1)
+    std::cerr << "all processors are threads of one core: together they compute little more than one alone\n";
 }
 
 } // namespace
 
 void add_measure_costs(CLI::App &app, Session &session) {
   CLI::App *command =
-      app.add_subcommand("measure-costs", "Measure what operations cost on this machine, for analyze --cost");
+      app.add_subcommand("measure-costs", "Measure what operations and threads cost on this machine, for --cost");
   auto options = std::make_shared<Options>();
   command->add_option("-o", options->output, "Where the costs go, as JSON")->required()->type_name("FILE");
   command->add_option("--cc", options->compiler, "The C compiler")->capture_default_str();
