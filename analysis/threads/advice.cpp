@@ -8,6 +8,7 @@
 namespace symreal {
 
 Advice advise(Graph const &graph, Costs const &costs, KernelBlocks const &kernel) {
+  internal_check(costs.threads.has_value());
   ThreadCosts const &threads = *costs.threads;
   TaskGraph const waiting = operation_tasks(graph, costs.latency).tasks;
   double const work = kernel.in_unit(levels(kernel.operations.tasks).work);

@@ -68,6 +68,7 @@ void print_advice(std::ostream &out, BlocksReport const &report) {
     fmt::print(out, "Threads do not pay: the machine has one processor, on which they take turns.\n");
     return;
   }
+  internal_check(report.advice.has_value()); // measured threads, so there is advice
   print_times(out, *report.advice);
   if (count > threads.processors)
     fmt::print(out, "The machine has {} processors: {} threads take turns on it. This is of one that has enough.\n",
