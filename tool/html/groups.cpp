@@ -23,7 +23,9 @@ std::size_t Groups::of(NodeId node) {
 
 std::size_t Groups::place_group(LocationId location) {
   Place const &place = graph_.locations[location].places.front();
-  std::size_t const file = *sources_.number_of(place.file);
+  std::optional<std::size_t> const known = sources_.number_of(place.file);
+  internal_check(known.has_value()); // all places of the graph are
+  std::size_t const file = *known;
   std::string const function = sources_.function_at(file, place.line);
   std::size_t const parent = group(function.empty() ? file_of(place.file) : function, none, file, 0);
   return group(file_of(place.file) + ":" + std::to_string(place.line), parent, file, place.line);

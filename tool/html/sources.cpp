@@ -22,7 +22,8 @@ Sources::Sources(Graph const &graph) {
   for (auto &[name, number] : numbers_) {
     number = files_.size();
     files_.push_back({name, text_of(name), {}});
-    if (files_.back().text) files_.back().functions = function_lines(*files_.back().text);
+    auto &file = files_.back();
+    if (file.text) file.functions = function_lines(*file.text);
   }
 }
 
