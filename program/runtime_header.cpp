@@ -44,7 +44,7 @@ Words without_last(Words const &words, Words &last) {
 bool depends_on_directory(Words const &words) {
   return std::ranges::any_of(rewrite::driver_options(words), [](rewrite::DriverOption const &option) {
     bool const may = option.about == rewrite::About::directories || option.about == rewrite::About::other;
-    return may && option.value.find_first_of("./") < option.value.size() && !option.value.starts_with('/');
+    return may && option.value.find_first_of("./") != option.value.npos && !option.value.starts_with('/');
   });
 }
 

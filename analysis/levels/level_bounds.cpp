@@ -5,8 +5,6 @@
 
 namespace symreal {
 
-static Time rounded_up(Time dividend, Time divisor) { return (dividend + divisor - 1) / divisor; }
-
 LevelBounds::LevelBounds(TaskGraph const &graph, Levels const &levels, LevelProfile const &from_inputs,
                          LevelProfile const &from_outputs)
     : graph_(graph),
@@ -19,13 +17,13 @@ LevelBounds::LevelBounds(TaskGraph const &graph, Levels const &levels, LevelProf
   std::inclusive_scan(from_inputs.rbegin(), from_inputs.rend(), open_.begin() + 1, std::plus<>(), Time{0});
 }
 
-Time LevelBounds::simple_length(std::uint32_t units) const { return std::max(span_, rounded_up(work_, units)); }
+Time LevelBounds::simple_length(std::uint32_t units) const { return std::max(span_, shared(work_, units)); }
 
 Time LevelBounds::length(std::uint32_t units) const {
   Time delay = 0;
   for (std::vector<Time> const *work : {&due_, &open_})
     for (std::size_t time = 1; time < work->size(); ++time)
-      delay = std::max(delay, rounded_up((*work)[time], units) - static_cast<Time>(time));
+      delay = std::max(delay, shared((*work)[time], units) - static_cast<Time>(time));
   return span_ + delay;
 }
 
@@ -33,7 +31,7 @@ std::uint32_t LevelBounds::units(Time length) const {
   Time most = work_ == 0 ? 0 : std::max(surely_at_once(length), 1U);
   for (std::vector<Time> const *work : {&due_, &open_})
     for (std::size_t time = 1; time < work->size(); ++time)
-      most = std::max(most, rounded_up((*work)[time], static_cast<Time>(time) + length - span_));
+      most = std::max(most, shared((*work)[time], static_cast<Time>(time) + length - span_));
   return static_cast<std::uint32_t>(most);
 }
 

@@ -5,8 +5,6 @@
 namespace symreal {
 namespace {
 
-Time ceiling(Time work, Time units) { return (work + units - 1) / units; }
-
 // Intervals that begin at a time a and end c before the end, for one kind of unit. Of a task with head h, duration d
 // and tail t at least min(d, h + d - a, t + d - c, L - a - c) lies within, where L is the length. As c falls from min(t
 // + d, L - a), this grows evenly until it has reached min(d, h + d - a).
@@ -51,7 +49,7 @@ public:
     for (Change const &change : changes_) {
       work += growth * (at - change.at);
       at = change.at;
-      best = std::max(best, begin + at + ceiling(work, units_));
+      best = std::max(best, begin + at + shared(work, units_));
       growth += change.growth;
     }
     return best;
@@ -84,7 +82,7 @@ Time work_bound(Network const &network, Units const &units) {
   for (TaskId task = 0; task < network.size(); ++task) work[network.kind[task]] += network.duration[task];
   Time best = 0;
   for (std::size_t kind = 0; kind < work.size(); ++kind)
-    if (work[kind] != 0) best = std::max(best, ceiling(work[kind], units.count[kind]));
+    if (work[kind] != 0) best = std::max(best, shared(work[kind], units.count[kind]));
   return best;
 }
 

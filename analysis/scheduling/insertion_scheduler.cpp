@@ -24,18 +24,8 @@ Time Profile::place(Time earliest, Time duration, unsigned units) {
 Time InsertionScheduler::run(std::span<Time const> priority, std::vector<Time> &start) {
   for (Profile &profile : busy_) profile.clear();
   start.assign(network_.size(), 0);
-  waits_for_.resize(network_.size());
-  ready_.clear();
-  for (TaskId task = 0; task < network_.size(); ++task) {
-    waits_for_[task] = static_cast<std::uint32_t>(network_.before.of(task).size());
-    if (waits_for_[task] == 0) ready_.push_back({priority[task], ~task});
-  }
-  std::ranges::make_heap(ready_);
   Time end = 0;
-  while (!ready_.empty()) {
-    std::ranges::pop_heap(ready_);
-    TaskId const task = ~ready_.back().second;
-    ready_.pop_back();
+  order_.for_each(network_, priority, [&](TaskId task) {
     Time earliest = 0;
     for (TaskId before : network_.before.of(task))
       earliest = std::max(earliest, start[before] + network_.duration[before]);
@@ -43,12 +33,7 @@ Time InsertionScheduler::run(std::span<Time const> priority, std::vector<Time> &
     Time const duration = network_.duration[task];
     start[task] = duration == 0 ? earliest : busy_[kind].place(earliest, duration, units_.count[kind]);
     end = std::max(end, start[task] + duration);
-    for (TaskId after : network_.after.of(task))
-      if (--waits_for_[after] == 0) {
-        ready_.push_back({priority[after], ~after});
-        std::ranges::push_heap(ready_);
-      }
-  }
+  });
   return end;
 }
 

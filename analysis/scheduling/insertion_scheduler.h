@@ -3,7 +3,7 @@
 // for an earlier time comes from some order; among them is a shortest one (J. E. Kelley, 1963).
 #pragma once
 
-#include "analysis/scheduling/network.h"
+#include "analysis/scheduling/priority_order.h"
 #include "analysis/scheduling/timetable.h"
 
 namespace symreal {
@@ -38,8 +38,7 @@ private:
   Network const &network_;
   Units const &units_;
   std::vector<Profile> busy_; // per kind
-  std::vector<std::uint32_t> waits_for_;
-  std::vector<std::pair<Time, TaskId>> ready_; // a heap of priorities and complements of ids
+  PriorityOrder order_;
 };
 
 } // namespace symreal

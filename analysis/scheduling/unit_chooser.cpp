@@ -48,25 +48,11 @@ Time UnitChooser::run(std::span<Time const> priority, std::vector<std::uint32_t>
   for (std::vector<Busy> &unit : busy_) unit.clear();
   result.start.assign(network_.size(), 0);
   result.unit.assign(network_.size(), 0);
-  waits_for_.resize(network_.size());
-  for (TaskId task = 0; task < network_.size(); ++task) {
-    waits_for_[task] = static_cast<std::uint32_t>(network_.before.of(task).size());
-    if (waits_for_[task] == 0) ready_.push_back({priority[task], ~task});
-  }
-  std::ranges::make_heap(ready_);
   Time length = 0;
-  while (!ready_.empty()) {
-    std::ranges::pop_heap(ready_);
-    TaskId const task = ~ready_.back().second;
-    ready_.pop_back();
+  order_.for_each(network_, priority, [&](TaskId task) {
     place(task, fixed, result);
     length = std::max(length, result.start[task] + network_.duration[task]);
-    for (TaskId after : network_.after.of(task))
-      if (--waits_for_[after] == 0) {
-        ready_.push_back({priority[after], ~after});
-        std::ranges::push_heap(ready_);
-      }
-  }
+  });
   return length;
 }
 

@@ -1,7 +1,7 @@
 // List scheduling that chooses a unit for each task, where results take time from unit to unit.
 #pragma once
 
-#include "analysis/scheduling/network.h"
+#include "analysis/scheduling/priority_order.h"
 #include "analysis/scheduling/timetable.h"
 
 namespace symreal {
@@ -36,8 +36,7 @@ private:
   std::vector<char> const &is_dummy_;
   std::vector<std::vector<Busy>> busy_; // per unit, in order
   std::vector<Time> data_;              // per unit: when it has what the task needs
-  std::vector<std::uint32_t> waits_for_;
-  std::vector<std::pair<Time, TaskId>> ready_; // a heap of priorities and complements of ids
+  PriorityOrder order_;
 };
 
 } // namespace symreal

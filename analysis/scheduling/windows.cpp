@@ -7,8 +7,6 @@
 namespace symreal {
 namespace {
 
-Time ceiling(Time work, unsigned units) { return (work + units - 1) / units; }
-
 std::vector<Time> heads(Network const &network, Units const &units) {
   if (network.size() > most_tasks_with_ancestors) return longest_paths(network);
   Ancestors const ancestors(network);
@@ -22,7 +20,7 @@ std::vector<Time> heads(Network const &network, Units const &units) {
       if (!ancestors.has(task, other)) continue;
       std::size_t const kind = network.kind[other];
       work[kind] += network.duration[other];
-      head[task] = std::max(head[task], head[other] + ceiling(work[kind], units.count[kind]));
+      head[task] = std::max(head[task], head[other] + shared(work[kind], units.count[kind]));
     }
     done.insert(std::ranges::upper_bound(done, head[task], std::greater<>(), [&](TaskId other) { return head[other]; }),
                 task);

@@ -12,6 +12,9 @@ using TaskId = std::uint32_t;
 using Time =
     std::int64_t; // in the unit of whoever made the graph: operations, weights of a table, tenths of a nanosecond
 
+// How long so much work takes at least if it is shared evenly.
+inline Time shared(Time work, Time units) { return (work + units - 1) / units; }
+
 struct TaskGraph {
   std::vector<Time> duration;                         // per task; a topological order: predecessors are older
   std::vector<std::uint32_t> first_predecessor = {0}; // per task, and the end

@@ -16,8 +16,7 @@ namespace symreal::tool {
 namespace {
 
 struct Options {
-  std::string file, output, units = "4", verification;
-  AnalysisOptions analysis;
+  std::string file, output, units = "4", cost = "unit", verification;
   PassOptions passes;
 };
 
@@ -26,7 +25,7 @@ void run(Options const &options) {
     fail(DiagnosticId::bad_option, {}, "-o takes a file that ends in .html, not '" + options.output + "'");
   require_writable(options.output);
   Graph const recorded = read_graph(read_file(options.file), options.file);
-  Costs const costs = options.analysis.costs();
+  Costs const costs = costs_named(options.cost);
   nlohmann::ordered_json verification;
   if (!options.verification.empty()) verification = read_verification(options.verification, recorded.kernel);
   Optimised const optimised = optimise(recorded, options.passes);
@@ -53,12 +52,7 @@ void add_report(CLI::App &app, Session &session) {
                    "Of the timetable: how many, or how many of each kind of operation: mul=2,arithmetic=1,other=1")
       ->capture_default_str()
       ->type_name("N|KIND=N,...");
-  command
-      ->add_option(
-          "--cost", options->analysis.cost,
-          "What an operation costs: 1 (unit), the table's weight (table), or what measure-costs wrote (a file)")
-      ->capture_default_str()
-      ->type_name("unit|table|FILE");
+  add_cost_option(*command, options->cost);
   command->add_option("--verification", options->verification, "What verify --json printed: the page shows it")
       ->type_name("FILE");
   options->passes.add_to(*command);

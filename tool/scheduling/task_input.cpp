@@ -25,9 +25,7 @@ void read_recorded(TaskInput &input, std::string const &text, std::string const 
   Graph const graph = read_graph(text, input.file);
   OperationTasks const read = operation_tasks(graph, cost == "table" ? table_costs() : unit_costs());
   input.tasks = read.tasks;
-  std::vector<std::size_t> number(graph.nodes.size()); // of %k in the text of the graph
-  for (std::size_t node = 0, k = 0; node < graph.nodes.size(); ++node)
-    if (!graph.nodes[node].is_constant()) number[node] = k++;
+  std::vector<NodeId> const number = line_numbers(graph);
   for (NodeId node : read.node) {
     Op const op = graph.nodes[node].op;
     input.operation.push_back(op);

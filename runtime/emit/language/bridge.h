@@ -29,11 +29,12 @@ struct BridgeSyntax {
   // What a function returns: $type of an integer, $count of the numbers of a struct.
   std::string_view no_result = {}, number_result = {}, integer_result = {}, object_result = {};
   // The call, $made, and where what it returns goes: from the first result on.
-  std::string_view no_store = {}, number_store = {}, integer_store = {}, object_store = {};
-  std::string_view object_local = {};                     // $count: a variable of object_store
-  std::string_view made = {}, made_without_result = {};   // $declared $passed $result
+  std::string_view no_store = {}, number_store = {}, object_store = {}; // an integer is a number then
+  std::string_view object_local = {};                                   // $count: a variable of object_store
+  std::string_view made = {}, made_without_result = {};   // $declared $passed $result; the latter, where it differs
   std::string_view structure = {}, import_structure = {}; // $count: a struct; its name, where a declaration needs it
-  // The declarations of all functions: $structures $names and $declared of the parameters, $result.
+  // The declarations of all functions: $structures $names and $declared of the parameters, $result; of those without
+  // one, where they differ.
   std::string_view begin = {}, declaration = {}, declaration_without_result = {}, end = {};
   std::string_view bridge = {}; // $locals $copies $stored $argument_count $result_count
   std::string_view call = {};   // $arguments $array $first $next: the statement

@@ -345,7 +345,6 @@ static constexpr BridgeSyntax bridge = {
     .object_result = "type(numbers_$count)",
     .no_store = "  $made\n",
     .number_store = "  r(1) = $made\n",
-    .integer_store = "  r(1) = $made\n",
     .object_store = "  s = $made\n  r(1:$count) = s%m\n",
     .object_local = "  type(numbers_$count) :: s\n",
     .made = "c_$name($passed)",

@@ -142,10 +142,8 @@ static constexpr BridgeSyntax bridge = {
     .object_result = "Numbers$count",
     .no_store = "    GC.@preserve a r $made\n",
     .number_store = "    r[1] = GC.@preserve a r $made\n",
-    .integer_store = "    r[1] = GC.@preserve a r $made\n",
     .object_store = "    r[1:$count] .= (GC.@preserve a r $made).m\n",
     .made = "ccall(library_function(:$c_name), $result, ($declared), $passed)",
-    .made_without_result = "ccall(library_function(:$c_name), $result, ($declared), $passed)",
     .structure = "struct Numbers$count\n    m::NTuple{$count, Cdouble}\nend\n",
     .begin =
         R"(# Functions of the program's libraries, with structs as what they consist of, in the library that use_library names.

@@ -281,10 +281,8 @@ static constexpr BridgeSyntax bridge = {
     .object_result = "_Numbers$count",
     .no_store = "    $made\n",
     .number_store = "    r[0] = $made\n",
-    .integer_store = "    r[0] = $made\n",
     .object_store = "    r[0:$count] = list($made.m)\n",
     .made = "function($passed)",
-    .made_without_result = "function($passed)",
     .structure = "class _Numbers$count(ctypes.Structure):\n    _fields_ = [(\"m\", ctypes.c_double*$count)]\n\n\n",
     .begin = R"(import ctypes
 

@@ -74,17 +74,13 @@ static constexpr BridgeSyntax bridge = {
     .object_result = " -> Numbers$count",
     .no_store = "    $made;\n",
     .number_store = "    r[0] = $made;\n",
-    .integer_store = "    r[0] = $made;\n",
     .object_store = "    let returned = $made;\n    r[..$count].copy_from_slice(&returned.m);\n",
     .made = "unsafe { library::c_$name($passed) }",
-    .made_without_result = "unsafe { library::c_$name($passed) }",
     .structure = "    #[repr(C)]\n    pub struct Numbers$count {\n        pub m: [f64; $count],\n    }\n\n",
     .begin = "/// Functions of the program's libraries, with structs as what they consist of.\n"
              "mod library {\n    use std::os::raw::*;\n\n",
     .declaration = "    extern \"C\" {\n        #[link_name = \"$c_name\"]\n"
                    "        pub fn c_$name($declared)$result;\n    }\n",
-    .declaration_without_result = "    extern \"C\" {\n        #[link_name = \"$c_name\"]\n"
-                                  "        pub fn c_$name($declared);\n    }\n",
     .end = "}\n\n",
     .bridge = "fn $name(a: &[f64], r: &mut [f64]) {\n    let _ = (a.len(), r.len());\n$copies$stored}\n\n",
     .call = "$name(&[$arguments], &mut $array[$first..]);",

@@ -11,11 +11,12 @@ namespace symreal {
 
 using Kind = ExternalValue::Kind;
 
-std::vector<std::string> bridge_names(Emission const &emission) {
-  NameRules const &rules = emission.language.names;
+std::vector<std::string> bridge_names(Graph const &graph, Language const &language) {
+  if (!language.externals.bridge.is_given()) return {};
+  NameRules const &rules = language.names;
   std::vector<std::string> names;
   std::set<std::string> given;
-  for (External const &external : emission.graph().externals) {
+  for (External const &external : graph.externals) {
     std::string const base = rules.spelled("call_" + external.name.substr(0, 50)); // Fortran's names have 63 characters
     std::string name = base;
     for (int k = 2; !given.insert(rules.key(name)).second; ++k) name = base + "_" + std::to_string(k);
@@ -76,20 +77,22 @@ public:
     fill_.set("passed", fmt::format("{}", fmt::join(passed_, ", "))).set("copies", copies_);
   }
 
-  std::string declaration() { return fill_(has_result() ? syntax_.declaration : syntax_.declaration_without_result); }
+  std::string declaration() const { return fill_(one_of(syntax_.declaration, syntax_.declaration_without_result)); }
 
   std::string bridge() {
-    std::string made = fill_(has_result() ? syntax_.made : syntax_.made_without_result);
+    std::string made = fill_(one_of(syntax_.made, syntax_.made_without_result));
     if (external_.returned.kind == Kind::integer)
       made = converted(external_.returned, made, &BridgeInteger::from, syntax_.from_integer);
     fill_.set("made", made);
     fill_.set("locals", external_.returned.kind == Kind::object ? fill_(syntax_.object_local) : "");
-    fill_.set("stored", by_result(syntax_.no_store, syntax_.number_store, syntax_.integer_store, syntax_.object_store));
+    fill_.set("stored", by_result(syntax_.no_store, syntax_.number_store, syntax_.number_store, syntax_.object_store));
     return fill_(syntax_.bridge);
   }
 
 private:
-  bool has_result() const { return external_.returned.kind != Kind::none; }
+  std::string_view one_of(std::string_view pattern, std::string_view without_result) const {
+    return external_.returned.kind != Kind::none || without_result.empty() ? pattern : without_result;
+  }
 
   std::string by_result(std::string_view none, std::string_view number, std::string_view integer,
                         std::string_view object) const {
@@ -151,10 +154,9 @@ private:
 };
 
 template <class Print> std::string of_each(Emission const &emission, Print const &print) {
-  std::vector<std::string> const names = bridge_names(emission);
   std::string text;
   for (std::size_t number : emission.uses.externals)
-    text += print(BridgePrinter(emission, emission.graph().externals[number], names[number]));
+    text += print(BridgePrinter(emission, emission.graph().externals[number], emission.bridges[number]));
   return text;
 }
 
@@ -191,11 +193,10 @@ std::string print_bridges(Emission const &emission) {
   return laid_out(emission.language, of_each(emission, [](BridgePrinter printer) { return printer.bridge(); }));
 }
 
-std::string bridge_call(Emission const &emission, ExternalCall const &call) {
-  External const *const all = emission.graph().externals.data();
+std::string bridge_call(Emission const &emission, std::size_t number, ExternalCall const &call) {
   std::size_t const base = emission.language.expressions.first_index, count = call.function.result_count();
   return Filling()
-      .set("name", bridge_names(emission)[static_cast<std::size_t>(&call.function - all)])
+      .set("name", emission.bridges[number])
       .set("arguments", fmt::format("{}", fmt::join(call.arguments, ", ")))
       .set("array", call.array)
       .set("first", call.first + base)

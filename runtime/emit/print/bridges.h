@@ -4,12 +4,8 @@
 #include "emit/print/emission.h"
 
 #include <string>
-#include <vector>
 
 namespace symreal {
-
-// The names of the bridges, by function of the graph.
-std::vector<std::string> bridge_names(Emission const &emission);
 
 // The integer type of the language for one of C; nothing if it has none.
 BridgeInteger const *find_integer(BridgeSyntax const &syntax, std::string_view c);
@@ -18,7 +14,7 @@ BridgeInteger const *find_integer(BridgeSyntax const &syntax, std::string_view c
 std::string print_bridge_declarations(Emission const &emission);
 std::string print_bridges(Emission const &emission);
 
-// The statement that calls a bridge.
-std::string bridge_call(Emission const &emission, ExternalCall const &call);
+// The statement that calls the bridge of a function, which has this number in the graph.
+std::string bridge_call(Emission const &emission, std::size_t number, ExternalCall const &call);
 
 } // namespace symreal

@@ -12,7 +12,8 @@ CallStatement::CallStatement(FunctionContext &context, std::size_t statement)
     : context_(context),
       statement_(statement),
       call_(context.body.variables[statement]),
-      function_(context.graph().externals[function_of(context.graph(), context.graph().nodes[call_])]),
+      number_(function_of(context.graph(), context.graph().nodes[call_])),
+      function_(context.graph().externals[number_]),
       is_wanted_(context.body.wanted_returns.contains(call_)) {}
 
 bool CallStatement::has_array() const {
@@ -23,7 +24,7 @@ bool CallStatement::has_array() const {
 std::vector<std::string> CallStatement::print() const {
   Graph const &graph = context_.graph();
   Uses &uses = context_.emission.uses;
-  uses.externals.insert(function_of(graph, graph.nodes[call_]));
+  uses.externals.insert(number_);
   if (is_kept()) context_.arrays.insert("v");
   std::vector<NodeId> const values = arguments_of(graph, graph.nodes[call_].operand[0]);
   bool const is_folded = !context_.constant_paths.empty() && find_complex_function(function_);
@@ -39,7 +40,7 @@ std::vector<std::string> CallStatement::print() const {
     uses.hidden = uses.hidden || value == hidden;
     call.arguments.push_back(value == hidden ? fill(language, language.expressions.hidden, {{"x", use}}) : use);
   }
-  if (has_bridge) return {bridge_call(context_.emission, call)};
+  if (has_bridge) return {bridge_call(context_.emission, number_, call)};
   return language.externals.call(call);
 }
 

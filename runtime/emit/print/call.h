@@ -23,6 +23,7 @@ private:
   FunctionContext &context_;
   std::size_t statement_;
   NodeId call_;
+  std::size_t number_; // of the function
   External const &function_;
   bool is_wanted_; // somebody reads the returned value
 };

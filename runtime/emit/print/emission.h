@@ -4,6 +4,7 @@
 #include "emit/language/emitted.h"
 #include "emit/language/language.h"
 #include "emit/language/words.h"
+#include "emit/print/bridge_names.h"
 #include "emit/print/spellings.h"
 #include "schedule/schedule.h"
 
@@ -11,6 +12,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace symreal {
 
@@ -31,6 +33,7 @@ struct Emission {
   Language const &language;
   EmitOptions const &options;
   Spellings spellings{language};
+  std::vector<std::string> bridges = bridge_names(*plan.graph, language); // by function of the graph
   Uses uses = {};
 
   Graph const &graph() const { return *plan.graph; }

@@ -1,6 +1,5 @@
 #include "emit/print/variable_names.h"
 
-#include "emit/print/bridges.h"
 #include "graph/names.h"
 
 #include <algorithm>
@@ -52,7 +51,7 @@ VariableNames::VariableNames(Emission const &emission, FunctionBody const &body)
   for (std::string const &name : graph.names) all.insert(rules.key(name));
   for (std::string const &name : own_names(emission)) own.insert(rules.key(name));
   for (External const &external : graph.externals) own.insert(rules.key(external.name));
-  for (std::string const &name : bridge_names(emission)) own.insert(rules.key(name));
+  for (std::string const &name : emission.bridges) own.insert(rules.key(name));
   for (std::string const &name : graph.names) {
     std::string base = name;
     // C reserves what begins with an underscore; other letters than ASCII's are not C99.
