@@ -40,6 +40,19 @@ Words without_last(Words const &words, Words &last) {
   return kept;
 }
 
+// The words without the program's macros, but for those that the header or the library looks at. gcc takes a
+// precompiled header all the same, unless a name that it has seen is such a macro; then it reads the text.
+Words without_macros(Words const &words) {
+  Words kept;
+  for (rewrite::DriverOption const &option : rewrite::driver_options(words)) {
+    bool const is_macro = option.name == "-D" || option.name == "-U";
+    bool const is_looked_at = std::ranges::any_of(std::initializer_list<std::string_view>{"_", "MBD_", "SYMREAL_"},
+                                                  [&](auto begin) { return option.value.starts_with(begin); });
+    if (!is_macro || is_looked_at) rewrite::append(kept, option, words);
+  }
+  return kept;
+}
+
 // Whether the words may name a file by where the compiler runs.
 bool depends_on_directory(Words const &words) {
   return std::ranges::any_of(rewrite::driver_options(words), [](rewrite::DriverOption const &option) {
@@ -103,6 +116,7 @@ std::optional<Command> RuntimeHeader::use(Command const &compilation, FilesNow &
   Words last;
   Command common = compilation;
   common.arguments = without_last(compilation.arguments, last);
+  if (!is_clang(compilation)) common.arguments = without_macros(common.arguments);
   if (!depends_on_directory(common.arguments)) common.directory = "/";
   Command const precompilation = header_compilation(common, "");
   std::string key = precompilation.directory;

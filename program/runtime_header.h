@@ -2,9 +2,9 @@
 //
 // It is as large as a small program. gcc and clang take a precompiled header in its place if it was made by the same
 // compiler with the same words: so there is one for each of these. Directories that are searched behind the system's do
-// not count, unless one of them has a header by a name that the precompiled one asks for. It is kept like an object
-// (object_cache.h), made from what it is made from. Making it costs as much as three sources gain; it is made for the
-// third that asks for it, in this run or an earlier one.
+// not count, unless one of them has a header by a name that the precompiled one asks for; nor, for gcc, do the
+// program's macros. It is kept like an object (object_cache.h), made from what it is made from. Making it costs as much
+// as three sources gain; it is made for the third that asks for it, in this run or an earlier one.
 #pragma once
 
 #include "program/object_cache.h"

@@ -9,7 +9,7 @@
 #ifdef SYMREAL_BEFORE_CXX20
 #include <cstddef>
 #include <cstdint>
-#include <memory>
+#include <string> // which has std::allocator; <memory> has much more
 #include <type_traits>
 #include <utility>
 

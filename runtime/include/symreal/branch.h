@@ -36,24 +36,25 @@ template <class A, class B, class = void> struct ChosenOf {
 template <class A, class B> struct ChosenOf<A, B, std::void_t<Common<A, B>>> {
   using Type = SymbolicInt<Common<A, B>>;
 };
-template <class Y, class N> using Chosen =
-    typename ChosenOf<typename ArmOf<std::remove_cvref_t<Y>>::Type, typename ArmOf<std::remove_cvref_t<N>>::Type>::Type;
+template <class YesArm, class NoArm> using Chosen =
+    typename ChosenOf<typename ArmOf<std::remove_cvref_t<YesArm>>::Type,
+                      typename ArmOf<std::remove_cvref_t<NoArm>>::Type>::Type;
 
 } // namespace detail
 
 // c ? yes() : no()
 template <class C, class Yes, class No>
 [[gnu::always_inline]] inline auto symreal_choose(C const &condition, Yes const &yes, No const &no) {
-  using Y = decltype(yes());
-  using N = decltype(no());
-  using Result = detail::Chosen<Y, N>;
-  if constexpr (!is_symbolic_truth<C> && detail::is_symbolic_int<Y> != detail::is_symbolic_int<N>) {
+  using YesArm = decltype(yes());
+  using NoArm = decltype(no());
+  using Result = detail::Chosen<YesArm, NoArm>;
+  if constexpr (!is_symbolic_truth<C> && detail::is_symbolic_int<YesArm> != detail::is_symbolic_int<NoArm>) {
     if (condition) return Result(yes()); // neither converts to the other rather than the other way
     return Result(no());
   } else if constexpr (!is_symbolic_truth<C>) {
     return condition ? yes() : no();
   } else {
-    static_assert(std::is_constructible_v<Result, Y> && std::is_constructible_v<Result, N>,
+    static_assert(std::is_constructible_v<Result, YesArm> && std::is_constructible_v<Result, NoArm>,
                   "symreal: only numbers can be chosen symbolically");
     SymbolicBool const chosen(symreal_truth(condition));
     if (!chosen.is_symbolic() || decisions() != Decisions::select) {

@@ -8,7 +8,6 @@
 #include <symreal/text.h>
 
 #include <cstddef>
-#include <functional>
 #include <limits>
 #include <ostream>
 #include <string>
