@@ -1,10 +1,9 @@
 #include "program/record.h"
 
-#include "graph/graph_text.h"
+#include "graph/graph_binary.h"
 #include "program/explain_met.h"
 #include "program/name_nodes.h"
 #include "program/symbolize.h"
-#include "support/files.h"
 
 #include <algorithm>
 #include <csignal>
@@ -13,7 +12,6 @@
 #include <map>
 #include <regex>
 #include <set>
-#include <sstream>
 
 namespace symreal::program {
 namespace {
@@ -220,8 +218,7 @@ Recording record(std::string const &executable, RunOptions const &options, rewri
     auto found = std::find_if(events.kernels.begin(), events.kernels.end(),
                               [&](RecordedKernel const &recorded) { return is_recording_of(recorded, kernel); });
     if (found != events.kernels.end()) {
-      std::string file = directory + "/" + found->graph_file;
-      Graph graph = read_graph(read_file(file), file);
+      Graph graph = read_binary_graph(directory + "/" + found->graph_file);
       resolve(graph, symbolizer);
       say_in_words_of_source(graph, texts);
       graph.decisions = options.decisions;

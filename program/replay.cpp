@@ -1,7 +1,6 @@
 #include "program/replay.h"
 
-#include "graph/graph_text.h"
-#include "support/files.h"
+#include "graph/graph_binary.h"
 
 #include <algorithm>
 #include <bit>
@@ -13,7 +12,6 @@
 #include <filesystem>
 #include <fmt/format.h>
 #include <poll.h>
-#include <sstream>
 #include <sys/mman.h>
 #include <sys/wait.h>
 #include <thread>
@@ -90,12 +88,10 @@ Replay::Replay(std::string what, std::string const &executable, RunOptions const
                   .inherited = {}};
   command.arguments.insert(command.arguments.end(), options.arguments.begin(), options.arguments.end());
   if (code) {
-    std::string const text = workspace.file("replayed.graph");
-    std::ostringstream graph_text;
-    write_graph(graph_text, graph);
-    write_if_changed(text, graph_text.str());
+    std::string const recorded = workspace.file("replayed.graph");
+    write_binary_graph(recorded, graph);
     command.environment = {"SYMREAL_REPLAY_CODE=" + code->object(), "SYMREAL_REPLAY_PREFIX=" + code->prefix(),
-                           "SYMREAL_REPLAY_GRAPH=" + text};
+                           "SYMREAL_REPLAY_GRAPH=" + recorded};
   }
   server_->start(command, file, begun_as);
 }

@@ -3,7 +3,7 @@
 #include "emit/emit.h"
 #include "emit/language/banner.h"
 #include "graph/frozen.h"
-#include "graph/graph_text.h"
+#include "graph/graph_binary.h"
 #include "passes/pass.h"
 #include "support/files.h"
 #include "support/number.h"
@@ -14,7 +14,6 @@
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>
-#include <sstream>
 #include <unistd.h>
 
 namespace symreal::trace {
@@ -23,9 +22,7 @@ static void hand_to_driver(Graph const &graph, std::string const &output_file) {
   static std::atomic<unsigned> delivered = 0;
   unsigned number = delivered++;
   std::string const name = std::to_string(number) + ".graph";
-  std::ostringstream text;
-  write_graph(text, graph);
-  write_if_changed(record_directory() + "/" + name, text.str());
+  write_binary_graph(record_directory() + "/" + name, graph);
   event({"kernel", graph.kernel, name, output_file});
   for (Frozen const &frozen : graph.frozen) {
     std::string values;

@@ -1,7 +1,6 @@
 #include "verify/replay_code.h"
 
-#include "graph/graph_text.h"
-#include "support/files.h"
+#include "graph/graph_binary.h"
 
 #include <algorithm>
 #include <bit>
@@ -22,7 +21,7 @@ ReplayCode::ReplayCode() {
     std::fprintf(stderr, "%s\n", dlerror());
     std::abort();
   }
-  graph_ = read_graph(read_file(graph), graph);
+  graph_ = read_binary_graph(graph);
 }
 
 template <class Function> static Function *find(void *library, std::string const &name) {
