@@ -25,7 +25,11 @@ struct Node {
   Attribute attribute;
   std::array<NodeId, 3> operand;
 
-  bool operator==(Node const &) const = default;
+  // As words: the array's own comparison is a call of memcmp.
+  bool operator==(Node const &other) const {
+    return op == other.op && operand[0] == other.operand[0] && operand[1] == other.operand[1] &&
+           operand[2] == other.operand[2] && attribute == other.attribute;
+  }
 
   static Node constant(double value) {
     auto bits = std::bit_cast<std::uint64_t>(value);

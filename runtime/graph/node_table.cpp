@@ -15,38 +15,11 @@ static std::size_t hash(Node const &node) {
   return static_cast<std::size_t>(mix * odd >> 7);
 }
 
-static NodeId newest_operand(Node const &node) {
-  NodeId newest = node.operand[0];
-  for (NodeId operand : {node.operand[1], node.operand[2]})
-    if (operand != no_node) newest = std::max(newest, operand);
-  return newest;
-}
-
-Node NodeTable::operation(Op op, NodeId a, NodeId b, NodeId c) const {
-  Attribute attribute = nodes_[a].attribute;
-  for (NodeId operand : {b, c})
-    if (operand != no_node) attribute = std::max(attribute, nodes_[operand].attribute);
-  return {op, attribute_of(op, attribute), {a, b, c}};
-}
-
 NodeId NodeTable::append(Node const &node) {
   auto id = static_cast<NodeId>(nodes_.size());
   nodes_.push_back(node);
   first_user_.push_back(no_node);
   next_user_.push_back(no_node);
-  return id;
-}
-
-NodeId NodeTable::intern(Node const &node) {
-  if (is_leaf(node.op)) return intern_in_hash(node);
-  NodeId owner = newest_operand(node);
-  int steps = 0;
-  for (NodeId user = first_user_[owner]; user != no_node; user = next_user_[user]) {
-    if (nodes_[user] == node) return user;
-    if (++steps == longest_list) return intern_in_hash(node);
-  }
-  NodeId id = append(node);
-  next_user_[id] = std::exchange(first_user_[owner], id);
   return id;
 }
 
@@ -69,6 +42,12 @@ void NodeTable::grow_hash() {
     while (hash_[place] != no_node) place = (place + 1) & mask;
     hash_[place] = id;
   }
+}
+
+void NodeTable::reserve(std::size_t count) {
+  nodes_.reserve(count);
+  first_user_.reserve(count);
+  next_user_.reserve(count);
 }
 
 std::vector<Node> NodeTable::release() {

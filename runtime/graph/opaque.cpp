@@ -44,37 +44,38 @@ bool is_list(Graph const &graph, NodeId id) {
   return node.op == Op::argument || (node.is_constant() && node.value() == 0);
 }
 
-std::string lookup_violation(Graph const &graph, Node const &node) {
+char const *lookup_violation(Graph const &graph, Node const &node) {
   if (!is_number_below(graph, node.operand[0], graph.tables.size())) return "reads a table that does not exist";
   std::size_t const indices = node.op == Op::lookup ? 1 : 2;
-  return graph.tables[table_of(graph, node)].extents.size() == indices ? "" : "has not as many indices as its table";
+  return graph.tables[table_of(graph, node)].extents.size() == indices ? nullptr
+                                                                       : "has not as many indices as its table";
 }
 
-std::string call_violation(Graph const &graph, Node const &node) {
+char const *call_violation(Graph const &graph, Node const &node) {
   if (!is_number_below(graph, node.operand[1], graph.externals.size())) return "calls a function that does not exist";
   if (!is_list(graph, node.operand[0])) return "has no list of arguments";
   External const &external = graph.externals[function_of(graph, node)];
   if (external.pure != (node.op == Op::call)) return "is not the kind of call that its function needs";
   if (arguments_of(graph, node.operand[0]).size() != external.argument_count())
     return "has not as many arguments as its function takes";
-  if (node.op == Op::call) return {};
+  if (node.op == Op::call) return nullptr;
   Node const &before = graph.nodes[node.operand[2]];
   bool const is_first = before.is_constant() && before.value() == 0;
-  return is_first || before.op == Op::call_in_order ? "" : "follows something that is no call in order";
+  return is_first || before.op == Op::call_in_order ? nullptr : "follows something that is no call in order";
 }
 
-std::string returned_violation(Graph const &graph, Node const &node) {
+char const *returned_violation(Graph const &graph, Node const &node) {
   Node const &call = graph.nodes[node.operand[0]];
   if (!is_call(call.op)) return "is a result of something that is no call";
   std::size_t const results = graph.externals[function_of(graph, call)].result_count();
-  return is_number_below(graph, node.operand[1], results) ? "" : "is a result that its function does not have";
+  return is_number_below(graph, node.operand[1], results) ? nullptr : "is a result that its function does not have";
 }
 
 } // namespace
 
-std::string find_opaque_violation(Graph const &graph, NodeId id) {
+char const *find_opaque_violation(Graph const &graph, NodeId id) {
   Node const &node = graph.nodes[id];
-  std::string what;
+  char const *what = nullptr;
   std::size_t first_value = 0; // of the operands, where those begin that must be numbers
   switch (node.op) {
   case Op::lookup:
@@ -96,7 +97,7 @@ std::string find_opaque_violation(Graph const &graph, NodeId id) {
   }
   for (std::size_t i = first_value; i < arity(node.op); ++i)
     if (is_structure(graph, node.operand[i])) what = "computes with something that is no number";
-  return what.empty() ? what : "node " + std::to_string(id) + " " + what;
+  return what;
 }
 
 } // namespace symreal

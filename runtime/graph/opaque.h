@@ -8,8 +8,8 @@
 namespace symreal {
 
 // The invariant of an opaque node, and of its neighbours: a list of arguments and a call stand only where they belong.
-// The violation in words, or empty.
-std::string find_opaque_violation(Graph const &graph, NodeId id);
+// The violation in words, or nullptr.
+char const *find_opaque_violation(Graph const &graph, NodeId id);
 
 // An index of a table: truncated, and moved into the extent. Not a number counts as 0.
 std::size_t table_index(double index, std::size_t extent);

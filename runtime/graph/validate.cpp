@@ -16,24 +16,25 @@ static std::string check_objects(std::vector<Object> const &objects) {
   return {};
 }
 
-static std::string check_node(Graph const &graph, NodeId id) {
+// The violation in words, or nullptr.
+static char const *find_node_violation(Graph const &graph, NodeId id) {
   Node const &node = graph.nodes[id];
-  auto at = [id](char const *text) { return "node " + std::to_string(id) + " " + text; };
-  if (node.op >= Op::count) return at("has no operation");
-  if (node.op == Op::input && node.slot() >= graph.input_count()) return at("names an input that does not exist");
-  if (node.op == Op::parameter && node.slot() >= graph.parameter_count())
-    return at("names a parameter that does not exist");
-  if (is_leaf(node.op)) return {};
+  if (node.op >= Op::count) return "has no operation";
+  if (node.op == Op::input) return node.slot() < graph.input_count() ? nullptr : "names an input that does not exist";
+  if (node.op == Op::parameter)
+    return node.slot() < graph.parameter_count() ? nullptr : "names a parameter that does not exist";
+  if (is_leaf(node.op)) return nullptr;
   Attribute attribute = Attribute::constant;
+  std::size_t const operands = arity(node.op);
   for (std::size_t i = 0; i < node.operand.size(); ++i) {
-    if ((i < arity(node.op)) != (node.operand[i] != no_node)) return at("has the wrong number of operands");
-    if (i >= arity(node.op)) continue;
-    if (node.operand[i] >= id) return at("is older than its operand");
+    if ((i < operands) != (node.operand[i] != no_node)) return "has the wrong number of operands";
+    if (i >= operands) continue;
+    if (node.operand[i] >= id) return "is older than its operand";
     if (is_wide(graph.nodes[node.operand[i]].op) != takes_wide(node.op, i))
-      return at(takes_wide(node.op, i) ? "takes integers of 64 bits" : "takes no integers of 64 bits");
+      return takes_wide(node.op, i) ? "takes integers of 64 bits" : "takes no integers of 64 bits";
     attribute = std::max(attribute, graph.nodes[node.operand[i]].attribute);
   }
-  if (node.attribute != attribute_of(node.op, attribute)) return at("has the wrong attribute");
+  if (node.attribute != attribute_of(node.op, attribute)) return "has the wrong attribute";
   return find_opaque_violation(graph, id);
 }
 
@@ -67,7 +68,8 @@ std::string find_violation(Graph const &graph) {
   for (NodeId stored : graph.precomputed)
     if (graph.nodes[stored].attribute != Attribute::parametric) return "a precomputed node is not parametric";
   for (std::size_t id = 0; id < graph.nodes.size(); ++id)
-    if (std::string violation = check_node(graph, static_cast<NodeId>(id)); !violation.empty()) return violation;
+    if (char const *violation = find_node_violation(graph, static_cast<NodeId>(id)))
+      return "node " + std::to_string(id) + " " + violation;
   return {};
 }
 

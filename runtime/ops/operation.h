@@ -2,8 +2,11 @@
 // evaluation. The enum stands in include/symreal/op.h, since a symbolic program sees it.
 #pragma once
 
+#include "diagnostics/diagnostic.h"
+
 #include <symreal/op.h>
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -36,17 +39,33 @@ inline constexpr unsigned COMMUTATIVE = 1, ROUNDED = 2, ZERO_SIGN = 4, BOOLEAN =
                           ERROR = 4096;
 }
 
-// All operations in the order of the table.
-std::span<OperationInfo const> operations();
+namespace detail {
+using namespace flag;
+// In the header, since passes look at the rows of every node of a graph.
+inline constexpr std::array operation_table = {
+#define OPERATION(id, arity, form, c, precedence, evaluate, derivative, cost, flags, domain, doc)                      \
+  OperationInfo{Op::id, #id, arity, Form::form, c, precedence, derivative, cost, flags, Domain::domain, doc},
+#include <symreal/operations.def>
+#undef OPERATION
+};
+} // namespace detail
 
-// The row of an operation; leaves have none.
-OperationInfo const &info(Op op);
+// All operations in the order of the table.
+inline std::span<OperationInfo const> operations() { return detail::operation_table; }
+
 inline bool is_leaf(Op op) { return op <= Op::parameter; }
-unsigned arity(Op op);
+// The row of an operation; leaves have none.
+inline OperationInfo const &info(Op op) {
+  internal_check(!is_leaf(op));
+  return detail::operation_table[static_cast<std::size_t>(op) - static_cast<std::size_t>(Op::parameter) - 1];
+}
+inline unsigned arity(Op op) { return is_leaf(op) ? 0 : info(op).arity; }
 // An integer of 64 bits: its value among those of nodes is its bits.
 inline bool is_wide(Op op) { return !is_leaf(op) && info(op).has(flag::WIDE); }
 // Whether operand `i` must be one.
-bool takes_wide(Op op, std::size_t i);
+inline bool takes_wide(Op op, std::size_t i) {
+  return info(op).has(flag::TAKES_WIDE) && !(info(op).form == Form::select && i == 0);
+}
 inline bool is_call(Op op) { return op == Op::call || op == Op::call_in_order; }
 std::optional<Op> find_operation(std::string_view name);
 

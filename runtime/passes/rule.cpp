@@ -61,6 +61,16 @@ static bool match_term(Term const &term, FloatingPoint mode, NodeId id, NodeTabl
   return true;
 }
 
+// What a look at the operand alone tells: most rules end here.
+static bool may_match(Term const &term, Node const &node) {
+  switch (term.kind) {
+  case Term::Kind::number: return node.is_constant();
+  case Term::Kind::variable: return term.variable != 'k' || node.is_constant();
+  case Term::Kind::operation: break;
+  }
+  return node.op == term.op;
+}
+
 bool match(Rule const &rule, Node const &node, NodeTable const &table, Bindings &bindings) {
   std::array<NodeId, 3> operand = node.operand;
   for (bool exchanged : {false, true}) {
@@ -68,10 +78,13 @@ bool match(Rule const &rule, Node const &node, NodeTable const &table, Bindings 
       if (!info(node.op).has(flag::COMMUTATIVE)) return false;
       std::swap(operand[0], operand[1]);
     }
-    bindings.node.fill(no_node);
+    std::vector<Term> const &terms = rule.pattern.operands;
     bool matched = true;
-    for (std::size_t i = 0; matched && i < rule.pattern.operands.size(); ++i)
-      matched = match_term(rule.pattern.operands[i], rule.mode, operand[i], table, bindings);
+    for (std::size_t i = 0; matched && i < terms.size(); ++i) matched = may_match(terms[i], table[operand[i]]);
+    if (!matched) continue;
+    bindings.node.fill(no_node);
+    for (std::size_t i = 0; matched && i < terms.size(); ++i)
+      matched = match_term(terms[i], rule.mode, operand[i], table, bindings);
     if (!matched) continue;
     if (rule.condition == Condition::x_newer && !is_newer(bindings['x'], bindings['y'], table)) continue;
     if (rule.condition == Condition::x_truth && !is_truth(table[bindings['x']])) continue;

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <limits>
+#include <new>
 
 extern "C" char const __ehdr_start; // the linker's name for where this executable is loaded
 
@@ -58,6 +59,21 @@ void Pool::begin(Columns columns) {
   values_.clear();
   places_.clear();
   columns_ = columns;
+  make_room();
+}
+
+// Address space, not memory: a page is taken when a node is put there, in large pages where the system has them. A
+// recording that outgrows it moves.
+void Pool::make_room() {
+  for (std::size_t count = std::size_t{1} << 26; count > std::size_t{1} << 16; count /= 2) {
+    try {
+      table_.reserve(count);
+      if (columns_.values) values_.reserve(count);
+      if (columns_.places) places_.reserve(count);
+      return;
+    } catch (std::bad_alloc const &) { // less of it is given
+    }
+  }
 }
 
 std::vector<Node> Pool::end() {
@@ -67,9 +83,7 @@ std::vector<Node> Pool::end() {
   return table_.release();
 }
 
-RealNumber Pool::number(NodeId id) const {
-  return RealNumber::from_bits(detail::node_tag << 40 | std::uint64_t{generation_} << 32 | id);
-}
+RealNumber Pool::number(NodeId id) const { return RealNumber::from_bits(std::uint64_t{upper_half()} << 32 | id); }
 
 RealNumber Pool::leaf(Node const &node, double value, void const *caller) {
   NodeId id = table_.intern(node);
@@ -89,8 +103,7 @@ NodeId Pool::checked(RealNumber number) const {
   return static_cast<NodeId>(number.to_bits());
 }
 
-NodeId Pool::node(RealNumber number) {
-  if (number.is_node()) return checked(number);
+NodeId Pool::node_of_constant(RealNumber number) {
   if (Pool::is_tagged(number.to_bits())) {
     report_here(DiagnosticId::leak, "a symbolic value came back from code that was not rewritten");
     give_up();

@@ -41,7 +41,10 @@ public:
   RealNumber record(Op op, RealNumber x, RealNumber y, RealNumber z, void const *caller = nullptr);
 
   // The node behind a number; a constant is interned. Leaks and stale nodes end the program with a diagnostic.
-  NodeId node(RealNumber number);
+  NodeId node(RealNumber number) {
+    if (number.to_bits() >> 32 == upper_half()) return static_cast<NodeId>(number.to_bits());
+    return number.is_node() ? checked(number) : node_of_constant(number);
+  }
   double carried_value(RealNumber number);
   // Bits of a node, also where code that was not rewritten made it quiet or changed its sign.
   static bool is_tagged(std::uint64_t bits) { return (bits & ~marks) >> 40 == (detail::node_tag & ~marks >> 40); }
@@ -65,6 +68,10 @@ public:
 private:
   static constexpr std::uint64_t marks = std::uint64_t{1} << 63 | std::uint64_t{1} << 51;
   static std::uint8_t generation_of(RealNumber number) { return static_cast<std::uint8_t>(number.to_bits() >> 32); }
+  // The upper half of this pool's nodes; that of no node while nothing is recorded.
+  std::uint32_t upper_half() const { return static_cast<std::uint32_t>(detail::node_tag << 8 | generation_); }
+  NodeId node_of_constant(RealNumber number);
+  void make_room();
   RealNumber number(NodeId id) const;
   double value(NodeId id) const;
   double value_of(Node const &node) const;
