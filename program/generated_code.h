@@ -20,6 +20,7 @@ struct Banner {
   std::size_t inputs = 0, parameters = 0, constants = 0, outputs = 0, guards = 0;
   std::string decisions = "error"; // the policy under which the kernel was recorded
   bool is_single = false;          // its numbers are float
+  unsigned threads = 1;            // that share an evaluation
 };
 // Does the file begin as a generated one?
 bool is_generated(std::string const &path);
@@ -37,6 +38,7 @@ struct CodeBuild {
   std::string compiler = "cc", cxx_compiler = "c++";
   std::span<char const *const> flags = documented_flags;
   char const *object = "generated.so";
+  bool alone = false; // one thread, whatever the banner says
 };
 
 class GeneratedCode {
@@ -62,6 +64,9 @@ public:
   // Code in single precision is given, and gives, the numbers rounded to it.
   Result run(std::span<double const> inputs, std::span<double const> parameters);
 
+  // How long a call of `compute` takes, on average of so many in a row.
+  double nanoseconds(std::span<double const> inputs, std::span<double const> parameters, std::size_t calls);
+
   // What the file says of guard `number`.
   std::string guard_text(std::size_t number) const;
 
@@ -69,7 +74,11 @@ private:
   void compile(std::string const &path, Graph const &graph, CodeBuild const &build, Workspace const &workspace);
   void load(std::string const &path);
 
+  template <class Real> struct Numbers;
+  template <class Real> int compute(Numbers<Real> &numbers) const;
   template <class Real> Result run_in(std::span<double const> inputs, std::span<double const> parameters);
+  template <class Real>
+  double time_of(std::span<double const> inputs, std::span<double const> parameters, std::size_t calls);
 
   using GuardText = char const *(*)(int);
 

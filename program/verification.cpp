@@ -78,6 +78,11 @@ public:
     if (!by_hand) start(rewritten_, "the rewritten program", front.replay_program, nullptr);
     if (!front.own_flags_program.empty() && !banner.is_single)
       start(own_flags_, "the original with its own flags", front.own_flags_program, nullptr);
+    if (banner.threads > 1)
+      threads_.emplace(path, banner, graph_, *front.workspace,
+                       [&](std::unique_ptr<Replay> &program, GeneratedCode const &code) {
+                         start(program, "the original", by_hand ? front.replay_program : front.original_program, &code);
+                       });
     if (options.wrapper) {
       start(wrapped_, "the original with its wrapper", build_wrapped(front, recorded), &code_);
       result_.wrapped.resize(graph_.output_count());
@@ -100,6 +105,7 @@ public:
       Sample const drawn = source_.next();
       try_sample(k, banner_.is_single ? in_single_precision(drawn) : drawn);
     }
+    if (threads_) result_.threads = threads_->finish(code_, timed_ ? &*timed_ : nullptr);
     return std::move(result_);
   }
 
@@ -122,6 +128,7 @@ private:
         in_program ? original_->run_generated(sample) : code_.run(sample.inputs, sample.parameters);
     // What the functions that it calls have left, as those of the original do.
     left_by_generated_ = in_program ? original_->left_behind() : std::vector<replay::LeftBehind>();
+    if (threads_) threads_->compare(sample, computed);
     if (banner_.is_single) single_.emplace(graph_, sample);
     Premises const premises = single_ && evaluated.premises.hold() ? single_->premises() : evaluated.premises;
     bool const is_strict = banner_.mode == FloatingPoint::strict && !banner_.is_single;
@@ -142,6 +149,7 @@ private:
     else
       result_.outside_different +=
           !(banner_.is_single ? all_near(original, computed.outputs) : all_same(original, computed.outputs));
+    if (inside && !timed_) timed_ = sample;
     result_.inside += inside;
   }
 
@@ -235,6 +243,8 @@ private:
   GeneratedCode code_;
   std::optional<GeneratedCode> own_code_;
   SampleSource source_;
+  std::optional<ThreadVerification> threads_;
+  std::optional<Sample> timed_;      // the first within the premises and all guards
   std::optional<SingleRuns> single_; // of the sample that is tried, where the code is in single precision
   std::unique_ptr<Replay> original_, rewritten_, own_flags_, wrapped_;
   std::vector<replay::LeftBehind> left_by_generated_;

@@ -3,6 +3,7 @@
 
 #include "program/front.h"
 #include "program/generated_code.h"
+#include "program/thread_verification.h"
 #include "verify/compare.h"
 #include "verify/samples.h"
 
@@ -62,6 +63,7 @@ struct Verification {
   std::size_t refused = 0;                     // samples within the premises on which one does not hold
   std::size_t guards_different = 0;            // samples on which the code decided otherwise than it should
   std::optional<GuardMismatch> guard_mismatch; // the first of them
+  std::optional<ThreadResult> threads;         // of code whose threads share an evaluation
 };
 
 // Outputs that differ on some sample.

@@ -26,10 +26,21 @@ unsigned count_of(nlohmann::json const &json, char const *which) {
 
 } // namespace
 
-double ThreadCosts::barrier(unsigned threads) const {
-  for (Barrier const &one : barriers)
+static double of(std::vector<ThreadCosts::Barrier> const &all, unsigned threads) {
+  for (ThreadCosts::Barrier const &one : all)
     if (one.threads >= threads) return one.nanoseconds;
-  return barriers.back().nanoseconds;
+  return all.back().nanoseconds;
+}
+
+double ThreadCosts::barrier(unsigned threads) const { return of(barriers, threads); }
+double ThreadCosts::sections_for(unsigned threads) const { return of(sections, threads); }
+
+std::vector<ThreadCosts::Barrier> measured_sections(std::string_view output) {
+  std::vector<ThreadCosts::Barrier> result;
+  std::istringstream lines{std::string(output)};
+  for (ThreadCosts::Barrier one{}; lines >> one.threads >> one.nanoseconds;)
+    result.push_back({one.threads, rounded(one.nanoseconds)});
+  return lines.eof() ? result : std::vector<ThreadCosts::Barrier>();
 }
 
 std::optional<ThreadCosts> measured_thread_costs(std::string_view output) {
@@ -67,6 +78,8 @@ nlohmann::ordered_json to_json(ThreadCosts const &costs) {
   json["start"] = costs.start;
   for (ThreadCosts::Barrier const &one : costs.barriers)
     json["barriers"].push_back({{"threads", one.threads}, {"nanoseconds", one.nanoseconds}});
+  for (ThreadCosts::Barrier const &one : costs.sections)
+    json["sections"].push_back({{"threads", one.threads}, {"nanoseconds", one.nanoseconds}});
   return json;
 }
 
@@ -78,6 +91,9 @@ ThreadCosts thread_costs(nlohmann::json const &json) {
   costs.start = time_of(json, "start");
   for (nlohmann::json const &one : json.at("barriers"))
     costs.barriers.push_back({count_of(one, "threads"), time_of(one, "nanoseconds")});
+  if (json.contains("sections"))
+    for (nlohmann::json const &one : json.at("sections"))
+      costs.sections.push_back({count_of(one, "threads"), time_of(one, "nanoseconds")});
   if (costs.barriers.empty()) throw std::out_of_range("'barriers' has none");
   return costs;
 }

@@ -173,4 +173,5 @@ def main():
         (HERE / "results.md").write_text(text)
 
 
-main()
+if __name__ == "__main__":
+    main()

@@ -16,7 +16,7 @@ static std::vector<EmittedFile> print(Schedule const &plan, Language const &lang
 }
 
 std::vector<EmittedFile> emit(Schedule const &plan, Language const &language, EmitOptions const &options) {
-  require_expressible(*plan.graph, language, options);
+  require_expressible(plan, language, options);
   if (options.is_single) require_single(*plan.graph, language, options);
   Language const wanted = options.is_single ? in_single_precision(language) : language;
   if (wanted.has_blocks) return print(plan, wanted, options);

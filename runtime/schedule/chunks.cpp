@@ -20,11 +20,8 @@ public:
 
   Chunks cut(std::size_t most_statements) {
     Chunks chunks{{}, std::vector<std::uint32_t>(chunk_.size(), no_slot), 0};
-    std::size_t const count = body_.variables.size();
-    for (std::size_t statement = 0; statement < count; statement += most_statements) chunks.begin.push_back(statement);
-    if (chunks.begin.empty()) chunks.begin.push_back(0);
-    chunks.begin.push_back(count);
-    if (chunks.size() == 1) return chunks;
+    begin_chunks(chunks, most_statements);
+    if (chunks.size() == 1 && !chunks.has_parts()) return chunks;
 
     for (std::size_t chunk = 0; chunk < chunks.size(); ++chunk)
       for (std::size_t statement = chunks.begin[chunk]; statement < chunks.begin[chunk + 1]; ++statement) {
@@ -38,6 +35,20 @@ public:
   }
 
 private:
+  void begin_chunks(Chunks &chunks, std::size_t most_statements) const {
+    std::size_t begin = 0;
+    auto const cut_up_to = [&](std::size_t end) {
+      for (; begin < end; begin = std::min(begin + most_statements, end)) chunks.begin.push_back(begin);
+    };
+    for (std::size_t part = 0; part < body_.parts.size(); ++part) {
+      cut_up_to(body_.parts[part].end);
+      chunks.part.resize(chunks.begin.size(), part);
+    }
+    cut_up_to(body_.variables.size());
+    if (chunks.begin.empty()) chunks.begin.push_back(0);
+    chunks.begin.push_back(body_.variables.size());
+  }
+
   // The variables that a statement and the blocks around it read.
   void note_reads(std::size_t statement, std::size_t chunk) {
     for (Literal const &literal : body_.regions.literals(body_.region[statement])) note_read(literal.condition, chunk);
@@ -52,9 +63,11 @@ private:
         [&](NodeId id) { last_reader_[id] = std::max(last_reader_[id], static_cast<std::uint32_t>(chunk)); });
   }
 
+  // A slot is used again behind the chunk that reads it last. Between threads that is only known where a stage ends;
+  // but what no other part reads is the part's own.
   void assign_slots(Chunks &chunks) {
-    std::vector<std::uint32_t> free;
-    std::vector<std::vector<std::uint32_t>> dies_after(chunks.size() + 1);
+    std::vector<std::uint32_t> free, own, of_stage; // for this part: left by earlier stages, and by itself
+    std::vector<std::vector<std::uint32_t>> dies_after(chunks.size() + 1), dies_in_part(chunks.size() + 1);
     for (std::size_t chunk = 0; chunk < chunks.size(); ++chunk) {
       for (std::size_t statement = chunks.begin[chunk]; statement < chunks.begin[chunk + 1]; ++statement) {
         NodeId id = body_.variables[statement];
@@ -65,13 +78,31 @@ private:
           chunks.spill_count += graph.externals[function_of(graph, graph.nodes[id])].result_count();
           continue;
         }
-        if (free.empty()) free.push_back(static_cast<std::uint32_t>(chunks.spill_count++));
-        chunks.spill_slot[id] = free.back();
-        free.pop_back();
-        dies_after[last_reader_[id]].push_back(chunks.spill_slot[id]);
+        std::vector<std::uint32_t> &from = own.empty() ? free : own;
+        if (from.empty()) from.push_back(static_cast<std::uint32_t>(chunks.spill_count++));
+        chunks.spill_slot[id] = from.back();
+        from.pop_back();
+        bool const stays =
+            last_reader_[id] < chunks.size() && part_of(chunks, last_reader_[id]) == part_of(chunks, chunk);
+        (stays ? dies_in_part : dies_after)[last_reader_[id]].push_back(chunks.spill_slot[id]);
       }
-      free.insert(free.end(), dies_after[chunk].begin(), dies_after[chunk].end());
+      own.insert(own.end(), dies_in_part[chunk].begin(), dies_in_part[chunk].end());
+      of_stage.insert(of_stage.end(), dies_after[chunk].begin(), dies_after[chunk].end());
+      bool const ends = chunk + 1 == chunks.size();
+      if (ends || part_of(chunks, chunk) != part_of(chunks, chunk + 1)) move_all(own, of_stage);
+      if (ends || stage_of(chunks, chunk) != stage_of(chunks, chunk + 1)) move_all(of_stage, free);
     }
+  }
+
+  static void move_all(std::vector<std::uint32_t> &from, std::vector<std::uint32_t> &to) {
+    to.insert(to.end(), from.begin(), from.end());
+    from.clear();
+  }
+  static std::size_t part_of(Chunks const &chunks, std::size_t chunk) {
+    return chunks.has_parts() ? chunks.part[chunk] : 0;
+  }
+  std::size_t stage_of(Chunks const &chunks, std::size_t chunk) const {
+    return chunks.has_parts() ? body_.parts[chunks.part[chunk]].stage : 0;
   }
 
   Schedule const &plan_;
@@ -84,6 +115,7 @@ private:
 } // namespace
 
 std::size_t Chunks::of_check(Check const &check) const {
+  if (has_parts()) return size();
   auto after = std::lower_bound(begin.begin() + 1, begin.end(), check.before);
   return static_cast<std::size_t>(after - begin.begin()) - 1;
 }

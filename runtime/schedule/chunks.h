@@ -12,13 +12,16 @@ struct Chunks {
   std::vector<std::size_t> begin;        // first statement of each chunk, and the end of the last
   std::vector<std::uint32_t> spill_slot; // per node: where it is kept for later chunks, or no_slot
   std::size_t spill_count = 0;           // size of the array; slots are used again when their value is dead
+  std::vector<std::size_t> part = {};    // per chunk, of the body's parts; none where it has none
 
   std::size_t size() const { return begin.size() - 1; }
-  // Where a check belongs: with the statements before it, whose variables it can read.
+  bool has_parts() const { return !part.empty(); }
+  // Where a check belongs: with the statements before it, whose variables it can read; behind all parts.
   std::size_t of_check(Check const &check) const;
 };
 
-// The results are read after the last chunk. No chunk has more than so many statements.
+// The results are read after the last chunk. No chunk has more than so many statements, or statements of two parts.
+// Parts of one stage share no slot.
 Chunks cut(Schedule const &plan, FunctionBody const &body, bool in_compute, std::size_t most_statements);
 
 } // namespace symreal

@@ -15,17 +15,26 @@ struct Check {
   std::size_t before;
 };
 
+// Statements that one thread computes, from the end of the part before on. Parts of one stage are computed at the same
+// time, stages one after the other.
+struct ThreadPart {
+  std::uint32_t stage;
+  std::size_t end;
+};
+
 // A function body: `variables` are computed in this order, one statement each; every other operation is used once and
 // is nested in its user's expression. A variable with a region is computed only there; a gate is a variable too, which
 // is 1 in its region. `results` are stored at the end, result k to slot k. Check k is that of guard k; it stands as
-// early as its condition can be computed and not before that of an earlier guard.
+// early as its condition can be computed and not before that of an earlier guard; in a body of parts behind the last
+// one.
 struct FunctionBody {
   std::vector<NodeId> variables;
   std::vector<RegionId> region; // per variable
   RegionTable regions;
   std::vector<Check> checks;
   std::vector<NodeId> results;
-  std::set<NodeId> wanted_returns; // the calls of external functions whose returned value is read
+  std::set<NodeId> wanted_returns;    // the calls of external functions whose returned value is read
+  std::vector<ThreadPart> parts = {}; // none: one thread computes all of it
 };
 
 inline constexpr std::uint32_t no_slot = ~std::uint32_t{0};
@@ -35,6 +44,7 @@ struct Schedule {
   FunctionBody preprocess, compute;
   std::vector<std::uint32_t> constant_slot; // per node: where preprocess stores it for compute, or no_slot
   std::size_t constant_count = 0;
+  unsigned threads = 1; // that share the parts of compute
 };
 
 // What `constants` holds for compute: per node its slot, the last one that stores it, or no_slot.

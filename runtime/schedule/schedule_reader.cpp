@@ -1,6 +1,7 @@
 #include "graph/graph_line.h"
 #include "graph/graph_text.h"
 #include "schedule/order.h"
+#include "schedule/parts.h"
 #include "schedule/schedule_text.h"
 
 #include <algorithm>
@@ -45,6 +46,8 @@ public:
     }
     Line const end("", {file_name, number, 0});
     if (body_ != &plan_.compute) end.error("a schedule has the functions preprocess and compute, in this order");
+    if (!plan_.compute.parts.empty() && plan_.compute.parts.back().end != plan_.compute.variables.size())
+      end.error("the last statements are in no part");
     if (plan_.compute.checks.size() != graph_->guards.size()) end.error("the graph has guards that are not checked");
     finish();
     return {std::move(graph_), std::move(plan_)};
@@ -65,6 +68,8 @@ private:
       read_set(line);
     else if (head == "check")
       read_check(line);
+    else if (head == "part")
+      read_part(line);
     else if (head == "store")
       read_store(line);
     else
@@ -90,7 +95,6 @@ private:
       bool const holds = word[0] != '!';
       literals.push_back({value(line, holds ? word : word.substr(1)), holds});
     }
-    if (literals.empty()) line.error("a region has a condition");
     body_->regions.regions.push_back(std::move(literals));
   }
 
@@ -125,6 +129,24 @@ private:
     NodeId const condition = graph_->guards[guard].condition;
     require_set(line, condition);
     body_->checks.push_back({condition, body_->variables.size()});
+  }
+
+  void read_part(Line &line) {
+    std::vector<ThreadPart> &parts = body_->parts;
+    if (body_ != &plan_.compute) line.error("threads share compute");
+    std::size_t const stage = line.count("stage"), begin = parts.empty() ? 0 : parts.back().end;
+    std::size_t const next = parts.empty() ? 0 : parts.back().stage + std::size_t{1};
+    if (stage != next && stage + 1 != next) line.error("stages must follow each other from 0 on");
+    if (body_->variables.size() == begin) line.error("a part has a statement");
+    if (!line.accept("of")) line.error("'of' is missing");
+    unsigned const threads = line.count("number of threads");
+    if (threads < 2 || threads > most_threads) line.error("2 threads at least share an evaluation, and 64 at most");
+    if (!parts.empty() && threads != plan_.threads) line.error("all parts are for as many threads");
+    if (!line.accept("threads")) line.error("'threads' is missing");
+    plan_.threads = threads;
+    parts.push_back({static_cast<std::uint32_t>(stage), body_->variables.size()});
+    if (!waits_for_other_parts(plan_of_body(), *body_, parts.size() - 1)) return;
+    line.error("the part needs what another part of its stage computes");
   }
 
   void read_store(Line &line) {

@@ -38,9 +38,11 @@ private:
       for (RegionId alternative : body.regions.gates[gate]) out_ << ' ' << alternative;
       out_ << '\n';
     }
-    std::size_t check = 0;
+    std::size_t check = 0, part = 0;
     for (std::size_t k = 0; k <= body.variables.size(); ++k) {
       for (; check < body.checks.size() && body.checks[check].before == k; ++check) out_ << "check " << check << '\n';
+      for (; part < body.parts.size() && body.parts[part].end == k; ++part)
+        out_ << "part " << body.parts[part].stage << " of " << plan_.threads << " threads\n";
       if (k == body.variables.size()) break;
       NodeId const id = body.variables[k];
       out_ << "set " << spell(body, id);

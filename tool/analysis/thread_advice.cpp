@@ -1,4 +1,5 @@
 #include "tool/analysis/blocks_report.h"
+#include "tool/analysis/times.h"
 
 #include <fmt/format.h>
 #include <fmt/ostream.h>
@@ -7,24 +8,17 @@ namespace symreal::tool {
 
 namespace {
 
-// Three digits, in a unit that suits.
-std::string time(double nanoseconds) {
-  if (nanoseconds < 1e3) return fmt::format("{:.0f} ns", nanoseconds);
-  if (nanoseconds < 1e6) return fmt::format("{:.3g} us", nanoseconds / 1e3);
-  return fmt::format("{:.3g} ms", nanoseconds / 1e6);
-}
-
 void print_times(std::ostream &out, Advice const &advice) {
   auto const row = [&](std::string const &name, double nanoseconds, std::string const &why) {
-    fmt::print(out, "  {:<18}{:>14}   {}\n", name, time(nanoseconds), why);
+    fmt::print(out, "  {:<18}{:>14}   {}\n", name, time_text(nanoseconds), why);
   };
   fmt::print(out, "by these costs one evaluation takes at least\n");
   row("on one core", advice.one_core, "the larger of work and longest path");
   row("by levels", advice.by_levels,
-      fmt::format("{} levels, a barrier of {} each", advice.levels, time(advice.barrier)));
+      fmt::format("{} levels, a barrier of {} each", advice.levels, time_text(advice.barrier)));
   row("by blocks", advice.by_blocks,
       fmt::format("up to {} hand-overs of {} in a row, with one to begin and one to end", advice.hand_overs,
-                  time(advice.hand_over)));
+                  time_text(advice.hand_over)));
   row("in graph order", advice.in_order, "no bound, but an estimate: by blocks, each in the order of the graph");
 }
 
@@ -46,7 +40,7 @@ void print_verdict(std::ostream &out, Advice const &advice) {
   fmt::print(out, "A level is worth its barrier from {:.0f} of these operations on; it has {:.1f} on average.\n",
              advice.width_to_pay, advice.level_width);
   fmt::print(out, "So many hand-overs are at best worth it from {} on one core on; these operations take {}.\n",
-             time(advice.time_to_pay), time(advice.one_core));
+             time_text(advice.time_to_pay), time_text(advice.one_core));
   fmt::print(out,
              "A batch gives more: {} samples at once are up to {:.3g} per second in place of {:.3g}, from {} samples a "
              "call on.\n",

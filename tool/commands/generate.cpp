@@ -2,6 +2,7 @@
 #include "graph/states.h"
 #include "program/make_rule.h"
 #include "support/files.h"
+#include "tool/analysis/parallel_option.h"
 #include "tool/calls/driver_program.h"
 #include "tool/commands/products.h"
 #include "tool/commands/subcommands.h"
@@ -29,6 +30,7 @@ struct Options {
   EmitterOptions emitter;
   LanguageOption language;
   BundleOption bundle;
+  ParallelOption parallel;
   std::string output, graph_file, decisions = "error";
   FrozenOption frozen;
   std::string depfile;
@@ -56,6 +58,7 @@ void require_sense(Options const &options) {
   if (options.wrapper && options.emitter.is_single())
     fail(DiagnosticId::bad_option, {}, "--wrapper hands on doubles: leave --real=float out");
   (void)options.emitter.is_single();
+  options.parallel.require_sense(options.emitter);
   options.frozen.require_sense();
   require_one_of("--decisions", options.decisions, "error|guard|select");
   (void)options.passes.floating_point();
@@ -127,7 +130,8 @@ std::optional<std::vector<Product>> generate(program::FrontRequest const &reques
     Product product{std::move(recorded.graph)};
     (void)find_states(product.recorded);
     product.optimised = optimise(product.recorded, options.passes);
-    Schedule const plan = schedule(product.optimised.graph, options.emitter.nesting());
+    Schedule const plan =
+        options.parallel.shared(schedule(product.optimised.graph, options.emitter.nesting()), product.sharing);
     emit_files(recorded, plan, options, front.kernels.size() > 1, product);
     product.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     products.push_back(std::move(product));
@@ -202,6 +206,7 @@ void add_generate(CLI::App &app, Session &session) {
   options->bundle.add_to(*command);
   options->passes.add_to(*command);
   options->emitter.add_to(*command);
+  options->parallel.add_to(*command);
   command->add_flag("--wrapper", options->wrapper,
                     "Also emit a file that defines the function in place of the original");
   command

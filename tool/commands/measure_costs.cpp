@@ -27,25 +27,48 @@ std::string version_of(std::string const &compiler) {
   return first_line(run.output);
 }
 
-// What a program prints that is compiled and run; nothing if it crashes.
-std::string output_of(Options const &options, std::string_view program, std::string_view flags) {
-  program::Workspace const workspace(/*keep=*/false);
-  std::string const source = workspace.file("costs.c"), executable = workspace.file("costs");
+struct Built {
+  program::Workspace workspace{/*keep=*/false};
+  std::string executable = workspace.file("costs");
+  program::Captured run;
+};
+
+bool build(Options const &options, std::string_view program, std::string_view flags, Built &built) {
+  std::string const source = built.workspace.file("costs.c");
   write_if_changed(source, std::string(program));
   std::vector<std::string> command = {options.compiler};
   for (std::string const &flag : program::split_words(flags)) command.push_back(flag);
-  command.insert(command.end(), {"-o", executable, source, "-lm"});
-  if (program::Captured const built = program::capture({command}); !built.outcome.success())
-    fail(DiagnosticId::build_failed, {},
-         "'" + options.compiler + "' fails on what measures: " + first_line(built.output));
-  program::Captured const measured = program::capture({{executable, std::to_string(options.rounds)}});
+  command.insert(command.end(), {"-o", built.executable, source, "-lm"});
+  built.run = program::capture({command});
+  return built.run.outcome.success();
+}
+
+std::string output_of(Options const &options, Built const &built) {
+  program::Captured const measured = program::capture({{built.executable, std::to_string(options.rounds)}});
   return measured.outcome.success() ? measured.output : "";
+}
+
+// What a program prints that is compiled and run; nothing if it crashes.
+std::string output_of(Options const &options, std::string_view program, std::string_view flags) {
+  Built built;
+  if (!build(options, program, flags, built))
+    fail(DiagnosticId::build_failed, {},
+         "'" + options.compiler + "' fails on what measures: " + first_line(built.run.output));
+  return output_of(options, built);
+}
+
+// What a region of sections costs, where the compiler has OpenMP.
+void measure_sections(Options const &options, ThreadCosts &threads) {
+  Built built;
+  if (build(options, sections_measuring_program(), sections_measuring_flags, built))
+    threads.sections = measured_sections(output_of(options, built));
 }
 
 void run(Options const &options) {
   require_writable(options.output);
   std::string const version = version_of(options.compiler);
-  auto const threads = measured_thread_costs(output_of(options, thread_measuring_program(), thread_measuring_flags));
+  auto threads = measured_thread_costs(output_of(options, thread_measuring_program(), thread_measuring_flags));
+  if (threads && threads->is_measured()) measure_sections(options, *threads);
   std::string const text = cost_file_text(output_of(options, measuring_program(), measuring_flags), version, threads);
   if (!threads || text.empty())
     fail(DiagnosticId::program_crashed, {}, "the program that measures did not come to its end");

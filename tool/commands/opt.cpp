@@ -1,6 +1,7 @@
 #include "graph/graph_text.h"
 #include "schedule/schedule_text.h"
 #include "support/files.h"
+#include "tool/analysis/parallel_option.h"
 #include "tool/commands/bundle.h"
 #include "tool/commands/optimise.h"
 #include "tool/commands/subcommands.h"
@@ -21,6 +22,7 @@ struct Options {
   BundleOption bundle;
   PassOptions passes;
   EmitterOptions emitter;
+  ParallelOption parallel;
   bool statistics = false, json = false;
 };
 
@@ -34,6 +36,10 @@ void require_sense(Options const &options) {
          "--prefix, --real, --mainline, --mex, --simulink, --trace-comments, --map and --check-values shape generated "
          "code: use "
          "--lang=c");
+  options.parallel.require_sense(emitter);
+  if (options.parallel.is_given() && options.language.text == "graph")
+    fail(DiagnosticId::option_without_effect, {},
+         "--parallel shares out statements, which graphs do not have: use --lang=c");
   require_one_language(options.language.languages(), emitter);
   if (options.language.languages().size() > 1 && options.output.empty())
     fail(DiagnosticId::option_without_effect, {}, "several languages make several files: name the first with -o");
@@ -60,18 +66,23 @@ Input read_input(Options const &options) {
   if (options.emitter.check_values)
     fail(DiagnosticId::option_without_effect, {},
          "--check-values lays a graph out in its own way, and '" + options.file + "' is a schedule");
+  if (options.parallel.is_given())
+    fail(DiagnosticId::option_without_effect, {},
+         "--parallel shares out a graph, and '" + options.file +
+             "' is a schedule, which says itself who computes what");
   ReadSchedule schedule = read_schedule(text, options.file);
   Graph graph = *schedule.graph;
   return {std::move(graph), std::move(schedule)};
 }
 
-std::vector<OutputFile> result_files(Graph const &graph, Schedule const *read, Options const &options) {
+std::vector<OutputFile> result_files(Graph const &graph, Schedule const *read, Options const &options,
+                                     std::string &sharing) {
   std::ostringstream text;
   if (options.language.text == "graph") {
     write_graph(text, graph);
     return {{options.output, text.str()}};
   }
-  Schedule const plan = read ? *read : schedule(graph, options.emitter.nesting());
+  Schedule const plan = read ? *read : options.parallel.shared(schedule(graph, options.emitter.nesting()), sharing);
   std::vector<Language const *> const languages = options.language.languages();
   if (languages.empty()) {
     write_schedule(text, plan);
@@ -103,7 +114,9 @@ void run(CLI::App &command, Options const &options) {
   if (options.bundle.is_given()) {
     report.files = write_bundle(optimised.graph, read, options);
   } else {
-    std::vector<OutputFile> files = result_files(optimised.graph, read, options);
+    std::string sharing;
+    std::vector<OutputFile> files = result_files(optimised.graph, read, options, sharing);
+    if (!sharing.empty()) std::cerr << "kernel " << optimised.graph.kernel << ": " << sharing << '\n';
     if (options.output.empty()) {
       std::cout << files.front().text;
     } else {
@@ -130,6 +143,7 @@ void add_opt(CLI::App &app, Session &session) {
   options->bundle.add_to(*command);
   options->passes.add_to(*command);
   options->emitter.add_to(*command);
+  options->parallel.add_to(*command);
   command->add_flag("--stats", options->statistics, "Print the table of operations to standard error");
   command->add_flag("--json", options->json, "Print the table as JSON to standard output");
   command->callback([options, command, &session] {

@@ -57,6 +57,7 @@ void show_products(std::vector<Product> const &products, program::Front const &f
                       {"run", front.run_seconds},
                       {"optimise and emit", product.seconds}};
     print_table(std::cerr, report, details);
+    if (!product.sharing.empty()) fmt::print(std::cerr, "  {}\n", product.sharing);
     if (as_json) json.push_back(to_json(report));
   }
   program::ObjectCache const &cache = *front.build.cache;

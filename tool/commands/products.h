@@ -16,6 +16,7 @@ struct Product {
   std::vector<OutputFile> files = {};
   Bundle bundle = {};
   std::vector<Diagnostic> warnings = {};
+  std::string sharing = {}; // what threads that share an evaluation give, in words
   double seconds = 0;
 };
 

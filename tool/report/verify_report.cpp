@@ -2,6 +2,7 @@
 
 #include "graph/names.h"
 #include "support/number.h"
+#include "tool/report/thread_report.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -163,6 +164,7 @@ void print_verification(std::ostream &out, Graph const &graph, program::Verifica
                verification.not_finite, verification.zero_sign, verification.outside_different);
   if (verification.is_single) print_single(out, verification);
   if (!verification.guards.empty()) print_guards(out, verification);
+  if (verification.threads) print_threads(out, *verification.threads);
   if (!verification.wrapped.empty()) fmt::print(out, "  the wrapper was tried as well\n");
   fmt::print(out, "  {:<28}{:>10}{:>22}{:>12}{}{}\n", "output", "elements",
              verification.is_single ? "worst ULP of float" : "worst ULP", "different",
@@ -206,14 +208,18 @@ Json to_json(Graph const &graph, program::Verification const &verification) {
     json["decided_otherwise"] = verification.decided_otherwise;
     json["lost"] = verification.lost;
   }
+  if (verification.threads) json["parallel"] = to_json(*verification.threads);
   if (!verification.guards.empty()) json["refused"] = verification.refused;
   json["rewritten_different"] = program::count_different(verification.rewritten);
   json["called_again_different"] = program::count_different(verification.called_again);
   json["left_behind"] = Json::array();
   for (program::LeftState const &left : verification.left)
     json["left_behind"].push_back({{"name", left.name}, {"samples", left.samples}});
-  for (program::GuardCheck const &guard : verification.guards)
-    json["guards"].push_back({{"text", guard.text}, {"failed", guard.failed}});
+  std::size_t evaluated = verification.inside + verification.refused; // a guard is where those before it hold
+  for (program::GuardCheck const &guard : verification.guards) {
+    json["guards"].push_back({{"text", guard.text}, {"evaluated", evaluated}, {"failed", guard.failed}});
+    evaluated -= std::min(guard.failed, evaluated);
+  }
   return json;
 }
 
@@ -241,6 +247,7 @@ std::optional<Diagnostic> verification_failure(Graph const &graph, program::Veri
                                   "no output, or that is said to be scratch",
                                   count, verification.outputs.size()),
                       {{{}, first_difference(graph, verification, verification.called_again, "generated")}}};
+  if (auto failure = thread_failure(verification, file)) return failure;
   if (verification.guards_different != 0 && verification.mode != FloatingPoint::fast)
     return Diagnostic{DiagnosticId::verification_mismatch,
                       {file},

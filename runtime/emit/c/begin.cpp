@@ -27,10 +27,18 @@ std::string c_value_checks(Emission const &emission) {
          "}\n";
 }
 
+// Without OpenMP one thread computes all, and nobody need hear of it.
+std::string c_quiet_pragmas(Emission const &emission) {
+  if (emission.plan.threads == 1) return {};
+  return "#if defined(__GNUC__) && !defined(_OPENMP)\n"
+         "#pragma GCC diagnostic ignored \"-Wunknown-pragmas\"\n"
+         "#endif\n";
+}
+
 std::string c_begin(Emission const &emission) {
-  return fmt::format("#include \"{}.h\"\n\n#include <math.h>\n{}{}{}{}\n", emission.options.base_name,
+  return fmt::format("#include \"{}.h\"\n\n#include <math.h>\n{}{}{}{}{}\n", emission.options.base_name,
                      emission.uses.truths ? "#include <stdbool.h>\n" : "", c_integer_includes(emission),
-                     c_value_checks(emission), c_no_fusion(emission));
+                     c_value_checks(emission), c_no_fusion(emission), c_quiet_pragmas(emission));
 }
 
 } // namespace symreal

@@ -32,5 +32,6 @@ std::string c_value_checks(Emission const &emission);
 
 // Whatever the flags, nothing is fused; empty in mode fast.
 std::string c_no_fusion(Emission const &emission);
+std::string c_quiet_pragmas(Emission const &emission);
 
 } // namespace symreal

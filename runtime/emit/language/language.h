@@ -102,6 +102,14 @@ struct FunctionSyntax {
   std::size_t group_size = 0;
 };
 
+// How threads share the parts of a function: lines around a stage and around the calls of each of its parts.
+struct ParallelSyntax {
+  std::string_view stage_begin = {}, part_begin = {}, part_end = {}, stage_end = {}; // $threads
+  std::size_t indent = 0;                                                            // of the calls
+
+  bool is_given() const { return !stage_begin.empty(); }
+};
+
 // A table of constants: `begin`, lines of numbers, `end`.
 struct TableSyntax {
   std::string_view begin = {}, end = {}; // $name $count
@@ -170,6 +178,7 @@ struct Language {
   ExpressionSyntax expressions;
   StatementSyntax statements;
   FunctionSyntax functions;
+  ParallelSyntax parallel;
   TableSyntax tables;
   ExternalSyntax externals;
   FileSyntax files;

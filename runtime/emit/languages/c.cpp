@@ -58,6 +58,13 @@ Language language_c() {
       .call = "$name($arguments);",
       .checked_call = "failed = $name($arguments);\nif (failed != 0) return failed;",
   };
+  c.parallel = {
+      .stage_begin = "#pragma omp parallel sections num_threads($threads)\n  {\n",
+      .part_begin = "#pragma omp section\n    {\n",
+      .part_end = "    }\n",
+      .stage_end = "  }\n",
+      .indent = 6,
+  };
   c.tables = {
       .begin = "static $real const $name[$count] = {",
       .end = "};",

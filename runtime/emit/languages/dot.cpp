@@ -50,11 +50,19 @@ public:
 private:
   std::string quoted(std::string const &text) const { return literal(emission_.language, text); }
 
+  // One that nothing needs is dashed.
   std::string leaves(Op op, std::vector<std::string> const &names) const {
     std::string text;
+    std::vector<char> is_drawn(names.size(), 0);
     for (NodeId id = 0; id < graph_.nodes.size(); ++id)
-      if (live_[id] && graph_.nodes[id].op == op)
+      if (live_[id] && graph_.nodes[id].op == op) {
         text += fmt::format("  n{} [shape=box, label={}];\n", id, quoted(names[graph_.nodes[id].slot()]));
+        is_drawn[graph_.nodes[id].slot()] = 1;
+      }
+    for (std::size_t slot = 0; slot < names.size(); ++slot)
+      if (!is_drawn[slot])
+        text += fmt::format("  {}{} [shape=box, style=dashed, label={}];\n", op == Op::input ? "input" : "parameter",
+                            slot, quoted(names[slot]));
     return text;
   }
 

@@ -57,6 +57,7 @@ std::string banner(Emission const &emission) {
   std::string more;
   if (emission.language.is_single) more += "\"real\":\"float\",";
   if (!graph.guards.empty()) more += fmt::format("\"guards\":{},", graph.guards.size());
+  if (emission.plan.threads > 1) more += fmt::format("\"threads\":{},", emission.plan.threads);
   if (graph.decisions != "error") more += fmt::format("\"decisions\":{},", json_string(graph.decisions));
   std::vector<std::string> lines = {
       fmt::format("symreal {{\"kernel\":{},\"mode\":\"{}\",\"prefix\":{},\"inputs\":{},\"parameters\":{},"
@@ -70,6 +71,10 @@ std::string banner(Emission const &emission) {
     lines.push_back(text.substr(at, end - at));
     at = end + 1;
   }
+  if (emission.plan.threads > 1)
+    lines.push_back(
+        fmt::format("With -fopenmp {} threads share an evaluation, without it one thread computes the same numbers.",
+                    emission.plan.threads));
   return comment(emission.language, lines) + "\n";
 }
 

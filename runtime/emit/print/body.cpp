@@ -169,6 +169,10 @@ std::string BodyPrinter::stored(std::string const &element, NodeId id, std::stri
   return fill(language_, syntax.keep_integer, {{"element", element}, {"value", value}});
 }
 
+void BodyPrinter::checks(CodeText &out) {
+  for (std::size_t k = 0; k < body_.checks.size(); ++k) print_step({Step::Kind::check, k}, 2, out);
+}
+
 void BodyPrinter::results(std::string const &target, CodeText &out) {
   out.statement(2, fill(language_, language_.functions.results,
                         {{"name", target}, {"count", std::to_string(body_.results.size())}}));

@@ -15,11 +15,14 @@ public:
 
   std::size_t chunk_count() const { return chunks_.size(); }
   std::size_t spill_count() const { return chunks_.spill_count; }
+  std::vector<std::size_t> const &parts() const { return chunks_.part; } // per chunk; none: one thread computes all
 
   // What the outermost function begins with.
   void begin(CodeText &out) const;
   // The chunks in order. Whether one of its statements may return the number of a guard.
   bool statements(std::size_t chunk, CodeText &out);
+  // The guards of a body of parts, after the last chunk.
+  void checks(CodeText &out);
   // Stores the results, after the last chunk.
   void results(std::string const &target, CodeText &out);
 

@@ -3,6 +3,7 @@
 #include "emit/language/pattern.h"
 #include "emit/print/body.h"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -20,6 +21,7 @@ public:
         name_(emission.name(is_compute ? "compute" : "preprocess")),
         inputs_(is_compute ? std::vector<std::string>{"input", "constants"} : std::vector<std::string>{"parameters"}),
         target_(is_compute ? "output" : "constants"),
+        threads_(emission.plan.threads),
         printer_(emission, body_, is_compute) {}
 
   CodeText print() {
@@ -32,8 +34,13 @@ public:
       last.statement(2, fill(language_, language_.statements.array,
                              {{"name", "v"}, {"count", std::to_string(printer_.spill_count())}}));
       printer_.begin(last);
-      if (may_fail) last.statement(2, syntax_.failed);
-      for (std::size_t chunk = 0; chunk < printer_.chunk_count(); ++chunk) print_chunk(chunk, out, last);
+      if (may_fail && !is_shared()) last.statement(2, syntax_.failed);
+      for (std::size_t chunk = 0; chunk < printer_.chunk_count(); ++chunk) {
+        begin_part(chunk, last);
+        print_chunk(chunk, out, last);
+        end_part(chunk, last);
+      }
+      if (is_shared()) printer_.checks(last);
       end_group(printer_.chunk_count(), out);
       for (std::string const &input : inputs_) printer_.note_array(input); // the calls pass them on
     }
@@ -58,6 +65,30 @@ private:
     out.lines("\n");
   }
 
+  bool is_shared() const { return !printer_.parts().empty(); }
+  std::uint32_t stage(std::size_t chunk) const { return body_.parts[printer_.parts()[chunk]].stage; }
+  // Whether another part is computed at the same time.
+  bool is_shared(std::size_t chunk) const {
+    return is_shared() && std::ranges::count(body_.parts, stage(chunk), &ThreadPart::stage) > 1;
+  }
+  void begin_part(std::size_t chunk, CodeText &calls) const {
+    if (!is_shared(chunk)) return;
+    bool const is_first = chunk == 0 || stage(chunk - 1) != stage(chunk);
+    if (is_first) calls.lines(around_part(language_.parallel.stage_begin));
+    if (is_first || printer_.parts()[chunk - 1] != printer_.parts()[chunk])
+      calls.lines(around_part(language_.parallel.part_begin));
+  }
+  void end_part(std::size_t chunk, CodeText &calls) const {
+    if (!is_shared(chunk)) return;
+    bool const is_last = chunk + 1 == printer_.chunk_count() || stage(chunk + 1) != stage(chunk);
+    if (is_last || printer_.parts()[chunk + 1] != printer_.parts()[chunk])
+      calls.lines(around_part(language_.parallel.part_end));
+    if (is_last) calls.lines(around_part(language_.parallel.stage_end));
+  }
+  std::string around_part(std::string_view lines) const {
+    return fill(language_, lines, {{"threads", std::to_string(threads_)}});
+  }
+
   void print_chunk(std::size_t chunk, CodeText &out, CodeText &calls) {
     if (syntax_.group_size != 0 && chunk % syntax_.group_size == 0) {
       if (chunk != 0) end_group(chunk, out);
@@ -75,7 +106,8 @@ private:
     for (std::string_view rest = checks ? syntax_.checked_call : syntax_.call; !rest.empty();) { // a statement a line
       std::size_t const end = std::min(rest.find('\n'), rest.size());
       calls.statement(
-          2, fill(language_, rest.substr(0, end), {{"name", name}, {"group", group(chunk)}, {"arguments", arguments}}));
+          is_shared(chunk) ? language_.parallel.indent : 2,
+          fill(language_, rest.substr(0, end), {{"name", name}, {"group", group(chunk)}, {"arguments", arguments}}));
       rest.remove_prefix(std::min(end + 1, rest.size()));
     }
   }
@@ -126,6 +158,7 @@ private:
   std::string name_;
   std::vector<std::string> inputs_;
   std::string target_;
+  unsigned threads_;
   BodyPrinter printer_;
 };
 

@@ -45,7 +45,8 @@ template <class Require> static void require_bridges(Graph const &graph, BridgeS
   }
 }
 
-void require_expressible(Graph const &graph, Language const &language, EmitOptions const &options) {
+void require_expressible(Schedule const &plan, Language const &language, EmitOptions const &options) {
+  Graph const &graph = *plan.graph;
   auto const require = [&](bool is_there, bool is_wanted, std::string const &what) {
     if (is_wanted && !is_there)
       fail(DiagnosticId::bad_option, {}, what + ", which --lang=" + std::string(language.name) + " does not have");
@@ -65,6 +66,7 @@ void require_expressible(Graph const &graph, Language const &language, EmitOptio
             kernel + "operation " + std::string(info(op).name));
   require(!language.statements.check.empty(), !graph.guards.empty(), kernel + "guards");
   require(!language.statements.value_check.empty(), options.check_values, "--check-values needs reports of values");
+  require(language.parallel.is_given(), plan.threads > 1, "--parallel needs OpenMP sections");
   for (std::string const &extra : options.extras) {
     bool const is_there =
         std::ranges::any_of(language.files.companions, [&](Companion const &file) { return file.option == extra; });

@@ -3,10 +3,11 @@
 
 #include "emit/language/emitted.h"
 #include "emit/language/language.h"
+#include "schedule/schedule.h"
 
 namespace symreal {
 
 // Throws bad_option where the language's table leaves it out.
-void require_expressible(Graph const &graph, Language const &language, EmitOptions const &options);
+void require_expressible(Schedule const &plan, Language const &language, EmitOptions const &options);
 
 } // namespace symreal

@@ -4,17 +4,19 @@ function guardsSection(report) {
   if (!guards.length) return [make("p", {class: "empty"}, "No guards: the code follows the one path that there is for all inputs.")];
   // Of code that other passes made, the guards may be others.
   const covered = checks && checks.length === guards.length, stopped = covered ? checks.map(check => check.failed) : [];
-  let left = samples;
+  // Of samples within the premises; files of earlier versions do not say how many these are.
+  const asked = covered ? checks.map((check, i) => check.evaluated ?? samples - stopped.slice(0, i).reduce((a, b) => a + b, 0)) : [];
+  const left = covered ? asked.at(-1) - stopped.at(-1) : 0;
   const rows = guards.map((guard, i) => {
     const row = [i + 1, make("code", {}, guard.condition || "?"),
       guard.places.length ? lineLink(guard.places[0].file, guard.places[0].line) : ""];
     if (!covered) return row;
-    left -= stopped[i];
-    return [...row, bar(left / samples, {title: "samples on which this one and those above hold"}), left, stopped[i]];
+    const goesOn = asked[i] - stopped[i];
+    return [...row, bar(asked[0] ? goesOn / asked[0] : 0, {title: "samples on which this one and those above hold"}), asked[i], goesOn, stopped[i]];
   });
-  const heads = ["Guard", "Condition", "Source", ...(covered ? ["Coverage", "Go on", "Stop here"] : [])];
+  const heads = ["Guard", "Condition", "Source", ...(covered ? ["Coverage", "Asked", "Go on", "Stop here"] : [])];
   return [make("p", {}, "The generated function returns the number of the first guard that does not hold. " + (covered
-    ? `All hold on ${number(left)} of ${plural(samples, "sample")} of the verification.` : "How often each holds is known after a verification: --verification FILE.")),
+    ? `All hold on ${number(left)} of ${plural(asked[0], "sample")} of the verification within the premises; a guard is asked where those above hold.` : "How often each holds is known after a verification: --verification FILE.")),
     table("Guards: what the recorded path rests on", heads, rows)];
 }
 
