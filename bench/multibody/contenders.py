@@ -1,0 +1,74 @@
+"""What families and simulations share: flags, building, equal outputs, times."""
+import pathlib
+import subprocess
+import time
+from concurrent.futures import ThreadPoolExecutor
+
+import measure
+
+# Of the original. The first is the reference that generated code must equal.
+ORIGINALS = {
+    "reference": ["-O2", "-ffp-contract=off", "-fno-builtin", "-fno-fast-math"],
+    "original -O2": ["-O2"],
+    "original -O3": ["-O3", "-march=native"],
+}
+UNCONTRACTED = ["-ffp-contract=off", "-fno-tree-slp-vectorize"]
+GENERATED = {
+    "generated -O2": ["-O2", *UNCONTRACTED],
+    "generated -O3": ["-O3", "-march=native", *UNCONTRACTED],
+}
+# In place of both where they would take minutes.
+LARGE = {"generated -O1": ["-O1", "-march=native", *UNCONTRACTED]}
+# Which original a generated contender is compared with.
+AGAINST = {"generated -O2": "original -O2", "generated -O3": "original -O3", "generated -O1": "original -O3"}
+
+
+def compiler(source):
+    return "gcc" if str(source).endswith(".c") else "g++"
+
+
+def compile_all(jobs):
+    """jobs: (source, target, flags); compiles two at a time, returns the processor time of each in seconds."""
+    def one(job):
+        source, target, flags = job
+        begin = time.perf_counter()
+        measure.command([compiler(source), "-c", "-w", source, "-o", target, *flags])
+        return time.perf_counter() - begin
+    with ThreadPoolExecutor(2) as pool:
+        return list(pool.map(one, jobs))
+
+
+def text_size(obj):
+    return int(measure.command(["size", obj]).splitlines()[1].split()[0])
+
+
+def start(executable):
+    """A contender in front of what else the machine does, where that is allowed."""
+    return measure.Contender("nice", "-n", "-5", executable)
+
+
+def same(values, reference):
+    return len(values) == len(reference) and all(a == b or (a != a and b != b) for a, b in zip(values, reference))
+
+
+def check_and_time(executables, rounds, block=0.002):
+    """Every generated contender must have the reference's outputs; then the others are timed in turns."""
+    running = {name: start(executable) for name, executable in executables.items()}
+    try:
+        reference = running["reference"].values()
+        for name, contender in running.items():
+            if name.startswith("generated") and not same(contender.values(), reference):
+                raise SystemExit(f"study: {executables[name]}: not the outputs of the original")
+        running.pop("reference").close()
+        calls = {name: max(1, int(block * 1e9 / contender.nanoseconds(3))) for name, contender in running.items()}
+        times = {name: [] for name in running}
+        for _ in range(rounds):
+            for name, contender in running.items():
+                times[name].append(contender.nanoseconds(calls[name]))
+    finally:
+        for contender in running.values():
+            contender.close()
+    return {"outputs": len(reference) // measure.VECTORS,
+            "nanoseconds": {name: measure.quartiles(values) for name, values in times.items()},
+            "speedup": {name: measure.quartiles([a / b for a, b in zip(times[AGAINST[name]], times[name])])
+                        for name in times if name.startswith("generated")}}
