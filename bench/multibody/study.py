@@ -11,6 +11,7 @@ import sys
 
 import families
 import measure
+import simulations
 
 WORK = pathlib.Path("build/study")
 
@@ -22,11 +23,16 @@ def run_families():
     return {"members": results, "growth": growth, "machine": measure.machine()}
 
 
+def run_simulations():
+    return {"models": simulations.measure_simulations(simulations.SIMULATED, WORK, rounds=9), "machine": measure.machine()}
+
+
 def small():
     families.measure_families(families.SMALL, WORK / "small", rounds=3)
+    simulations.measure_simulations(["slider_crank"], WORK / "small", rounds=1)
 
 
-PARTS = {"families": run_families}
+PARTS = {"families": run_families, "simulations": run_simulations}
 
 
 def main():
