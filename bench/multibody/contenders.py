@@ -1,4 +1,6 @@
 """What families and simulations share: flags, building, equal outputs, times."""
+import os
+import subprocess
 import time
 from concurrent.futures import ThreadPoolExecutor
 
@@ -25,13 +27,22 @@ def compiler(source):
     return "gcc" if str(source).endswith(".c") else "g++"
 
 
+def timed(words):
+    """Standard output, and what the command took: seconds on the clock and of a processor, the most memory in bytes."""
+    begin = time.perf_counter()
+    process = subprocess.Popen([str(word) for word in words], stdout=subprocess.PIPE, text=True)
+    text = process.stdout.read()
+    _, status, usage = os.wait4(process.pid, 0)
+    if status != 0:
+        raise SystemExit(f"study: {' '.join(map(str, words))} failed")
+    return text, {"clock": time.perf_counter() - begin, "processor": usage.ru_utime + usage.ru_stime, "memory": usage.ru_maxrss * 1024}
+
+
 def compile_all(jobs):
     """jobs: (source, target, flags); compiles two at a time, returns the processor time of each in seconds."""
     def one(job):
         source, target, flags = job
-        begin = time.perf_counter()
-        measure.command([compiler(source), "-c", "-w", source, "-o", target, *flags])
-        return time.perf_counter() - begin
+        return timed([compiler(source), "-c", "-w", source, "-o", target, *flags])[1]["processor"]
     with ThreadPoolExecutor(2) as pool:
         return list(pool.map(one, jobs))
 
