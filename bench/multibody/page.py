@@ -18,12 +18,18 @@ def cache_sizes():
     return sizes
 
 
-def median(member, name):
-    return member["speedup"][name]["median"]
+def gain(member):
+    return member["speedup"][gnuplot.best(member)]["quickest"]
+
+
+def code_size(member):
+    """In KB."""
+    return member["text"][gnuplot.best(member)] / 1024
 
 
 def between(values):
-    return f"{min(values):.1f} to {max(values):.1f}"
+    low, high = f"{min(values):.1f}", f"{max(values):.1f}"
+    return low if low == high else f"{low} to {high}"
 
 
 def speeds(members):
@@ -33,16 +39,20 @@ def speeds(members):
         of_shape = [member for member in members if member["shape"] == shape and member["n"] > 1]
         said = []
         for kernel in KERNELS:
-            gains = [median(member, gnuplot.best(member)) for member in of_shape if member["kernel"] == kernel]
-            said.append(f"{kernel} {between(gains) if len(gains) > 1 else f'{gains[0]:.1f}'}")
-        lines.append(f"| {shape} | " + " | ".join(text.split(" ", 1)[1] for text in said) + " |")
+            gains = [gain(member) for member in of_shape if member["kernel"] == kernel]
+            said.append(between(gains) if gains else "")
+        lines.append(f"| {shape} | " + " | ".join(said) + " |")
     return "| Family | " + " | ".join(KERNELS) + " |\n" + "|---" * (len(KERNELS) + 1) + "|\n" + "\n".join(lines) + "\n"
+
+
+def gains_where(members, wanted):
+    return between([gain(member) for member in members if wanted(member)] or [0])
 
 
 def per_operation(members, fits):
     """Nanoseconds per operation of generated code whose size satisfies `fits`."""
-    some = sorted(member["nanoseconds"][gnuplot.best(member)]["median"] / member["operations"]["compute"]["arithmetic"] for member in members
-                  if gnuplot.is_arithmetic(member) and fits(member["text"][gnuplot.best(member)] / 1024))
+    some = sorted(member["nanoseconds"][gnuplot.best(member)]["quickest"] / member["operations"]["compute"]["arithmetic"] for member in members
+                  if gnuplot.is_arithmetic(member) and fits(code_size(member)))
     if not some:
         return "none was measured"
     return f"median {some[len(some) // 2]:.2f} ns ({some[0]:.2f} to {some[-1]:.2f}, {len(some)} members)"
@@ -54,15 +64,15 @@ def where_it_ends(members):
     for kernel in KERNELS:
         for shape in ("planar", "spatial", "binary"):
             line = [member for member in members if (member["kernel"], member["shape"]) == (kernel, shape)]
-            faster = [member for member in line if median(member, gnuplot.best(member)) > 1]
+            faster = [member for member in line if gain(member) > 1]
             slower = [member for member in line if member["n"] > max((m["n"] for m in faster), default=0)]
             if slower:
                 first = slower[0]
                 rows.append([kernel, shape, faster[-1]["n"] if faster else "none", first["n"],
                              f"{first['text'][gnuplot.best(first)] / 1024:.0f}", tables.spread(first["speedup"][gnuplot.best(first)])])
     if not rows:
-        return "No member that was compiled is slower than the original's loops at -O3.\n"
-    return tables.table(["Kernel", "Family", "Last N that is faster", "First N that is slower", "its code, KB", "times as fast"], rows)
+        return "No member that was compiled falls behind the original's loops at -O3.\n"
+    return tables.table(["Kernel", "Family", "Last N that is faster", "First N that is not", "its code, KB", "times as fast"], rows)
 
 
 def write(parts):
@@ -83,7 +93,7 @@ def write(parts):
         for name, figure in drawn.items())
     values = {
         "cpu": machine["cpu"], "compiler": machine["compiler"], "caches": f"{level1} KB of first-level instruction cache and {level2} KB of second-level cache a core",
-        "members": len(members), "outputs": sum(member["outputs"] for member in members), "both": BOTH, "compiled": COMPILED,
+        "members": len(members), "outputs": sum(member["outputs"] for member in members), "others": f"{families['load']:.1f} other processes ran on average when it began", "both": BOTH, "compiled": COMPILED,
         "speeds": speeds(members), "growth": tables.growth_table(growth), "ends": where_it_ends(members),
         "in_level1": per_operation(members, lambda size: size <= level1),
         "in_level2": per_operation(members, lambda size: level1 < size <= level2),
@@ -94,6 +104,9 @@ def write(parts):
         "plots": plots, "executed": largest["operations"]["executed"]["arithmetic"], "recorded": largest["operations"]["recorded"]["arithmetic"],
         "after": largest["operations"]["compute"]["arithmetic"], "largest": largest_table(largest), "kdl_before": tables.count(real["operations"]["executed"]),
         "kdl_after": tables.count(real["operations"]["compute"]), "kdl_O2": tables.spread(real["ratios"]["-O2"]), "kdl_O3": tables.spread(real["ratios"]["-O3"]),
+        "small_gain": gains_where(members, lambda member: member["n"] in (2, 3)), "middle_gain": gains_where(members, lambda member: 8 <= member["n"] < 32),
+        "fits_gain": gains_where(members, lambda member: member["n"] > 31 and code_size(member) <= level2),
+        "beyond_gain": gains_where(members, lambda member: code_size(member) > level2),
         "compile_rate": f"{compile_rate(members):.0f}",
     }
     for key, value in values.items():

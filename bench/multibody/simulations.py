@@ -100,13 +100,11 @@ def simulate(name, top, rounds):
     for _ in range(rounds):
         for contender, path in executables.items():
             times[contender].append(float(measure.command(["nice", "-n", "-5", path])))
-    against = contenders.AGAINST
     result = {"name": name, "title": model.title, "states": model.states, "step": model.step, "steps": model.steps,
               "compared": len(reference.splitlines()), "end": end,
               "operations": {stage: measure.counts(report["operations"][stage]) for stage in ("executed", "compute")},
-              "nanoseconds": {contender: measure.quartiles(values) for contender, values in times.items()},
-              "speedup": {contender: measure.quartiles([a / b for a, b in zip(times[against[contender]], times[contender])])
-                          for contender in contenders.GENERATED}}
+              "nanoseconds": {contender: contenders.spread(values, min(values)) for contender, values in times.items()},
+              "speedup": contenders.gains(times)}
     if name == "andrews":
         result["digits"] = [agreeing_digits(end[part], ANDREWS[part]) for part in (slice(0, 7), slice(7, 14))]
         if result["digits"][0] < 9 or result["digits"][1] < 7:
@@ -119,7 +117,7 @@ def measure_simulations(names, top, rounds):
     for name in names:
         results.append(simulate(name, top, rounds))
         last = results[-1]
-        said = ", ".join(f"{contender} {ratio['median']:.2f}x" for contender, ratio in last["speedup"].items())
+        said = ", ".join(f"{contender} {ratio['quickest']:.2f}x" for contender, ratio in last["speedup"].items())
         digits = ", {:.0f} and {:.0f} digits of the published solution".format(*map(math.floor, last["digits"])) if "digits" in last else ""
         print(f"{name}: {last['operations']['executed']['arithmetic']} operations -> {last['operations']['compute']['arithmetic']}, "
               f"{last['compared']} states of {last['steps']} steps equal to the last bit{digits}; {said}", flush=True)

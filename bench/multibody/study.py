@@ -7,6 +7,7 @@
    real         a kernel of a well-known library
 """
 import json
+import os
 import pathlib
 import sys
 
@@ -21,10 +22,11 @@ WORK = pathlib.Path("build/study")
 
 
 def run_families():
-    results = families.measure_families(families.SHAPES, WORK, rounds=21)
+    load = os.getloadavg()[1]
+    results = families.measure_families(families.SHAPES, WORK, rounds=9)
     growth = {f"{kernel} {shape}": families.growth(kernel, shape)
               for shape in ("planar", "spatial", "binary") for kernel in families.KERNELS}
-    return {"members": results, "growth": growth, "machine": measure.machine()}
+    return {"members": results, "growth": growth, "machine": measure.machine(), "load": load}
 
 
 def run_simulations():

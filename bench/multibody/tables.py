@@ -1,11 +1,10 @@
 """The study's figures as tables."""
 import csv
-import math
 
 from families import KERNELS
 from gnuplot import best
 
-SELECTED = {"humanoid": [30], "planar": [2, 8, 64, 256], "binary": [3, 7, 63, 255], "spatial": [2, 8, 64, 256, 1000]}
+SELECTED = {"humanoid": [30], "planar": [2, 8, 64], "binary": [7, 63], "spatial": [2, 8, 32, 64, 128, 256, 1000]}
 
 
 def count(entry):
@@ -20,7 +19,7 @@ def duration(nanoseconds):
 
 
 def spread(ratio):
-    return f"{ratio['median']:.2f} ({ratio['low']:.2f}-{ratio['high']:.2f})"
+    return f"{ratio.get('quickest', ratio['median']):.2f} ({ratio['low']:.2f}-{ratio['high']:.2f})"
 
 
 def table(heading, rows):
@@ -29,7 +28,7 @@ def table(heading, rows):
 
 
 def time_of(member, name):
-    return duration(member["nanoseconds"][name]["median"]) if name in member["nanoseconds"] else ""
+    return duration(member["nanoseconds"][name]["quickest"]) if name in member["nanoseconds"] else ""
 
 
 def speedup(member, name):
@@ -90,8 +89,8 @@ def simulation_table(models):
     for model in models:
         times = model["nanoseconds"]
         rows.append([model["title"], model["states"], f"{model['steps']} of {model['step']:g} s", count(model["operations"]["executed"]),
-                     count(model["operations"]["compute"]), duration(times["original -O3"]["median"]),
-                     duration(times["generated -O3"]["median"]), spread(model["speedup"]["generated -O2"]),
+                     count(model["operations"]["compute"]), duration(times["original -O3"]["quickest"]),
+                     duration(times["generated -O3"]["quickest"]), spread(model["speedup"]["generated -O2"]),
                      spread(model["speedup"]["generated -O3"])])
     return table(["Model", "States", "Steps", "Operations before", "after", "A step: original -O3", "generated -O3", "Times as fast, -O2",
                   "-O3"], rows)
@@ -104,11 +103,11 @@ def write_csv(members, path):
         writer.writerow(["kernel", "family", "bodies", "outputs", "operations before", "calls before", "operations after", "calls after",
                          "work", "span", "parallelism", "least units", "record s", "optimise and emit s",
                          *(f"compile {name[10:]} s" for name in names[2:]), *(f"text {name[10:]} bytes" for name in names[2:]),
-                         *(f"{name} ns{part}" for name in names for part in ("", " low", " high"))])
+                         *(f"{name} ns{part}" for name in names for part in ("", " low", " median", " high"))])
         for member in members:
             before, after = member["operations"]["executed"], member["operations"]["compute"]
             times = [f"{member['nanoseconds'][name][part]:.1f}" if name in member["nanoseconds"] else ""
-                     for name in names for part in ("median", "low", "high")]
+                     for name in names for part in ("quickest", "low", "median", "high")]
             writer.writerow([member["kernel"], member["shape"], member["n"], member["outputs"], before["arithmetic"], before["calls"],
                              after["arithmetic"], after["calls"], member["work"], member["span"], f"{member['parallelism']:.2f}",
                              member["least_units"], f"{member['record']:.3f}", f"{member['emit']:.3f}",
