@@ -59,17 +59,16 @@ def per_operation(members, fits):
 
 
 def where_it_ends(members):
-    """For each kernel and family: the largest member that is faster than the original at -O3, and whether a slower one follows."""
+    """For each kernel and family: the first member that is not faster than the original at -O3, and the one before."""
     rows = []
     for kernel in KERNELS:
         for shape in ("planar", "spatial", "binary"):
             line = [member for member in members if (member["kernel"], member["shape"]) == (kernel, shape)]
-            faster = [member for member in line if gain(member) > 1]
-            slower = [member for member in line if member["n"] > max((m["n"] for m in faster), default=0)]
-            if slower:
-                first = slower[0]
-                rows.append([kernel, shape, faster[-1]["n"] if faster else "none", first["n"],
-                             f"{first['text'][gnuplot.best(first)] / 1024:.0f}", tables.spread(first["speedup"][gnuplot.best(first)])])
+            place = next((place for place, member in enumerate(line) if gain(member) <= 1), 0)
+            if place:
+                first = line[place]
+                rows.append([kernel, shape, line[place - 1]["n"], first["n"], f"{code_size(first):.0f}",
+                             tables.spread(first["speedup"][gnuplot.best(first)])])
     if not rows:
         return "No member that was compiled falls behind the original's loops at -O3.\n"
     return tables.table(["Kernel", "Family", "Last N that is faster", "First N that is not", "its code, KB", "times as fast"], rows)
@@ -106,6 +105,7 @@ def write(parts):
         "kdl_after": tables.count(real["operations"]["compute"]), "kdl_O2": tables.spread(real["ratios"]["-O2"]), "kdl_O3": tables.spread(real["ratios"]["-O3"]),
         "small_gain": gains_where(members, lambda member: member["n"] in (2, 3)), "middle_gain": gains_where(members, lambda member: 8 <= member["n"] < 32),
         "fits_gain": gains_where(members, lambda member: member["n"] > 31 and code_size(member) <= level2),
+        "beyond_median": between([member["speedup"][gnuplot.best(member)]["median"] for member in members if code_size(member) > level2] or [0]),
         "beyond_gain": gains_where(members, lambda member: code_size(member) > level2),
         "compile_rate": f"{compile_rate(members):.0f}",
     }
