@@ -17,7 +17,6 @@ import sys
 from concurrent.futures import ThreadPoolExecutor
 
 from kernels import KERNELS
-from present import recorded_ratios, write_plot, write_results
 
 SYMREAL = os.environ.get("SYMREAL", "build/dev/tool/symreal")
 WORK = pathlib.Path("build/bench")
@@ -124,8 +123,8 @@ def build(kernel, work, report):
 
 
 class Contender:
-    def __init__(self, executable):
-        self.process = subprocess.Popen([executable], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
+    def __init__(self, *words):
+        self.process = subprocess.Popen(words, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
 
     def ask(self, request):
         self.process.stdin.write(request + "\n")
@@ -203,6 +202,8 @@ def machine():
 
 
 def main():
+    from present import recorded_ratios, write_plot, write_results  # the picture needs matplotlib; others use the rest
+
     wanted = sys.argv[1:]
     if wanted == ["--draw"]:
         return write_plot(recorded_ratios())
