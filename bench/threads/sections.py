@@ -15,7 +15,7 @@ import sys
 
 from measure import CHAIN, FLAGS, HERE, ROUNDS, SYMREAL, TURN, WORK, command, quartiles, shown
 
-LINKS = {"arm": (1, 64), "arms-16": (2, 16), "arms-32": (2, 32), "arms-64": (2, 64), "four-arms": (4, 64), "eight-arms": (8, 64)}
+LINKS = {"arm": (1, 64), "arms-16": (2, 16), "arms-32": (2, 32), "arms-64": (2, 64)}
 
 
 def measure(name, costs):
