@@ -2,8 +2,9 @@
 //
 // The program rounded what it computed from constants alone before anything was recorded: where it multiplied a mass by
 // an offset, the graph has one number. Algebra that does not see the product does not see that the two halves of a
-// matrix are equal. So a number that is, to the last bit, the rounded product, sum, difference or inverse of others is
-// taken for what it is the rounding of. By chance that is so with probability 2^-52 for each pair of numbers.
+// matrix are equal, nor that what should be 0 is. So a number that is, to the last bit, the rounded sum, product or
+// quotient of others, or a product added to a number, is taken for what it is the rounding of. That this is so by chance
+// has probability 2^-52 for each pair of numbers.
 #pragma once
 
 #include <cstdint>
@@ -13,30 +14,38 @@
 
 namespace symreal::algebra {
 
-enum class FormKind : std::uint8_t { product, sum, difference, inverse };
+enum class FormKind : std::uint8_t { sum, product, quotient, sum_with_product };
 
+// a + b, a * b, a / b, or a + b * c, or the negative of that.
 struct ConstantForm {
   FormKind kind;
-  double a, b;
+  double a, b, c = 0;
 };
 
 class ConstantForms {
 public:
-  // Magnitudes, in the order in which they occur; far apart from one another they are not compared.
+  // Magnitudes, in the order in which they occur; far apart from one another they are not compared. Of several forms
+  // that fit, one of earlier numbers is taken: a quotient is known by its dividend, not the other way round.
   explicit ConstantForms(std::span<double const> constants);
 
   // Null for a number that is none of these. Forms of forms come to an end.
   ConstantForm const *find(double magnitude) const;
 
 private:
-  static constexpr std::size_t farthest = 600;
+  struct Product {
+    double value, a, b;
+  };
+  static constexpr std::size_t farthest = 600, farthest_product = 150;
   static constexpr int deepest = 4;
 
-  void look(double a, double b);
-  void propose(FormKind kind, double a, double b, double value);
+  void look_at_pairs();
+  void look_at_products();
+  void propose(double value, ConstantForm const &form);
   bool rests_on(double constant, double other, int depth) const;
 
-  std::unordered_map<double, bool> known_;
+  std::vector<double> constants_;
+  std::unordered_map<double, std::size_t> place_;
+  bool only_earlier_ = true;
   std::unordered_map<double, ConstantForm> forms_;
 };
 

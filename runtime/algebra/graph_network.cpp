@@ -26,10 +26,10 @@ public:
     std::vector<char> const live = symreal::live_nodes(graph_);
     std::vector<double> constants;
     for (NodeId id = 0; id < graph_.nodes.size(); ++id)
-      if (live[id] && graph_.nodes[id].is_constant()) constants.push_back(std::fabs(graph_.nodes[id].value()));
+      if (graph_.nodes[id].is_constant()) constants.push_back(std::fabs(graph_.nodes[id].value()));
     forms_.emplace(constants);
     for (NodeId id = 0; id < graph_.nodes.size(); ++id)
-      if (live[id]) now_[id] = make(id);
+      now_[id] = make(id);
     for_each_root(graph_, [&](NodeId root) { network_.roots.push_back(now_[root]); });
   }
 
@@ -65,21 +65,25 @@ private:
     if (node.op == Op::parameter) return network_.leaf(id, node.attribute, no_hazard, random_parameter(node.slot()));
     double const value = node.value();
     if (value == 0) return network_.zero();
-    return std::isfinite(value) ? number(std::fabs(value)).negated_if(value < 0) : exact(id);
+    return std::isfinite(value) ? number(value) : exact(id);
   }
 
   // A number with what it comes from.
-  Literal number(double magnitude) {
-    ConstantForm const *form = forms_->find(magnitude);
-    if (!form) return network_.constant(magnitude);
-    Literal const a = number(form->a);
+  Literal number(double signed_value) {
+    double const value = std::fabs(signed_value);
+    bool const negative = signed_value < 0;
+    ConstantForm const *form = forms_->find(value);
+    if (!form) return network_.constant(signed_value);
+    Literal const a = number(form->a), b = number(form->b);
+    Literal made;
     switch (form->kind) {
-    case FormKind::product: return network_.product(a, number(form->b));
-    case FormKind::sum: return network_.sum(a, number(form->b));
-    case FormKind::difference: return network_.sum(a, -number(form->b)).negated_if(form->a < form->b);
-    case FormKind::inverse: return network_.quotient(network_.one(), a);
+    case FormKind::sum: made = network_.sum(a, b); break;
+    case FormKind::product: made = network_.product(a, b); break;
+    case FormKind::quotient: made = network_.quotient(a, b); break;
+    case FormKind::sum_with_product: made = network_.sum(a, network_.product(b, number(form->c))); break;
     }
-    return network_.constant(magnitude);
+    bool const made_negative = network_.value(made).number[0] < 0;
+    return made.negated_if(negative != made_negative);
   }
 
   // As it is written, for what is no algebra.
