@@ -32,7 +32,9 @@ class Candidates {
 public:
   // `noise`: how often a candidate near the best is taken. `sums_first`: of equal gains a sum is.
   Candidates(std::mt19937_64 &random, double noise, bool sums_first)
-      : random_(random), noise_(noise), sums_first_(sums_first) {}
+      : random_(random),
+        noise_(noise),
+        sums_first_(sums_first) {}
 
   // The candidate with this key gains or loses a use in an expression.
   void add(Candidate const &made, int saving, std::uint32_t expression);

@@ -73,8 +73,8 @@ void ConstantForms::propose(double value, ConstantForm const &form) {
     return other != place_.end() && other->second >= place->second;
   };
   if (only_earlier_ && (is_later(form.a) || is_later(form.b) || is_later(form.c))) return;
-  // Numbers of a few bits are what they are, sums and products of others everywhere; but for what rounding has left of a
-  // difference.
+  // Numbers of a few bits are what they are, sums and products of others everywhere; but for what rounding has left of
+  // a difference.
   double const shifted = std::ldexp(value, 20 - std::ilogb(value));
   if (shifted == std::floor(shifted) && value > 0x1p-50 * std::fabs(form.a)) return;
   if (rests_on(form.a, value, deepest) || rests_on(form.b, value, deepest) || rests_on(form.c, value, deepest)) return;

@@ -3,8 +3,8 @@
 // The program rounded what it computed from constants alone before anything was recorded: where it multiplied a mass by
 // an offset, the graph has one number. Algebra that does not see the product does not see that the two halves of a
 // matrix are equal, nor that what should be 0 is. So a number that is, to the last bit, the rounded sum, product or
-// quotient of others, or a product added to a number, is taken for what it is the rounding of. That this is so by chance
-// has probability 2^-52 for each pair of numbers.
+// quotient of others, or a product added to a number, is taken for what it is the rounding of. That this is so by
+// chance has probability 2^-52 for each pair of numbers.
 #pragma once
 
 #include <cstdint>

@@ -12,8 +12,12 @@ constexpr std::size_t longest_sum = 60;
 class Expander {
 public:
   Expander(Network const &network, ExpansionSettings const &settings)
-      : network_(network), settings_(settings), uses_(network.size(), 0), fixed_(network.size(), 0),
-        is_root_(network.size(), 0), bodies_(network.size()) {}
+      : network_(network),
+        settings_(settings),
+        uses_(network.size(), 0),
+        fixed_(network.size(), 0),
+        is_root_(network.size(), 0),
+        bodies_(network.size()) {}
 
   Expansion run() {
     std::vector<char> const live = live_nodes(network_);

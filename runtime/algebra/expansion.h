@@ -23,9 +23,9 @@ struct Expression {
 
 struct Expansion {
   TermStore store;
-  std::vector<Expression> expressions;            // operands before their users
-  std::vector<std::pair<Atom, int>> integers;     // atoms that are whole numbers
-  Atom atoms = 0;                                 // how many there are; the first are the nodes of the network
+  std::vector<Expression> expressions;        // operands before their users
+  std::vector<std::pair<Atom, int>> integers; // atoms that are whole numbers
+  Atom atoms = 0;                             // how many there are; the first are the nodes of the network
 };
 Expansion expand(Network const &network, ExpansionSettings const &settings);
 

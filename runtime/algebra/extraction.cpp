@@ -170,7 +170,8 @@ void Extraction::extract_sum(Candidate const &candidate) {
   Atom made = KeyTable::none;
   std::size_t const defined = expansion_.expressions.size();
   for (ExpressionId id : candidates_.uses(candidate))
-    while (extract_sum_once(id, candidate, made)) {}
+    while (extract_sum_once(id, candidate, made)) {
+    }
   if (made != KeyTable::none) count(static_cast<ExpressionId>(defined));
 }
 

@@ -9,7 +9,10 @@ namespace symreal::algebra {
 class Extraction {
 public:
   Extraction(Expansion &expansion, Candidates &candidates, std::uint64_t &work)
-      : expansion_(expansion), store_(expansion.store), candidates_(candidates), work_(work) {}
+      : expansion_(expansion),
+        store_(expansion.store),
+        candidates_(candidates),
+        work_(work) {}
 
   void run();
 

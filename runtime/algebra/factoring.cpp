@@ -12,8 +12,12 @@ namespace {
 class Assembly {
 public:
   Assembly(Network const &old, Expansion const &expansion)
-      : old_(old), expansion_(expansion), expression_(expansion.atoms, no_index), now_(expansion.atoms),
-        is_done_(expansion.atoms, 0), result_(old.hazards()) {
+      : old_(old),
+        expansion_(expansion),
+        expression_(expansion.atoms, no_index),
+        now_(expansion.atoms),
+        is_done_(expansion.atoms, 0),
+        result_(old.hazards()) {
     for (Index i = 0; i < expansion.expressions.size(); ++i) expression_[expansion.expressions[i].atom] = i;
     for (auto const &[atom, integer] : expansion.integers) {
       now_[atom] = result_.constant(static_cast<double>(integer));
@@ -50,10 +54,11 @@ private:
       if (open.size() != before) continue;
       open.pop_back();
       if (std::exchange(is_done_[atom], 1)) continue;
-      now_[atom] = expression_[atom] == no_index ? result_.copy(old_, atom, [&](Literal operand) {
-        return now_[operand.node()].negated_if(operand.is_negative());
-      })
-                                                 : sum(expansion_.expressions[expression_[atom]].terms);
+      now_[atom] =
+          expression_[atom] == no_index
+              ? result_.copy(old_, old_[atom],
+                             [&](Literal operand) { return now_[operand.node()].negated_if(operand.is_negative()); })
+              : sum(expansion_.expressions[expression_[atom]].terms);
     }
   }
 

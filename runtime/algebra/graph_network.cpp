@@ -6,7 +6,6 @@
 #include <bit>
 #include <cmath>
 
-
 namespace symreal::algebra {
 
 namespace {
@@ -28,8 +27,7 @@ public:
     for (NodeId id = 0; id < graph_.nodes.size(); ++id)
       if (graph_.nodes[id].is_constant()) constants.push_back(std::fabs(graph_.nodes[id].value()));
     forms_.emplace(constants);
-    for (NodeId id = 0; id < graph_.nodes.size(); ++id)
-      now_[id] = make(id);
+    for (NodeId id = 0; id < graph_.nodes.size(); ++id) now_[id] = make(id);
     for_each_root(graph_, [&](NodeId root) { network_.roots.push_back(now_[root]); });
   }
 

@@ -138,11 +138,12 @@ std::vector<char> live_nodes(Network const &network) {
   return live;
 }
 
-std::size_t operation_count(Network const &network) {
+std::size_t cost_of(Network const &network) {
   std::vector<char> const live = live_nodes(network);
-  std::size_t count = 0;
-  for (Index node = 0; node < network.size(); ++node) count += live[node] && network[node].counts();
-  return count;
+  std::size_t cost = 0;
+  for (Index node = 0; node < network.size(); ++node)
+    if (live[node]) cost += static_cast<std::size_t>(network[node].cost());
+  return cost;
 }
 
 Network rebuilt(Network const &network) {
@@ -151,7 +152,7 @@ Network rebuilt(Network const &network) {
   auto literal = [&](Literal old) { return now[old.node()].negated_if(old.is_negative()); };
   Network result(network.hazards());
   for (Index node = 0; node < network.size(); ++node)
-    if (live[node]) now[node] = result.copy(network, node, literal);
+    if (live[node]) now[node] = result.copy(network, network[node], literal);
   for (Literal root : network.roots) result.roots.push_back(literal(root));
   return result;
 }

@@ -42,7 +42,8 @@ struct NetworkNode {
 
   bool is_free() const { return attribute != Attribute::variable; }
   bool is_arithmetic() const { return kind == Kind::sum || kind == Kind::product || kind == Kind::quotient; }
-  bool counts() const { return is_arithmetic() && !is_free(); }
+  // By the costs in the table of operations.
+  int cost() const { return !is_arithmetic() || is_free() ? 0 : kind == Kind::quotient ? info(Op::div).cost : 1; }
 };
 
 // An operation that algebra does not look into. `origin` is not 0 where it is equal to no other.
@@ -67,7 +68,7 @@ public:
   Literal quotient(Literal a, Literal b);
   Literal function(Function function);
   // A node of another network, on what its operands have become.
-  template <class Map> Literal copy(Network const &from, Index node, Map const &now);
+  template <class Map> Literal copy(Network const &from, NetworkNode node, Map const &now);
 
   std::size_t size() const { return nodes_.size(); }
   NetworkNode const &operator[](Index node) const { return nodes_[node]; }
@@ -103,13 +104,12 @@ private:
 
 // Which nodes the roots need.
 std::vector<char> live_nodes(Network const &network);
-// The additions, multiplications and divisions that are not free.
-std::size_t operation_count(Network const &network);
+// Of the additions, multiplications and divisions that the roots need.
+std::size_t cost_of(Network const &network);
 // Made anew of what the roots need.
 Network rebuilt(Network const &network);
 
-template <class Map> Literal Network::copy(Network const &from, Index index, Map const &now) {
-  NetworkNode const node = from[index];
+template <class Map> Literal Network::copy(Network const &from, NetworkNode node, Map const &now) {
   switch (node.kind) {
   case Kind::constant: return constant(node.value);
   case Kind::leaf: return leaf(node.a.bits, node.attribute, node.hazards, node.value);

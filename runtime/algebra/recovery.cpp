@@ -1,45 +1,96 @@
 #include "algebra/recovery.h"
 
 #include "algebra/graph_network.h"
-#include "algebra/factoring.h"
-#include <cstdio>
+#include "algebra/reciprocals.h"
+#include "algebra/windows.h"
+
+#include <algorithm>
+#include <utility>
 
 namespace symreal::algebra {
 
 namespace {
 
-std::size_t operation_count(Graph const &graph) {
+// By the costs in the table of operations; what is free counts nothing.
+std::size_t cost_of(Graph const &graph) {
   std::vector<char> const live = symreal::live_nodes(graph);
-  std::size_t count = 0;
+  std::size_t sum = 0;
   for (NodeId id = 0; id < graph.nodes.size(); ++id) {
-    Op const op = graph.nodes[id].op;
-    bool const is_arithmetic = op == Op::add || op == Op::sub || op == Op::mul || op == Op::div;
-    count += live[id] && is_arithmetic && graph.nodes[id].attribute == Attribute::variable;
+    Node const &node = graph.nodes[id];
+    if (live[id] && !is_leaf(node.op) && node.attribute == Attribute::variable) sum += info(node.op).cost;
   }
-  return count;
+  return sum;
+}
+
+// Of work, not of time, so that a result depends on nothing else. A million are done in about an eighth of a second.
+struct Budget {
+  int starts;          // independent searches, the best of which goes on
+  std::uint64_t first; // work for all of them
+  std::uint64_t all;
+};
+
+Budget budget_for(int effort, std::uint64_t cost) {
+  constexpr std::uint64_t million = 1'000'000;
+  if (effort == 1) return {1, 2 * million + 300 * cost, 0};
+  std::uint64_t const work = std::clamp(120 * million + 20'000 * cost, 300 * cost, 300 * million);
+  int const starts = static_cast<int>(std::clamp<std::uint64_t>(12'000 / (cost + 1), 1, 8));
+  if (effort == 2) return {starts, work / 2, work};
+  return {8, 4 * work, 10 * work};
+}
+
+constexpr std::uint64_t largest_as_a_whole = 20'000, largest_searched = 1'000'000;
+
+struct Found {
+  Network network;
+  std::size_t cost;
+};
+
+// Passes over windows until so much work is done. What is found no better after some passes is disturbed.
+Found search_in_windows(Network start, Search &search, std::uint64_t end, bool may_disturb) {
+  constexpr std::size_t lengths[] = {150, 300, 600, 1000};
+  constexpr int patience = 5;
+  std::size_t cost = cost_of(start);
+  Found best = {start, cost};
+  Network network = std::move(start);
+  for (int idle = 0; search.work < end;) {
+    Network next = improved_in_windows(network, {.length = lengths[search.random() % 4]}, search);
+    std::size_t const next_cost = cost_of(next);
+    idle = next_cost < cost ? 0 : idle + 1;
+    if (next_cost <= cost) network = std::move(next), cost = next_cost;
+    if (cost < best.cost) best = {network, cost};
+    if (!may_disturb || idle < patience) continue;
+    network = disturbed(best.network, search);
+    cost = cost_of(network);
+    idle = 0;
+  }
+  return best;
+}
+
+Network searched(Network const &network, int effort) {
+  std::size_t const cost = cost_of(network);
+  if (cost > largest_searched) return network;
+  Budget const budget = budget_for(effort, cost);
+  Found best = {network, cost};
+  std::uint64_t work = 0;
+  for (int start = 0; start < budget.starts; ++start) {
+    Search search(static_cast<std::uint64_t>(start) + 1);
+    Network whole = cost > largest_as_a_whole ? network : improved(network, 12, search);
+    Found found = search_in_windows(std::move(whole), search, budget.first / budget.starts, false);
+    work += search.work;
+    if (found.cost < best.cost) best = std::move(found);
+  }
+  Search search(0);
+  search.work = work;
+  return search_in_windows(std::move(best.network), search, budget.all, true).network;
 }
 
 } // namespace
 
 Graph recover_structure(Graph const &graph, int effort) {
   if (effort == 0) return graph;
-  Network network = rebuilt(network_of(graph));
-  std::mt19937_64 random(1);
-  std::uint64_t work = 0;
-  static constexpr int schedule[][2]={{0,3},{5,3},{2,3},{3,6},{1,8},{1,2},{2,8},{0,2},{1,1},{2,4},{0,6},{3,3}};
-  int uses[]={8,4,2,3};
-  std::size_t best = algebra::operation_count(network);
-  fprintf(stderr, "A %zu\n", best);
-  for (int i = 0; i < effort * 12; ++i) {
-    auto const*s = schedule[i % 12];
-    Network next = rebuilt(factored(network, {{s[0], s[1], uses[random() % 4], 30}, (double)(random()%2)*.15, (random()&1)!=0}, random, work));
-    std::size_t count = algebra::operation_count(next);
-    if (count <= best) { best = count; network = std::move(next); }
-    fprintf(stderr, "%zu ", count);
-  }
-  fprintf(stderr, "work %zu\n", work);
-  std::optional<Graph> result = graph_of(network, graph);
-  if (!result || operation_count(*result) >= operation_count(graph)) return graph;
+  Network network = rebuilt(with_common_reciprocals(rebuilt(network_of(graph))));
+  std::optional<Graph> result = graph_of(rebuilt(searched(network, effort)), graph);
+  if (!result || cost_of(*result) >= cost_of(graph)) return graph;
   return std::move(*result);
 }
 
