@@ -26,6 +26,11 @@ void Extraction::run() {
   }
 }
 
+// Whether what is left of both is made of parameters and numbers.
+bool Extraction::is_free(Term const &x, Term const &y, Common const &common) {
+  return x.variables == common.variables && y.variables == common.variables;
+}
+
 // Both terms without what they have in common, the sign of the first being plus.
 Candidate Extraction::divisor(Term const &x, Term const &y, Common const &common) const {
   auto multiplications = [&](Term const &term) {
@@ -34,7 +39,7 @@ Candidate Extraction::divisor(Term const &x, Term const &y, Common const &common
   };
   Candidate candidate{};
   candidate.key = key_of_sum(x.hash - common.hash, y.hash - common.hash, x.coefficient != y.coefficient);
-  candidate.cost = multiplications(x) + multiplications(y) + 1;
+  candidate.cost = is_free(x, y, common) ? 0 : multiplications(x) + multiplications(y) + 1;
   return candidate;
 }
 
@@ -42,7 +47,9 @@ void Extraction::count_pair(ExpressionId id, Term const &x, Term const &y, int s
   ++work_;
   Common const common = store_.common(x, y);
   // Two products and a sum become one product with the divisor.
-  int const saving = x.multiplications() + y.multiplications() + 1 - (common.variables + (common.constants > 0));
+  int const factors = common.variables + (common.constants > 0 || is_free(x, y, common));
+  int const multiplications = is_free(x, y, common) ? std::max(factors - 1, 0) : factors;
+  int const saving = x.multiplications() + y.multiplications() + 1 - multiplications;
   Candidate const candidate = divisor(x, y, common);
   if (sign > 0)
     candidates_.add(candidate, saving, id);
@@ -154,6 +161,7 @@ bool Extraction::extract_sum_once(ExpressionId id, Candidate const &candidate, A
       if (made == KeyTable::none) {
         rest_y.coefficient = x.coefficient * y.coefficient;
         made = expansion_.expressions[define({rest_x, rest_y})].atom;
+        if (is_free(x, y, common)) store_.set_constant(made);
       }
       product.push_back(made);
       remove_term(id, j);
@@ -172,7 +180,7 @@ void Extraction::extract_sum(Candidate const &candidate) {
   for (ExpressionId id : candidates_.uses(candidate))
     while (extract_sum_once(id, candidate, made)) {
     }
-  if (made != KeyTable::none) count(static_cast<ExpressionId>(defined));
+  if (made != KeyTable::none && !store_.is_constant(made)) count(static_cast<ExpressionId>(defined));
 }
 
 } // namespace symreal::algebra

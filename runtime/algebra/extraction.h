@@ -19,6 +19,7 @@ public:
 private:
   using ExpressionId = std::uint32_t;
 
+  static bool is_free(Term const &x, Term const &y, Common const &common);
   Candidate divisor(Term const &x, Term const &y, Common const &common) const;
   void count_pair(ExpressionId id, Term const &x, Term const &y, int sign);
   void count_atoms(ExpressionId id, Term const &term, int sign);

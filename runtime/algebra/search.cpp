@@ -36,6 +36,7 @@ Network resubstituted_at_random(Network const &network, Search &search) {
 Network improved(Network network, int steps, Search &search) {
   std::size_t cost = cost_of(network);
   for (int step = 0; step < steps; ++step) {
+    search.work += network.size();
     bool const by_resubstitution = search.random() % 6 == 0;
     Network next = by_resubstitution ? resubstituted_at_random(network, search) : factored_at_random(network, search);
     std::size_t const next_cost = cost_of(next);

@@ -166,6 +166,7 @@ private:
 } // namespace
 
 Network improved_in_windows(Network const &network, WindowSettings const &settings, Search &search) {
+  search.work += 1000 + network.size();
   return Stitching(network, settings, search).run();
 }
 
