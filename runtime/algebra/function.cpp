@@ -71,7 +71,11 @@ Literal Network::function(Function made) {
     node.value = cosine(value(made.operands[0]));
   else
     node.value = opaque_value(made, *this);
-  if (!is_total(made.op)) node.hazards = hazards_->of(node.value.key());
+  if (!is_total(made.op)) {
+    // Of what its operands rest on, it shields all but the inputs.
+    HazardSet const itself = hazards_->of_operation(node.value.key() << 1 | 1);
+    node.hazards = hazards_->unite(hazards_->inputs_in(hazards), itself);
+  }
   functions_.push_back(made);
   return intern(node, 0).negated_if(negative);
 }

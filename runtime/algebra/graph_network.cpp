@@ -59,7 +59,10 @@ private:
 
   Literal leaf(NodeId id) {
     Node const &node = graph_.nodes[id];
-    if (node.op == Op::input) return network_.leaf(id, node.attribute, no_hazard, random_value(node.slot()));
+    if (node.op == Op::input) {
+      HazardSet const itself = network_.hazards()->of_input(node.slot());
+      return network_.leaf(id, node.attribute, itself, random_value(node.slot()));
+    }
     if (node.op == Op::parameter) return network_.leaf(id, node.attribute, no_hazard, random_parameter(node.slot()));
     double const value = node.value();
     if (value == 0) return network_.zero();

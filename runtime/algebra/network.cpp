@@ -120,7 +120,7 @@ Literal Network::quotient(Literal a, Literal b) {
   NetworkNode const &x = (*this)[a], &y = (*this)[b];
   // What divides by a number or a parameter multiplies by its inverse, which costs nothing.
   if (y.is_free() && a != one()) return product(a, quotient(one(), b)).negated_if(negative);
-  HazardSet const division = y.kind == Kind::constant ? no_hazard : hazards_->of(y.value.key());
+  HazardSet const division = y.kind == Kind::constant ? no_hazard : hazards_->of_operation(y.value.key() << 1);
   NetworkNode const node = {Kind::quotient,
                             std::max(x.attribute, y.attribute),
                             hazards_->unite(hazards_->unite(x.hazards, y.hazards), division),

@@ -75,6 +75,20 @@ TEST_F(NetworkTest, WhatRestsOnLessIsFoundLater) {
   (void)first;
 }
 
+// x + y - y with y in it would be lost in rounding where y is large.
+TEST_F(NetworkTest, NothingComesToRestOnAnotherInput) {
+  Network other(std::make_shared<HazardSets>());
+  auto leaf = [&](std::uint32_t slot) {
+    return other.leaf(slot, Attribute::variable, other.hazards()->of_input(slot), random_value(slot));
+  };
+  Literal const a = leaf(0), b = leaf(1);
+  Literal const square = other.product(a, a);
+  Literal const long_way = other.sum(other.product(other.sum(a, b), other.sum(a, -b)), other.product(b, b));
+  EXPECT_EQ(long_way, square) << "this way round it may be";
+  EXPECT_FALSE(other.hazards()->is_subset(other[b].hazards, other[square].hazards));
+  EXPECT_EQ(other.hazards()->inputs_in(other[other.quotient(a, b)].hazards), other[other.sum(a, b)].hazards);
+}
+
 TEST_F(NetworkTest, CommonDenominatorsDivideOnce) {
   network.roots = {network.quotient(x, z), network.quotient(y, z)};
   EXPECT_EQ(cost_of(network), 8u);
