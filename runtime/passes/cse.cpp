@@ -3,6 +3,8 @@
 
 namespace symreal {
 
-Graph pass_cse(Graph const &graph, FloatingPoint mode) { return sweep(graph, {.mode = mode, .canonical_order = true}); }
+Graph pass_cse(Graph const &graph, PassSettings const &settings) {
+  return sweep(graph, {.mode = settings.mode, .canonical_order = true});
+}
 
 } // namespace symreal

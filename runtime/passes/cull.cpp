@@ -3,6 +3,6 @@
 
 namespace symreal {
 
-Graph pass_cull(Graph const &graph, FloatingPoint) { return compact(graph, live_nodes(graph)); }
+Graph pass_cull(Graph const &graph, PassSettings const &) { return compact(graph, live_nodes(graph)); }
 
 } // namespace symreal

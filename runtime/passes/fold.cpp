@@ -3,6 +3,8 @@
 
 namespace symreal {
 
-Graph pass_fold(Graph const &graph, FloatingPoint mode) { return sweep(graph, {.mode = mode, .fold = true}); }
+Graph pass_fold(Graph const &graph, PassSettings const &settings) {
+  return sweep(graph, {.mode = settings.mode, .fold = true});
+}
 
 } // namespace symreal

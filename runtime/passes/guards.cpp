@@ -180,7 +180,8 @@ bool adds(Graph const &graph, Guard const &guard, FloatingPoint mode, Knowledge 
 
 } // namespace
 
-Graph pass_guards(Graph const &graph, FloatingPoint mode) {
+Graph pass_guards(Graph const &graph, PassSettings const &settings) {
+  FloatingPoint const mode = settings.mode;
   if (graph.guards.empty()) return graph;
   Graph result = graph;
   Knowledge knowledge(graph, mode);

@@ -3,8 +3,8 @@
 
 namespace symreal {
 
-Graph pass_identities(Graph const &graph, FloatingPoint mode) {
-  return sweep(graph, {.mode = mode, .topics = static_cast<unsigned>(Topic::identities)});
+Graph pass_identities(Graph const &graph, PassSettings const &settings) {
+  return sweep(graph, {.mode = settings.mode, .topics = static_cast<unsigned>(Topic::identities)});
 }
 
 } // namespace symreal

@@ -7,7 +7,7 @@ namespace symreal {
 // Pass `signs` leaves one canonical node for a value and its negative, and a `neg` where the negative is wanted. Where
 // nobody wants the canonical one, the negative is made directly: -(a - b) is b - a, -(a * k) is a * -k. This is the
 // reverse of the rules in signs, so it runs once, at the end, and only where every use of the node is that `neg`.
-Graph pass_negations(Graph const &graph, FloatingPoint mode) {
+Graph pass_negations(Graph const &graph, PassSettings const &settings) {
   std::vector<std::uint32_t> uses(graph.nodes.size(), 0);
   std::vector<char> live = live_nodes(graph);
   for (std::size_t id = 0; id < graph.nodes.size(); ++id) {
@@ -25,7 +25,7 @@ Graph pass_negations(Graph const &graph, FloatingPoint mode) {
     auto negate = [&](int i) { node.operand[i] = table.constant(-table[node.operand[i]].value()); };
     switch (node.op) {
     case Op::sub:
-      if (mode == FloatingPoint::strict) return std::nullopt;
+      if (settings.mode == FloatingPoint::strict) return std::nullopt;
       std::swap(node.operand[0], node.operand[1]);
       return node;
     case Op::mul:

@@ -1,6 +1,7 @@
 // A pass is a function from graph to graph, one file and one row of passes.def.
 #pragma once
 
+#include "algebra/recovery.h"
 #include "graph/graph.h"
 #include "ops/floating_point.h"
 
@@ -11,13 +12,21 @@
 
 namespace symreal {
 
-#define PASS(name, ...) Graph pass_##name(Graph const &graph, FloatingPoint mode);
+// What a pass may do, and how long it may search for more. Of a mode alone it has the usual effort.
+struct PassSettings {
+  PassSettings(FloatingPoint mode, int effort = algebra::usual_effort) : mode(mode), effort(effort) {}
+
+  FloatingPoint mode;
+  int effort; // of pass `recover`: algebra/recovery.h
+};
+
+#define PASS(name, ...) Graph pass_##name(Graph const &graph, PassSettings const &settings);
 #include "passes/passes.def"
 #undef PASS
 
 struct PassInfo {
   std::string_view name;
-  Graph (*run)(Graph const &, FloatingPoint);
+  Graph (*run)(Graph const &, PassSettings const &);
   bool by_default;
   std::string_view doc;
 };
@@ -29,6 +38,6 @@ std::vector<std::string> default_passes();
 std::vector<std::string> parse_passes(std::string_view text);
 
 // Runs the passes one after the other and validates the graph after each. Throws unknown_pass.
-Graph run_passes(Graph graph, std::span<std::string const> names, FloatingPoint mode);
+Graph run_passes(Graph graph, std::span<std::string const> names, PassSettings const &settings);
 
 } // namespace symreal

@@ -5,7 +5,7 @@ namespace symreal {
 // The boundary between the two functions: every parametric node that the variable part or an output uses directly gets
 // a slot of `constants`, a bare parameter too, since `compute` sees no parameters. What lies behind the boundary is
 // parametric by definition of the attribute and so runs in `preprocess`.
-Graph pass_preprocess(Graph const &graph, FloatingPoint) {
+Graph pass_preprocess(Graph const &graph, PassSettings const &) {
   std::vector<char> live = live_nodes(graph), stored(graph.nodes.size(), 0);
   auto is_parametric = [&](NodeId id) { return graph.nodes[id].attribute == Attribute::parametric; };
   // A list of arguments cannot be stored, but what it holds can.

@@ -3,8 +3,8 @@
 
 namespace symreal {
 
-Graph pass_signs(Graph const &graph, FloatingPoint mode) {
-  return sweep(graph, {.mode = mode, .topics = static_cast<unsigned>(Topic::signs)});
+Graph pass_signs(Graph const &graph, PassSettings const &settings) {
+  return sweep(graph, {.mode = settings.mode, .topics = static_cast<unsigned>(Topic::signs)});
 }
 
 } // namespace symreal

@@ -13,10 +13,10 @@ static OperationCounts live_operations(Graph const &graph) {
 }
 
 Optimised optimise(Graph const &recorded, PassOptions const &options) {
-  FloatingPoint mode = options.floating_point();
+  PassSettings const settings = options.settings();
   Optimised result{recorded, {{"recorded", live_operations(recorded)}}};
   for (std::string const &pass : options.names()) {
-    result.graph = run_passes(std::move(result.graph), {&pass, 1}, mode);
+    result.graph = run_passes(std::move(result.graph), {&pass, 1}, settings);
     result.stages.push_back({pass, live_operations(result.graph)});
   }
   return result;

@@ -43,6 +43,17 @@ void PassOptions::add_to(CLI::App &app) {
   passes_option =
       app.add_option("--passes", passes, "Passes, separated by commas; or default, or none. There are: " + names)
           ->capture_default_str();
+  effort_option = app.add_option("--effort", effort,
+                                 "With --fp=fast: how long to look for structure, 0 (not at all) to 3 (minutes)")
+                      ->capture_default_str();
+}
+
+PassSettings PassOptions::settings() const {
+  if (effort < algebra::least_effort || effort > algebra::most_effort)
+    fail(DiagnosticId::bad_option, {}, "--effort takes 0, 1, 2 or 3, not " + std::to_string(effort));
+  if (effort_option && effort_option->count() != 0 && floating_point() != FloatingPoint::fast)
+    fail(DiagnosticId::option_without_effect, {}, "--effort has no effect without --fp=fast");
+  return {floating_point(), effort};
 }
 
 FloatingPoint PassOptions::floating_point() const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ops/floating_point.h"
+#include "passes/pass.h"
 #include "program/front.h"
 #include "schedule/schedule.h"
 #include "tool/options/project_options.h"
@@ -27,11 +28,14 @@ struct SourceOptions {
 // Which passes run, in which floating-point mode.
 struct PassOptions {
   std::string mode = "finite", passes = "default";
-  CLI::Option *passes_option = nullptr;
+  int effort = algebra::usual_effort;
+  CLI::Option *passes_option = nullptr, *effort_option = nullptr;
 
   void add_to(CLI::App &app);
   bool is_given() const { return passes_option && passes_option->count() != 0; } // which passes
   FloatingPoint floating_point() const;
+  // Throws bad_option for an effort out of range, option_without_effect for one in another mode than fast.
+  PassSettings settings() const;
   std::vector<std::string> names() const;
 };
 

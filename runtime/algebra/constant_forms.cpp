@@ -1,0 +1,89 @@
+#include "algebra/constant_forms.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace symreal::algebra {
+
+ConstantForms::ConstantForms(std::span<double const> constants) {
+  for (double constant : constants)
+    if (constant != 0 && std::isfinite(constant) && place_.emplace(constant, constants_.size()).second)
+      constants_.push_back(constant);
+  for (bool only_earlier : {true, false}) {
+    only_earlier_ = only_earlier;
+    look_at_pairs();
+    look_at_products();
+  }
+}
+
+void ConstantForms::look_at_pairs() {
+  for (std::size_t i = 0; i < constants_.size(); ++i) {
+    double const a = constants_[i];
+    propose(1 / a, {FormKind::quotient, 1, a});
+    for (std::size_t j = i; j < std::min(constants_.size(), i + farthest); ++j) {
+      double const b = constants_[j];
+      propose(a * b, {FormKind::product, a, b});
+      propose(a + b, {FormKind::sum, a, b});
+      propose(a - b, {FormKind::sum, a, -b});
+      propose(a / b, {FormKind::quotient, a, b});
+      propose(b / a, {FormKind::quotient, b, a});
+    }
+  }
+}
+
+// A block of constants at a time: for each number and each other one the products that can make up the difference.
+void ConstantForms::look_at_products() {
+  for (std::size_t first = 0; first < constants_.size(); first += farthest_product / 2) {
+    std::span<double const> const block =
+        std::span(constants_).subspan(first, std::min(farthest_product, constants_.size() - first));
+    std::vector<Product> products;
+    for (std::size_t i = 0; i < block.size(); ++i)
+      for (std::size_t j = i; j < block.size(); ++j) products.push_back({block[i] * block[j], block[i], block[j]});
+    std::ranges::sort(products, {}, &Product::value);
+    for (double value : block) {
+      if (forms_.contains(value)) continue;
+      for (double a : block)
+        for (double wanted : {value - a, value + a}) { // a + b * c, b * c - a or a - b * c
+          double const slack = 0x1p-52 * std::max(value, a), size = std::fabs(wanted);
+          for (auto at = std::ranges::lower_bound(products, size - slack, {}, &Product::value);
+               at != products.end() && at->value <= size + slack; ++at)
+            for (double sign : {1.0, -1.0})
+              propose(a + sign * at->value, {FormKind::sum_with_product, a, sign * at->a, at->b});
+        }
+    }
+  }
+}
+
+// Whether `constant` is `other`, or comes from it.
+bool ConstantForms::rests_on(double constant, double other, int depth) const {
+  constant = std::fabs(constant);
+  if (constant == 0) return false;
+  if (constant == other || depth == 0) return true;
+  ConstantForm const *form = find(constant);
+  return form && (rests_on(form->a, other, depth - 1) || rests_on(form->b, other, depth - 1) ||
+                  rests_on(form->c, other, depth - 1));
+}
+
+void ConstantForms::propose(double value, ConstantForm const &form) {
+  value = std::fabs(value);
+  auto const place = place_.find(value);
+  if (place == place_.end() || forms_.contains(value)) return;
+  auto is_later = [&](double operand) {
+    auto const other = place_.find(std::fabs(operand));
+    return other != place_.end() && other->second >= place->second;
+  };
+  if (only_earlier_ && (is_later(form.a) || is_later(form.b) || is_later(form.c))) return;
+  // Numbers of a few bits are what they are, sums and products of others everywhere; but for what rounding has left of
+  // a difference.
+  double const shifted = std::ldexp(value, 20 - std::ilogb(value));
+  if (shifted == std::floor(shifted) && value > 0x1p-50 * std::fabs(form.a)) return;
+  if (rests_on(form.a, value, deepest) || rests_on(form.b, value, deepest) || rests_on(form.c, value, deepest)) return;
+  forms_.emplace(value, form);
+}
+
+ConstantForm const *ConstantForms::find(double magnitude) const {
+  auto const found = forms_.find(magnitude);
+  return found == forms_.end() ? nullptr : &found->second;
+}
+
+} // namespace symreal::algebra

@@ -1,0 +1,23 @@
+// Algebraic factoring: parentheses are multiplied out, and common divisors extracted, the one that saves most first.
+// After Brayton and McMullen, "The decomposition and factorization of Boolean expressions" (1982), with integers for
+// coefficients.
+#pragma once
+
+#include "algebra/expansion.h"
+
+#include <random>
+
+namespace symreal::algebra {
+
+struct FactoringSettings {
+  ExpansionSettings expansion;
+  double noise = 0;
+  bool sums_first = false;
+};
+
+// A network with the same roots; it may be larger. The same for the same state of `random`. `work` is increased by what
+// was done.
+Network factored(Network const &network, FactoringSettings const &settings, std::mt19937_64 &random,
+                 std::uint64_t &work);
+
+} // namespace symreal::algebra

@@ -1,0 +1,19 @@
+// From a graph to a network and back.
+#pragma once
+
+#include "algebra/network.h"
+#include "graph/graph.h"
+
+#include <optional>
+
+namespace symreal::algebra {
+
+// Sums, differences, products, quotients and changes of sign are algebra, but for nodes that are `kept` (per node, or
+// empty), which stay as they are written. All else is opaque. The roots are those of the graph, in its order.
+Network network_of(Graph const &graph, std::vector<char> const &kept = {});
+
+// The graph that computes what `graph` did, as the network does. Nothing where a number in it is beyond those of
+// doubles.
+std::optional<Graph> graph_of(Network const &network, Graph const &graph, std::vector<char> const &kept = {});
+
+} // namespace symreal::algebra
