@@ -51,7 +51,8 @@ void NodeTable::reserve(std::size_t count) {
 }
 
 std::vector<Node> NodeTable::release() {
-  std::vector<Node> nodes = std::move(nodes_);
+  bool const uses_little = nodes_.size() < nodes_.capacity() / 16; // of what was reserved: that stays
+  std::vector<Node> nodes = uses_little ? nodes_ : std::move(nodes_);
   clear();
   return nodes;
 }

@@ -1,5 +1,6 @@
 #include "trace/nodes/pool.h"
 
+#include "memory/heap_blocks.h"
 #include "trace/report/events.h"
 
 #include <atomic>
@@ -62,9 +63,10 @@ void Pool::begin(Columns columns) {
   make_room();
 }
 
-// Address space, not memory: a page is taken when a node is put there, in large pages where the system has them. A
+// Address space, not memory: a page is taken when a node is put there. A
 // recording that outgrows it moves.
 void Pool::make_room() {
+  memory::OwnWork const own; // who compares the program's memory leaves it out
   for (std::size_t count = std::size_t{1} << 26; count > std::size_t{1} << 16; count /= 2) {
     try {
       table_.reserve(count);
