@@ -73,6 +73,16 @@ bool CacheDirectory::take_file(std::string const &key, std::string const &to) co
   return true;
 }
 
+bool CacheDirectory::link_file(std::string const &key, std::string const &to) const {
+  if (!exists()) return false;
+  std::string const path = entry(key, file_kind);
+  std::error_code error;
+  fs::create_hard_link(path, to, error);
+  if (error) return take_file(key, to); // as on another disk
+  mark_used(path);
+  return true;
+}
+
 void CacheDirectory::keep_file(std::string const &key, std::string const &file) {
   if (!exists()) return;
   add(entry(key, file_kind), [&](std::string const &path, std::error_code &error) {

@@ -30,6 +30,8 @@ public:
 
   // Copies the file that is kept under the key; false: there is none.
   bool take_file(std::string const &key, std::string const &to) const;
+  // The same for what is read only: it need not be copied.
+  bool link_file(std::string const &key, std::string const &to) const;
   void keep_file(std::string const &key, std::string const &file);
 
 private:

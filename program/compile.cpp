@@ -231,13 +231,9 @@ std::vector<std::string> build_variants(BuildRequest const &request, std::span<V
 
   FilesNow files;
   RuntimeHeader header(*request.cache, request.cache->directory(), workspace.path());
-  auto const compile = [&](Command const &plain) {
-    std::optional<Command> const fast = header.use(plain, files);
-    Captured result = capture(fast ? *fast : plain);
-    return fast && !result.outcome.success() ? capture(plain) : result; // whose messages are those of the text
-  };
+  auto const with_header = [&](Command const &compilation) { return header.use(compilation, files); };
   std::vector<Captured> compiled = run_all(compilations, [&](Command const &compilation) {
-    return request.cache->compile(compilation, workspace.path(), files, compile);
+    return request.cache->compile(compilation, workspace.path(), files, with_header);
   });
   for (std::size_t i = 0; i < compiled.size(); ++i) {
     if (compiled[i].outcome.success()) continue;

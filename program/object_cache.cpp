@@ -53,6 +53,12 @@ void add_compiler(Key &key, std::string const &name) {
   key.add(fmt::format("{} {} {}.{}", *path, status.st_size, status.st_mtim.tv_sec, status.st_mtim.tv_nsec));
 }
 
+// gcc takes it for the text beside it.
+bool reads_precompiled(Words const &words) {
+  std::size_t const header = position_after(words, "-include");
+  return header != 0 && fs::exists(words[header] + ".gch");
+}
+
 // What both keys have: the compiler, the words and the environment.
 void add_compilation(Key &key, Command const &compilation) {
   key.add(version);
@@ -86,6 +92,7 @@ std::optional<Preprocessed> preprocess(Command const &compilation, std::string c
   words[position_after(words, "-o")] = text;
   std::replace(words.begin(), words.end(), std::string("-c"), std::string("-E"));
   words.insert(words.end(), {"-MD", "-MF", rule, "-v"});
+  if (reads_precompiled(words)) words.emplace_back("-fpch-preprocess"); // names it, instead of reading its text
   Captured const run = capture(preprocessing);
   if (!run.outcome.success()) return {};
 
@@ -94,7 +101,8 @@ std::optional<Preprocessed> preprocess(Command const &compilation, std::string c
   std::string const preprocessed = read_file(text);
   if (preprocessed.find(".incbin") != preprocessed.npos) return {};
   key.add(preprocessed);
-  std::vector<std::string> const files = read_make_rule(read_file(rule));
+  std::vector<std::string> files = read_make_rule(read_file(rule));
+  std::erase_if(files, [](std::string const &file) { return file.ends_with(".gch"); }); // a word says what it is
   for (std::string const &file : files) {
     std::string const path = (fs::path(compilation.directory) / file).string();
     if (!fs::is_regular_file(path)) return {};
@@ -121,16 +129,26 @@ struct ObjectCache::Search {
   bool taken = false;
 };
 
-ObjectCache::Search ObjectCache::search(Command const &compilation, std::string const &workspace, FilesNow &files) {
+ObjectCache::Search ObjectCache::search_by_words(Command const &compilation, std::string const &workspace,
+                                                 FilesNow &files) {
   Words const &words = compilation.arguments;
   Search search{words[position_after(words, "-o")], {}, {}};
   if (!directory_->exists() || std::any_of(words.begin(), words.end(), reads_more)) return search;
   search.by_words = key_of_words(compilation, workspace);
   search.taken = take_as_before(search.by_words, search.object, workspace, files);
-  if (search.taken) return search;
+  return search;
+}
+
+void ObjectCache::search_by_text(Search &search, Command const &compilation, std::string const &workspace) {
+  if (search.taken || search.by_words.empty()) return;
   search.found = preprocess(compilation, search.object, workspace);
   search.taken = search.found && directory_->take_file(search.found->key, search.object);
   if (search.taken) keep(search, workspace);
+}
+
+ObjectCache::Search ObjectCache::search(Command const &compilation, std::string const &workspace, FilesNow &files) {
+  Search search = search_by_words(compilation, workspace, files);
+  search_by_text(search, compilation, workspace);
   return search;
 }
 
@@ -144,17 +162,26 @@ void ObjectCache::keep(Search const &search, std::string const &workspace) {
 }
 
 Captured ObjectCache::compile(Command const &compilation, std::string const &workspace, FilesNow &files,
-                              Run const &run) {
-  Search const search = this->search(compilation, workspace, files);
+                              Quicker const &quicker) {
+  Search search = search_by_words(compilation, workspace, files);
+  std::optional<Command> const quick = search.taken ? std::nullopt : quicker(compilation);
+  Command const &command = quick ? *quick : compilation;
+  if (quick) search = search_by_words(command, workspace, files);
+  search_by_text(search, command, workspace);
   if (search.taken) return ++reused_, Captured{{Ending::exited, 0, 0}, {}};
-  Captured result = run(compilation);
   ++compiled_;
-  if (result.outcome.success()) keep(search, workspace);
+  Captured result = capture(command);
+  if (result.outcome.success())
+    keep(search, workspace);
+  else if (quick)
+    return capture(compilation); // whose messages are those of the text
   return result;
 }
 
 bool ObjectCache::take(Command const &compilation, std::string const &workspace, FilesNow &files) {
-  return search(compilation, workspace, files).taken;
+  auto const before = directory_->exists() ? kept(compilation, workspace) : std::nullopt;
+  return before && before->first.still_holds(files, workspace) &&
+         directory_->link_file(before->second, compilation.arguments[position_after(compilation.arguments, "-o")]);
 }
 
 Captured ObjectCache::make(Command const &compilation, std::string const &workspace, FilesNow &files) {
@@ -164,12 +191,10 @@ Captured ObjectCache::make(Command const &compilation, std::string const &worksp
   return result;
 }
 
-std::optional<std::vector<std::string>> ObjectCache::looked_for_in_vain(Command const &compilation,
-                                                                        std::string const &workspace) {
+std::optional<std::pair<CompiledFrom, std::string>> ObjectCache::kept(Command const &compilation,
+                                                                      std::string const &workspace) {
   std::optional<std::string> const bytes = directory_->find(key_of_words(compilation, workspace));
-  auto before = bytes ? compiled_from_bytes(*bytes) : std::nullopt;
-  if (!before) return {};
-  return std::move(before->first.names);
+  return bytes ? compiled_from_bytes(*bytes) : std::nullopt;
 }
 
 std::size_t position_after(Words const &words, std::string_view option) {

@@ -7,6 +7,8 @@
 // Preprocessing is a tenth of compiling, but that of hundreds of headers. So what it has read is kept too, under the
 // compiler, the words and the environment (compiled_from.h): while all of that is as it was, the object is the one of
 // that time. Where it cannot be told, as where a macro names what is included, each run preprocesses.
+//
+// Of a precompiled header (runtime_header.h), neither text nor files are read: its path, a word, says what it is.
 #pragma once
 
 #include "program/cache_directory.h"
@@ -27,16 +29,18 @@ public:
   explicit ObjectCache(std::shared_ptr<CacheDirectory> directory) : directory_(std::move(directory)) {}
 
   // Runs a compilation, "... -c SOURCE -o OBJECT", or copies the object that it gave before. Several at a time.
-  // `files`: of this build, in which they do not change. `run`: how to run it, if it must be.
-  using Run = std::function<Captured(Command const &)>;
-  Captured compile(Command const &compilation, std::string const &workspace, FilesNow &files, Run const &run);
+  // `files`: of this build, in which they do not change. `quicker`: the same compilation from a precompiled header,
+  // which is asked for unless the object is there.
+  using Quicker = std::function<std::optional<Command>(Command const &)>;
+  Captured compile(Command const &compilation, std::string const &workspace, FilesNow &files, Quicker const &quicker);
 
-  // The same for what is not an object of the program, and does not count as one. False: it was not compiled before.
+  // The same for what is not an object of the program, does not count as one, and is only read. False: it was not
+  // compiled before, as far as words and files tell.
   bool take(Command const &compilation, std::string const &workspace, FilesNow &files);
   Captured make(Command const &compilation, std::string const &workspace, FilesNow &files);
 
-  // What the texts of a compilation that was kept ask for and some searched directory has not.
-  std::optional<std::vector<std::string>> looked_for_in_vain(Command const &compilation, std::string const &workspace);
+  // What a compilation that was kept has read, and the key of what it gave.
+  std::optional<std::pair<CompiledFrom, std::string>> kept(Command const &compilation, std::string const &workspace);
 
   std::size_t compiled() const { return compiled_; }
   std::size_t reused() const { return reused_; }
@@ -45,7 +49,9 @@ public:
 
 private:
   struct Search;
+  Search search_by_words(Command const &compilation, std::string const &workspace, FilesNow &files);
   Search search(Command const &compilation, std::string const &workspace, FilesNow &files);
+  void search_by_text(Search &search, Command const &compilation, std::string const &workspace);
   void keep(Search const &search, std::string const &workspace);
   bool take_as_before(std::string const &key, std::string const &object, std::string const &workspace, FilesNow &files);
 

@@ -78,11 +78,11 @@ Command header_compilation(Command compilation, std::string const &to) {
 
 void RuntimeHeader::make(One &one, Command const &compilation, std::string const &key, FilesNow &files) {
   std::string const &header = compilation.arguments[header_position(compilation.arguments)];
-  std::string const path = fmt::format("{}/precompiled/{}/header.h", workspace_, content_id(key));
+  std::string const all = workspace_ + "/precompiled/", directory = all + content_id(key);
   std::error_code error;
-  std::filesystem::create_directories(std::filesystem::path(path).parent_path(), error);
+  std::filesystem::create_directories(directory, error);
   if (error) return;
-  Command const precompilation = header_compilation(compilation, path + ".gch");
+  Command const precompilation = header_compilation(compilation, directory + "/header.h.gch");
   ++one.asked;
   bool found = one.asked == 1 && objects_.take(precompilation, workspace_, files);
   if (!found) {
@@ -93,19 +93,23 @@ void RuntimeHeader::make(One &one, Command const &compilation, std::string const
     found = is_worth_it && objects_.make(precompilation, workspace_, files).outcome.success();
     if (!is_worth_it) directory_.keep(count_key, before + "+");
   }
-  if (!found) return;
+  auto kept = found ? objects_.kept(precompilation, workspace_) : std::nullopt;
+  if (!kept) return;
+  // Under a path that says what it is made from: so the words of what reads it do.
+  std::filesystem::rename(directory, all + kept->second, error);
+  if (error) return;
+  std::string const path = all + kept->second + "/header.h";
   // gcc reads the text where it cannot take what lies beside it.
   write_if_changed(path, "#include <" + header + ">\n");
   one.path = path;
-  one.in_vain = objects_.looked_for_in_vain(precompilation, workspace_);
+  one.in_vain = std::move(kept->first.names);
 }
 
 // Whether one of the directories has what the header asks for.
 bool RuntimeHeader::may_read(One const &one, Words const &directories, std::string const &base, FilesNow &files) {
-  if (!one.in_vain) return !directories.empty();
   return std::ranges::any_of(directories, [&](std::string const &directory) {
     std::filesystem::path const path = std::filesystem::path(base) / directory;
-    return std::ranges::any_of(*one.in_vain,
+    return std::ranges::any_of(one.in_vain,
                                [&](std::string const &name) { return files.exists((path / name).string()); });
   });
 }

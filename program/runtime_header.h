@@ -32,8 +32,8 @@ private:
     std::mutex mutex;
     std::size_t asked = 0;
     bool tried = false;
-    std::string path; // of the text beside which the precompiled header lies; empty: there is none
-    std::optional<std::vector<std::string>> in_vain; // names that it asks for and some directory has not
+    std::string path;                 // of the text beside which the precompiled header lies; empty: there is none
+    std::vector<std::string> in_vain; // names that it asks for and some directory has not
   };
   void make(One &one, Command const &compilation, std::string const &key, FilesNow &files);
   static bool may_read(One const &one, std::vector<std::string> const &directories, std::string const &base,

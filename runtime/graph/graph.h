@@ -79,7 +79,7 @@ struct Graph {
   std::vector<Object> inputs, parameters, outputs;
   std::vector<StatePair> states;
 
-  std::vector<Node> nodes;         // topological order
+  Nodes nodes;                     // topological order
   std::vector<NodeId> results;     // per output slot
   std::vector<NodeId> precomputed; // what `preprocess` stores: slot k of `constants` holds the value of precomputed[k]
   std::vector<Guard> guards;       // in the order of recording: compute returns k + 1 for the first, k, that fails

@@ -34,7 +34,7 @@ template <class Archive> void serialize(Archive &file, External &x) {
 }
 template <class Archive> void serialize(Archive &file, OperationCounts &x) { file(x.by_op); }
 
-template <class Archive> static void serialize_nodes(Archive &file, std::vector<Node> &nodes) {
+template <class Archive> static void serialize_nodes(Archive &file, Nodes &nodes) {
   cereal::size_type count = nodes.size();
   file(cereal::make_size_tag(count));
   nodes.resize(count);

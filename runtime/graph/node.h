@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ops/operation.h"
+#include "support/page_allocator.h"
 
 #include <algorithm>
 #include <array>
@@ -43,6 +44,7 @@ struct Node {
   std::uint32_t slot() const { return operand[0]; }
 };
 static_assert(sizeof(Node) == 16);
+using Nodes = LongArray<Node>;
 
 // The attribute of an operation whose operands have at most this one. What stands behind an opaque operation is not
 // known here, so it is no constant; what has an effect runs whenever the program does.

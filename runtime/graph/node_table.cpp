@@ -50,9 +50,9 @@ void NodeTable::reserve(std::size_t count) {
   next_user_.reserve(count);
 }
 
-std::vector<Node> NodeTable::release() {
+Nodes NodeTable::release() {
   bool const uses_little = nodes_.size() < nodes_.capacity() / 16; // of what was reserved: that stays
-  std::vector<Node> nodes = uses_little ? nodes_ : std::move(nodes_);
+  Nodes nodes = uses_little ? nodes_ : std::move(nodes_);
   clear();
   return nodes;
 }

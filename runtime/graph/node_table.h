@@ -42,13 +42,13 @@ public:
     return {op, attribute_of(op, attribute), {a, b, c}};
   }
 
-  std::vector<Node> const &nodes() const { return nodes_; }
+  Nodes const &nodes() const { return nodes_; }
   Node const &operator[](NodeId id) const { return nodes_[id]; }
   std::size_t size() const { return nodes_.size(); }
   // Makes room for so many nodes at once.
   void reserve(std::size_t count);
   // Hands the nodes over; the table is empty afterwards.
-  std::vector<Node> release();
+  Nodes release();
   void clear();
 
 private:
@@ -64,10 +64,10 @@ private:
   NodeId intern_in_hash(Node const &node);
   void grow_hash();
 
-  std::vector<Node> nodes_;
-  std::vector<NodeId> first_user_; // per node: newest entry of its list of users
-  std::vector<NodeId> next_user_;  // per node: the next entry of the list it is in
-  std::vector<NodeId> hash_;       // open addressing: leaves, and users of hubs
+  Nodes nodes_;
+  LongArray<NodeId> first_user_; // per node: newest entry of its list of users
+  LongArray<NodeId> next_user_;  // per node: the next entry of the list it is in
+  std::vector<NodeId> hash_;     // open addressing: leaves, and users of hubs
   std::size_t hashed_ = 0;
 };
 

@@ -219,7 +219,7 @@ private:
   }
 
   // Nodes of the same code share a location.
-  void locate_nodes(std::vector<std::uint32_t> const &addresses) {
+  void locate_nodes(LongArray<std::uint32_t> const &addresses) {
     std::unordered_map<std::uint32_t, LocationId> known;
     graph_.node_location.reserve(addresses.size());
     for (std::uint32_t address : addresses) {

@@ -1,6 +1,5 @@
 #include "trace/nodes/pool.h"
 
-#include "memory/heap_blocks.h"
 #include "trace/report/events.h"
 
 #include <atomic>
@@ -63,22 +62,24 @@ void Pool::begin(Columns columns) {
   make_room();
 }
 
-// Address space, not memory: a page is taken when a node is put there. A
-// recording that outgrows it moves.
-void Pool::make_room() {
-  memory::OwnWork const own; // who compares the program's memory leaves it out
-  for (std::size_t count = std::size_t{1} << 26; count > std::size_t{1} << 16; count /= 2) {
-    try {
-      table_.reserve(count);
-      if (columns_.values) values_.reserve(count);
-      if (columns_.places) places_.reserve(count);
-      return;
-    } catch (std::bad_alloc const &) { // less of it is given
-    }
+static bool make_room_for(std::size_t count, auto &...arrays) {
+  try {
+    (arrays.reserve(count), ...);
+    return true;
+  } catch (std::bad_alloc const &) {
+    return false;
   }
 }
 
-std::vector<Node> Pool::end() {
+// Address space, not memory. Where a limit forbids it, a smaller one; a recording that outgrows it moves.
+void Pool::make_room() {
+  std::size_t count = std::size_t{1} << 28;
+  while (count > 1 << 16 && !(columns_.values ? make_room_for(count, table_, values_) : make_room_for(count, table_)))
+    count /= 2;
+  if (columns_.places) make_room_for(count, places_);
+}
+
+Nodes Pool::end() {
   recording_ = false;
   live[generation_ / 64] &= ~(std::uint64_t{1} << (generation_ % 64));
   generation_ = 0;

@@ -32,7 +32,7 @@ public:
   // Begins a recording with a generation of its own.
   void begin(Columns columns = wanted_columns());
   // Ends it: what is left are the nodes, handed over. Numbers that still hold one are stale from now on.
-  std::vector<Node> end();
+  Nodes end();
   bool is_recording() const { return recording_; }
 
   // An input, a parameter, or the node of an opaque operation, whose value is not computed from its operands.
@@ -63,7 +63,7 @@ public:
 
   NodeTable const &nodes() const { return table_; }
   // Per node, relative to the load base; 0 where unknown; empty where places are not kept.
-  std::vector<std::uint32_t> const &places() const { return places_; }
+  LongArray<std::uint32_t> const &places() const { return places_; }
 
 private:
   static constexpr std::uint64_t marks = std::uint64_t{1} << 63 | std::uint64_t{1} << 51;
@@ -81,8 +81,8 @@ private:
 
   NodeTable table_;
   Columns columns_;
-  std::vector<double> values_; // the carried value of each node
-  std::vector<std::uint32_t> places_;
+  LongArray<double> values_; // the carried value of each node
+  LongArray<std::uint32_t> places_;
   std::uint8_t generation_ = 0;
   bool recording_ = false;
   NodeId error_setter_ = no_node;
