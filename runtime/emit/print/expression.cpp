@@ -87,6 +87,8 @@ void ExpressionPrinter::print_itself(Item const &item) {
     return;
   }
   if (!item.spelled_out && is_kept(id)) return print_element(node, context_.element("v", context_.kept[id]));
+  if (!context_.copied.empty() && context_.copied[id] != no_slot)
+    return print_element(node, context_.element("v", context_.copied[id]));
   if (is_precomputed(id))
     return print_element(node, context_.element("constants", context_.emission.plan.constant_slot[id]));
   if (is_leaf(node.op)) {

@@ -16,6 +16,7 @@ struct FunctionContext {
   VariableNames spelling;                 // of variables
   std::vector<std::uint32_t> variable;    // per node: the number of its variable, or no_slot
   std::vector<std::uint32_t> kept;        // per node: the element of v where it stands for later chunks, or no_slot
+  std::vector<std::uint32_t> copied = {}; // per node: the element of v that has its array's element; or empty
   std::vector<char> constant_paths;       // per node; empty: compilers may evaluate what they find constant
   std::set<std::string_view> arrays = {}; // that the text names
   std::vector<NodeId> spelled_out = {};   // the operations that the text holds
