@@ -3,7 +3,6 @@
 #include "schedule/order.h"
 
 #include <algorithm>
-#include <unordered_map>
 
 namespace symreal {
 
@@ -23,7 +22,6 @@ public:
         variables_(chunks.begin[chunk + 1] - first_) {}
 
   std::vector<Step> run() {
-    for (std::size_t k = 0; k < variables_.size(); ++k) number_.emplace(body_.variables[first_ + k], k);
     std::vector<std::size_t> const last_stores = place_stores();
     auto check = std::partition_point(body_.checks.begin(), body_.checks.end(),
                                       [&](Check const &one) { return chunks_.of_check(one) < chunk_; });
@@ -68,7 +66,7 @@ private:
       std::size_t setter = never;
       if (chunk_ != chunks_.stores.first_chunk)
         for_each_variable(body_.results[result], [&](NodeId id) {
-          if (auto const found = number_.find(id); found != number_.end()) setter = found->second;
+          if (is_own(id)) setter = chunks_.statement[id] - first_;
         });
       (setter == never ? last : variables_[setter].results).push_back(result);
     }
@@ -112,9 +110,8 @@ private:
 
   void note_read(NodeId use) {
     for_each_variable(use, [&](NodeId id) {
-      auto found = number_.find(id);
-      if (found == number_.end()) return; // an earlier chunk's
-      Variable &variable = variables_[found->second];
+      if (!is_own(id)) return;
+      Variable &variable = variables_[chunks_.statement[id] - first_];
       if (variable.block != never && ends_[variable.block] != never) variable.read_outside = true;
     });
   }
@@ -125,8 +122,11 @@ private:
         [&](NodeId id) { return is_read(plan_, in_compute_, id); }, visit);
   }
 
+  bool is_own(NodeId id) const {
+    return chunks_.statement[id] >= first_ && chunks_.statement[id] < first_ + variables_.size();
+  }
   // Of this chunk, or kept by an earlier one.
-  bool is_variable(NodeId id) const { return number_.contains(id) || chunks_.spill_slot[id] != no_slot; }
+  bool is_variable(NodeId id) const { return is_own(id) || chunks_.spill_slot[id] != no_slot; }
 
   bool is_kept(std::size_t statement) const { return chunks_.spill_slot[body_.variables[statement]] != no_slot; }
 
@@ -181,8 +181,7 @@ private:
   bool in_compute_;
   Chunks const &chunks_;
   std::size_t chunk_, first_;
-  std::vector<Variable> variables_;                // of this chunk, in order
-  std::unordered_map<NodeId, std::size_t> number_; // of a variable among them
+  std::vector<Variable> variables_; // of this chunk, in order
   std::vector<Step> steps_;
   std::vector<Open> open_;
   std::vector<std::size_t> ends_; // per block: the step that ends it, or never

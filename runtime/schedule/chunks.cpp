@@ -24,6 +24,9 @@ public:
 
   Chunks cut() {
     Chunks chunks;
+    chunks.statement.assign(chunk_.size(), no_slot);
+    for (std::size_t k = 0; k < body_.variables.size(); ++k)
+      chunks.statement[body_.variables[k]] = static_cast<std::uint32_t>(k);
     chunks.spill_slot.assign(chunk_.size(), no_slot);
     chunks.copy_slot.assign(chunk_.size(), no_slot);
     begin_chunks(chunks);

@@ -17,6 +17,8 @@ struct Chunks {
   std::vector<std::size_t> part = {};         // per chunk, of the body's parts; none where it has none
   Stores stores = {};
 
+  std::vector<std::uint32_t> statement = {}; // per node: that sets its variable, or no_slot
+
   std::size_t size() const { return begin.size() - 1; }
   bool has_parts() const { return !part.empty(); }
   // Where a check belongs: with the statements before it, whose variables it can read; behind all parts.

@@ -29,8 +29,8 @@ public:
   void results(std::size_t group, CodeText &out);
 
   // The arrays that the text has named since this was asked.
-  std::set<std::string_view> const &arrays() const { return context_.arrays; }
-  std::set<std::string_view> take_arrays() { return std::exchange(context_.arrays, {}); }
+  ArrayNames const &arrays() const { return context_.arrays; }
+  ArrayNames take_arrays() { return std::exchange(context_.arrays, {}); }
   void note_array(std::string_view array) { context_.arrays.insert(array); }
   // The declarations since this was asked, where they stand before the first statement.
   CodeText take_declarations() { return std::exchange(declarations_, CodeText(language_)); }

@@ -41,14 +41,14 @@ public:
         begin_part(chunk, last);
         CodeText text(language_);
         bool const checks = printer_.statements(chunk, text);
-        print_part(chunk, text, checks, out, last);
+        print_part(chunk, std::move(text), checks, out, last);
         end_part(chunk, last);
       }
       if (is_shared()) printer_.checks(last);
       for (std::size_t group = 0; printer_.result_groups() > 1 && group < printer_.result_groups(); ++group) {
         CodeText text(language_);
         printer_.results(group, text);
-        print_part(printer_.chunk_count() + group, text, false, out, last);
+        print_part(printer_.chunk_count() + group, std::move(text), false, out, last);
       }
       end_group(part_count(), out);
       for (std::string const &input : inputs_) printer_.note_array(input); // the calls pass them on
@@ -59,7 +59,7 @@ public:
     if (printer_.result_groups() == 1) printer_.results(0, last);
     if (may_fail) last.statement(2, syntax_.success);
     last.statement(2, fill(language_, syntax_.finish, {{"name", target_}}));
-    append(out, syntax_.head, syntax_.output, may_fail, name_, target_, last);
+    append(out, syntax_.head, syntax_.output, may_fail, name_, target_, std::move(last));
     return out;
   }
 
@@ -105,7 +105,7 @@ private:
   }
 
   // A chunk, or results that none stores.
-  void print_part(std::size_t part, CodeText &text, bool checks, CodeText &out, CodeText &calls) {
+  void print_part(std::size_t part, CodeText text, bool checks, CodeText &out, CodeText &calls) {
     if (syntax_.group_size != 0 && part % syntax_.group_size == 0) {
       if (part != 0) end_group(part, out);
       out.statement(0, fill(language_, syntax_.group_begin, {{"name", group(part)}}));
@@ -115,7 +115,7 @@ private:
     std::string const name = language_.names.spelled(fmt::format("{}_{}", name_, part + 1));
     bool const stores = printer_.arrays().contains(target_);
     append(out, syntax_.local_head, syntax_.local_output.empty() ? syntax_.output : syntax_.local_output, checks, name,
-           "v", text);
+           "v", std::move(text));
     if (part + 1 < part_count() || syntax_.group_size == 0) out.lines("\n");
     std::string const arguments =
         with_output(fmt::format("{}", fmt::join(inputs_, ", ")), stores ? target_ + ", v" : "v");
@@ -140,9 +140,9 @@ private:
 
   // A parameter that the text does not use is marked, or compilers warn.
   void append(CodeText &out, std::string_view head, std::string_view output, bool may_fail, std::string const &name,
-              std::string const &last, CodeText const &text) {
+              std::string const &last, CodeText text) {
     bool const is_part = name != name_;
-    std::set<std::string_view> const used = printer_.take_arrays();
+    ArrayNames const used = printer_.take_arrays();
     std::string parameters;
     for (std::string const &input : inputs_)
       parameters += (parameters.empty() ? "" : ", ") + fill(language_, syntax_.input, {{"name", input}});
@@ -170,7 +170,7 @@ private:
     };
     for (std::string const &input : inputs_) mark_unused(input);
     if (!output.empty()) mark_unused(last);
-    out.append(text);
+    out.append(std::move(text));
     out.statement(0, Filling().set_name("name", name)(with_words(language_, syntax_.end)));
   }
 
