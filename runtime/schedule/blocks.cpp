@@ -3,7 +3,6 @@
 #include "schedule/order.h"
 
 #include <algorithm>
-#include <unordered_map>
 
 namespace symreal {
 
@@ -23,7 +22,7 @@ public:
         variables_(chunks.begin[chunk + 1] - first_) {}
 
   std::vector<Step> run() {
-    for (std::size_t k = 0; k < variables_.size(); ++k) number_.emplace(body_.variables[first_ + k], k);
+    std::vector<std::size_t> const last_stores = place_stores();
     auto check = std::partition_point(body_.checks.begin(), body_.checks.end(),
                                       [&](Check const &one) { return chunks_.of_check(one) < chunk_; });
     for (std::size_t k = first_; k <= first_ + variables_.size(); ++k) {
@@ -39,7 +38,13 @@ public:
       steps_.push_back({Step::Kind::set, k});
     }
     move_to({});
-    return with_declarations();
+    for (std::size_t const result : last_stores) note_read(body_.results[result]);
+    std::vector<Step> steps = with_declarations();
+    Stores const &stores = chunks_.stores;
+    for (std::size_t k = 0; chunk_ == stores.first_chunk && k < stores.copied.size(); ++k)
+      steps.push_back({Step::Kind::copy, k});
+    for (std::size_t const result : last_stores) steps.push_back({Step::Kind::store, result});
+    return steps;
   }
 
 private:
@@ -51,7 +56,22 @@ private:
   struct Variable {
     std::size_t block = never; // where it is set; `never`: outside of all
     bool read_outside = false;
+    std::vector<std::size_t> results = {}; // that are stored as soon as it is set
   };
+
+  // Gives the results of this chunk to their variables; those that are stored at its end are left.
+  std::vector<std::size_t> place_stores() {
+    std::vector<std::size_t> last;
+    for (std::size_t const result : chunks_.stores.of_chunk[chunk_]) {
+      std::size_t setter = never;
+      if (chunk_ != chunks_.stores.first_chunk)
+        for_each_variable(body_.results[result], [&](NodeId id) {
+          if (is_own(id)) setter = chunks_.statement[id] - first_;
+        });
+      (setter == never ? last : variables_[setter].results).push_back(result);
+    }
+    return last;
+  }
 
   // Ends blocks and begins others, so that exactly these literals hold.
   void move_to(std::vector<Literal> wanted) {
@@ -89,19 +109,24 @@ private:
   }
 
   void note_read(NodeId use) {
-    for_each_read(
-        *plan_.graph, use, [&](NodeId id) { return is_variable(id); },
-        [&](NodeId id) { return is_read(plan_, in_compute_, id); },
-        [&](NodeId id) {
-          auto found = number_.find(id);
-          if (found == number_.end()) return; // an earlier chunk's
-          Variable &variable = variables_[found->second];
-          if (variable.block != never && ends_[variable.block] != never) variable.read_outside = true;
-        });
+    for_each_variable(use, [&](NodeId id) {
+      if (!is_own(id)) return;
+      Variable &variable = variables_[chunks_.statement[id] - first_];
+      if (variable.block != never && ends_[variable.block] != never) variable.read_outside = true;
+    });
   }
 
+  template <class Visit> void for_each_variable(NodeId use, Visit const &visit) const {
+    for_each_read(
+        *plan_.graph, use, [&](NodeId id) { return is_variable(id); },
+        [&](NodeId id) { return is_read(plan_, in_compute_, id); }, visit);
+  }
+
+  bool is_own(NodeId id) const {
+    return chunks_.statement[id] >= first_ && chunks_.statement[id] < first_ + variables_.size();
+  }
   // Of this chunk, or kept by an earlier one.
-  bool is_variable(NodeId id) const { return number_.contains(id) || chunks_.spill_slot[id] != no_slot; }
+  bool is_variable(NodeId id) const { return is_own(id) || chunks_.spill_slot[id] != no_slot; }
 
   bool is_kept(std::size_t statement) const { return chunks_.spill_slot[body_.variables[statement]] != no_slot; }
 
@@ -110,13 +135,14 @@ private:
     std::vector<Step> result;
     for (std::size_t at = 0; at < steps_.size();) {
       std::size_t const end = group_end(at);
-      std::vector<std::size_t> kept;
+      std::vector<Step> behind;
       for (std::size_t i = at; i < end; ++i) {
         if (steps_[i].kind != Step::Kind::set) continue;
         Variable &variable = variables_[steps_[i].index - first_];
         if (variable.block == never) continue;
-        if (is_kept(steps_[i].index)) kept.push_back(steps_[i].index);
-        variable.read_outside |= is_kept(steps_[i].index);
+        std::size_t const count = behind.size();
+        push_stores(steps_[i].index, behind);
+        variable.read_outside |= behind.size() != count;
         if (variable.read_outside) result.push_back({Step::Kind::declare, steps_[i].index});
       }
       for (std::size_t i = at; i < end; ++i) {
@@ -124,12 +150,19 @@ private:
         if (steps_[i].kind != Step::Kind::set) continue;
         Variable const &variable = variables_[steps_[i].index - first_];
         if (!variable.read_outside) result.back().kind = Step::Kind::set_const;
-        if (variable.block == never && is_kept(steps_[i].index)) result.push_back({Step::Kind::keep, steps_[i].index});
+        if (variable.block == never) push_stores(steps_[i].index, result);
       }
-      for (std::size_t statement : kept) result.push_back({Step::Kind::keep, statement});
+      result.insert(result.end(), behind.begin(), behind.end());
       at = end;
     }
     return result;
+  }
+
+  // What stores the value of a statement.
+  void push_stores(std::size_t statement, std::vector<Step> &steps) const {
+    if (is_kept(statement)) steps.push_back({Step::Kind::keep, statement});
+    for (std::size_t const result : variables_[statement - first_].results)
+      steps.push_back({Step::Kind::store, result});
   }
 
   // A step outside of all blocks, or all up to the end of an outermost block.
@@ -148,8 +181,7 @@ private:
   bool in_compute_;
   Chunks const &chunks_;
   std::size_t chunk_, first_;
-  std::vector<Variable> variables_;                // of this chunk, in order
-  std::unordered_map<NodeId, std::size_t> number_; // of a variable among them
+  std::vector<Variable> variables_; // of this chunk, in order
   std::vector<Step> steps_;
   std::vector<Open> open_;
   std::vector<std::size_t> ends_; // per block: the step that ends it, or never

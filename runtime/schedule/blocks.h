@@ -18,6 +18,8 @@ struct Step {
     set_const, // the same, declared here
     keep,      // stores variable `index` in its spill slot
     check,     // guard `index`
+    copy,      // stores number `index` of what is copied from the input
+    store,     // stores result `index`
   } kind;
   std::size_t index = 0; // of a statement of the body; of a check
   Literal literal = {};

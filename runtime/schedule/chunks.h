@@ -5,14 +5,19 @@
 #pragma once
 
 #include "schedule/schedule.h"
+#include "schedule/stores.h"
 
 namespace symreal {
 
 struct Chunks {
-  std::vector<std::size_t> begin;        // first statement of each chunk, and the end of the last
-  std::vector<std::uint32_t> spill_slot; // per node: where it is kept for later chunks, or no_slot
-  std::size_t spill_count = 0;           // size of the array; slots are used again when their value is dead
-  std::vector<std::size_t> part = {};    // per chunk, of the body's parts; none where it has none
+  std::vector<std::size_t> begin = {};        // first statement of each chunk, and the end of the last
+  std::vector<std::uint32_t> spill_slot = {}; // per node: where it is kept for later chunks, or no_slot
+  std::vector<std::uint32_t> copy_slot = {};  // and what is found in an array: where its copy is
+  std::size_t spill_count = 0;                // size of the array; slots are used again when their value is dead
+  std::vector<std::size_t> part = {};         // per chunk, of the body's parts; none where it has none
+  Stores stores = {};
+
+  std::vector<std::uint32_t> statement = {}; // per node: that sets its variable, or no_slot
 
   std::size_t size() const { return begin.size() - 1; }
   bool has_parts() const { return !part.empty(); }
@@ -20,8 +25,13 @@ struct Chunks {
   std::size_t of_check(Check const &check) const;
 };
 
-// The results are read after the last chunk. No chunk has more than so many statements, or statements of two parts.
-// Parts of one stage share no slot.
-Chunks cut(Schedule const &plan, FunctionBody const &body, bool in_compute, std::size_t most_statements);
+struct ChunkLimits {
+  std::size_t most_statements;
+  bool may_store; // chunks may store results
+};
+
+// No chunk has more than so many statements, or statements of two parts, or stores more than so many results. Parts of
+// one stage share no slot.
+Chunks cut(Schedule const &plan, FunctionBody const &body, bool in_compute, ChunkLimits const &limits);
 
 } // namespace symreal

@@ -15,6 +15,16 @@ std::string c_no_fusion(Emission const &emission) {
          "#endif\n";
 }
 
+// Joined to one function again, its parts would take the compiler more than linear time.
+std::string c_apart(Emission const &emission) {
+  if (!emission.uses.apart) return {};
+  return "#if defined(__GNUC__)\n"
+         "#define SYMREAL_APART __attribute__((noinline))\n"
+         "#else\n"
+         "#define SYMREAL_APART\n"
+         "#endif\n";
+}
+
 std::string c_value_checks(Emission const &emission) {
   if (!emission.uses.value_checks) return {};
   return "#include <stdio.h>\n\n"
@@ -36,9 +46,9 @@ std::string c_quiet_pragmas(Emission const &emission) {
 }
 
 std::string c_begin(Emission const &emission) {
-  return fmt::format("#include \"{}.h\"\n\n#include <math.h>\n{}{}{}{}{}\n", emission.options.base_name,
+  return fmt::format("#include \"{}.h\"\n\n#include <math.h>\n{}{}{}{}{}{}\n", emission.options.base_name,
                      emission.uses.truths ? "#include <stdbool.h>\n" : "", c_integer_includes(emission),
-                     c_value_checks(emission), c_no_fusion(emission), c_quiet_pragmas(emission));
+                     c_value_checks(emission), c_no_fusion(emission), c_apart(emission), c_quiet_pragmas(emission));
 }
 
 } // namespace symreal

@@ -33,5 +33,7 @@ std::string c_value_checks(Emission const &emission);
 // Whatever the flags, nothing is fused; empty in mode fast.
 std::string c_no_fusion(Emission const &emission);
 std::string c_quiet_pragmas(Emission const &emission);
+// A word for functions that compilers must not inline, where there are such.
+std::string c_apart(Emission const &emission);
 
 } // namespace symreal

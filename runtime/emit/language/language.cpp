@@ -25,11 +25,20 @@ std::vector<std::pair<std::string_view, std::string_view>> words_of(Language con
   return words;
 }
 
+static std::optional<std::string_view> find_word(Language const &language, std::string_view name) {
+  if (name == "real") return language.number.name;
+  if (name == "suffix") return language.numbers.suffix;
+  for (Word const &word : language.words)
+    if (word.name == name) return language.is_single ? word.in_single : word.in_double;
+  return std::nullopt;
+}
+
 std::string fill(Language const &language, std::string_view pattern,
                  std::initializer_list<std::pair<std::string_view, std::string_view>> values) {
-  std::vector<std::pair<std::string_view, std::string_view>> all(values);
-  std::ranges::copy(words_of(language), std::back_inserter(all));
-  return fill(pattern, all);
+  return fill_places(pattern, [&](std::string_view name) -> std::optional<std::string_view> {
+    if (auto const value = find_place(std::span(values.begin(), values.size()), name)) return value;
+    return find_word(language, name);
+  });
 }
 
 std::string with_words(Language const &language, std::string_view pattern) {

@@ -77,9 +77,12 @@ struct StatementSyntax {
 };
 
 struct FunctionSyntax {
-  std::string_view head = {}, local_head = {},
-                   end = {}; // $result $name $parameters $target $pure; of the interface; of this file; behind the last
+  std::string_view
+      head = {},
+      local_head = {},
+      end = {}; // $result $name $parameters $target $pure $apart; of the interface; of this file; behind the last
   std::string_view pure = {};                   // in heads, of functions that call nothing outside of the file
+  std::string_view apart = {};                  // in heads of parts, which compilers must not join again
   std::string_view no_result = {}, status = {}; // $result
   // $target: the array that a function fills. $name: a parameter that is an array of numbers; no output: the function
   // returns the array
@@ -96,6 +99,7 @@ struct FunctionSyntax {
   std::string_view status_declaration = {};        // of the parameter that does, where it is one
   std::string_view call = {},
                    checked_call = {}; // $name $group $arguments: of a part of this function; checked: return its status
+  bool parts_store = false;           // a part of a function may be given the array that it fills
   std::size_t most_statements = 500;  // longer ones are cut: compilers take more than linear time on one function
   // Where a class may have only so many functions: $name of the class around these parts.
   std::string_view group_begin = {}, group_end = {};

@@ -9,27 +9,7 @@
 namespace symreal {
 
 std::string fill(std::string_view pattern, std::span<std::pair<std::string_view, std::string_view> const> values) {
-  std::string text;
-  while (true) {
-    std::size_t const dollar = std::min(pattern.find('$'), pattern.size());
-    text += pattern.substr(0, dollar);
-    if (dollar == pattern.size()) return text;
-    pattern.remove_prefix(dollar + 1);
-    if (pattern.starts_with('$')) {
-      text += '$';
-      pattern.remove_prefix(1);
-      continue;
-    }
-    bool const braced = pattern.starts_with('{');
-    if (braced) pattern.remove_prefix(1);
-    auto const is_letter = [](unsigned char c) { return std::isalpha(c) || c == '_'; };
-    auto const length = static_cast<std::size_t>(std::ranges::find_if_not(pattern, is_letter) - pattern.begin());
-    std::string_view const name = pattern.substr(0, length);
-    auto const value = std::ranges::find(values, name, [](auto const &pair) { return pair.first; });
-    internal_check(value != values.end() && (!braced || pattern.substr(length).starts_with('}')));
-    text += value->second;
-    pattern.remove_prefix(length + (braced ? 1 : 0));
-  }
+  return fill_places(pattern, [&](std::string_view name) { return find_place(values, name); });
 }
 
 static std::string capital(std::string const &text, bool joins) {

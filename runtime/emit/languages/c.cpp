@@ -46,8 +46,9 @@ Language language_c() {
   };
   c.functions = {
       .head = "$result $name($parameters) {",
-      .local_head = "static $result $name($parameters) {",
+      .local_head = "${apart}static $result $name($parameters) {",
       .end = "}",
+      .apart = "SYMREAL_APART ",
       .no_result = "void",
       .status = "int",
       .input = "$real const *$name",
@@ -57,6 +58,7 @@ Language language_c() {
       .failed = "int failed = 0;",
       .call = "$name($arguments);",
       .checked_call = "failed = $name($arguments);\nif (failed != 0) return failed;",
+      .parts_store = true,
   };
   c.parallel = {
       .stage_begin = "#pragma omp parallel sections num_threads($threads)\n  {\n",

@@ -436,6 +436,7 @@ Language language_fortran() {
       .status_declaration = "integer, intent(out) :: guard",
       .call = "call $name($arguments)",
       .checked_call = "call $name($arguments, guard)\nif (guard /= 0) return",
+      .parts_store = true,
   };
   fortran.tables = {.begin = "$real, parameter :: $name($count) = [",
                     .end = "]",

@@ -294,6 +294,7 @@ Language language_go() {
       .success = "return 0",
       .call = "$name($arguments)",
       .checked_call = "if failed := $name($arguments); failed != 0 { return failed }",
+      .parts_store = true,
   };
   go.tables = {.begin = "var $name = [...]float64{", .end = "}"};
   go.files = {

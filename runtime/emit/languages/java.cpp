@@ -321,6 +321,7 @@ Language language_java() {
       .failed = "int failed;",
       .call = "$group.$name($arguments);",
       .checked_call = "failed = $group.$name($arguments);\nif (failed != 0) return failed;",
+      .parts_store = true,
       .most_statements = 80,                               // HotSpot compiles no method of more than 8000 bytes
       .group_begin = "private static final class $name {", // a class has room for 65535 constants
       .group_end = "}",

@@ -353,6 +353,7 @@ Language language_javascript() {
       .failed = "let failed = 0;",
       .call = "$name($arguments);",
       .checked_call = "failed = $name($arguments);\nif (failed !== 0) return failed;",
+      .parts_store = true,
   };
   js.tables = {.begin = "const $name = [", .end = "];"};
   js.files = {

@@ -204,6 +204,7 @@ Language language_julia() {
       .finish = "",
       .call = "$name!($arguments)",
       .checked_call = "failed = $name!($arguments)\nif failed != 0; return failed; end",
+      .parts_store = true,
   };
   julia.tables = {.begin = "const $name = [", .end = "]"};
   julia.externals = {.bridge = bridge};

@@ -124,8 +124,9 @@ Language language_rust() {
   };
   rust.functions = {
       .head = "pub fn $name($parameters)$result {",
-      .local_head = "fn $name($parameters)$result {",
+      .local_head = "${apart}fn $name($parameters)$result {",
       .end = "}",
+      .apart = "#[inline(never)] ",
       .no_result = "",
       .status = " -> i32",
       .input = "$name: &[$real]",
@@ -134,6 +135,7 @@ Language language_rust() {
       .success = "0",
       .call = "$name($arguments);",
       .checked_call = "let failed = $name($arguments);\nif failed != 0 { return failed; }",
+      .parts_store = true,
   };
   rust.tables = {
       .begin = "static $name: [$real; $count] = [",

@@ -15,12 +15,14 @@ static bool is_about_variable(Step const &step) {
          step.kind == Step::Kind::keep;
 }
 
-BodyPrinter::BodyPrinter(Emission &emission, FunctionBody const &body, bool is_compute)
+BodyPrinter::BodyPrinter(Emission &emission, FunctionBody const &body, bool is_compute, std::string_view target)
     : emission_(emission),
       language_(emission.language),
       body_(body),
       is_compute_(is_compute),
-      chunks_(cut(emission.plan, body, is_compute, language_.functions.most_statements)),
+      target_(target),
+      chunks_(
+          cut(emission.plan, body, is_compute, {language_.functions.most_statements, language_.functions.parts_store})),
       context_(emission, body, is_compute),
       declarations_(language_) {}
 
@@ -66,6 +68,7 @@ bool BodyPrinter::statements(std::size_t chunk, CodeText &out) {
     checks = checks || step.kind == Step::Kind::check;
   }
   if (chunks_.size() == 1) return checks;
+  if (chunk == chunks_.stores.first_chunk) context_.copied = chunks_.copy_slot;
   for (std::size_t k = chunks_.begin[chunk]; k < chunks_.begin[chunk + 1]; ++k) {
     NodeId const id = body_.variables[k];
     context_.variable[id] = no_slot; // what this chunk has in a variable, later ones find in v
@@ -91,6 +94,12 @@ void BodyPrinter::print_step(Step const &step, std::size_t indent, CodeText &out
     std::string const element = context_.element("v", chunks_.spill_slot[id]);
     return out.statement(indent, stored(element, id, print_use(context_, id)));
   }
+  case Step::Kind::copy: {
+    NodeId const id = chunks_.stores.copied[step.index];
+    std::string const element = context_.element("v", chunks_.copy_slot[id]);
+    return out.statement(indent, stored(element, id, print_expression(context_, id)));
+  }
+  case Step::Kind::store: return store_result(step.index, indent, out);
   case Step::Kind::check: {
     std::string const condition = print_condition(context_, {body_.checks[step.index].condition, false});
     return out.statement(
@@ -173,14 +182,23 @@ void BodyPrinter::checks(CodeText &out) {
   for (std::size_t k = 0; k < body_.checks.size(); ++k) print_step({Step::Kind::check, k}, 2, out);
 }
 
-void BodyPrinter::results(std::string const &target, CodeText &out) {
-  out.statement(2, fill(language_, language_.functions.results,
-                        {{"name", target}, {"count", std::to_string(body_.results.size())}}));
-  for (std::size_t slot = 0; slot < body_.results.size(); ++slot) {
-    NodeId const id = body_.results[slot];
-    std::string const element = context_.element(target, slot);
-    out.statement(2, stored(element, id, print_use(context_, id)));
-  }
+void BodyPrinter::store_result(std::size_t result, std::size_t indent, CodeText &out) {
+  NodeId const id = body_.results[result];
+  std::string const element = context_.element(target_, result);
+  out.statement(indent, stored(element, id, print_use(context_, id)));
+}
+
+std::size_t BodyPrinter::result_groups() const {
+  std::size_t const most = language_.functions.most_statements, count = chunks_.stores.behind.size();
+  if (chunks_.size() == 1 || !language_.functions.parts_store || count <= most) return 1;
+  return (count + most - 1) / most;
+}
+
+void BodyPrinter::results(std::size_t group, CodeText &out) {
+  std::vector<std::size_t> const &behind = chunks_.stores.behind;
+  std::size_t const groups = result_groups();
+  for (std::size_t k = behind.size() * group / groups; k < behind.size() * (group + 1) / groups; ++k)
+    store_result(behind[k], 2, out);
 }
 
 Origin BodyPrinter::origin() const {

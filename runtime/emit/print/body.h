@@ -11,7 +11,8 @@ namespace symreal {
 
 class BodyPrinter {
 public:
-  BodyPrinter(Emission &emission, FunctionBody const &body, bool is_compute);
+  // `target`: the array that takes the results.
+  BodyPrinter(Emission &emission, FunctionBody const &body, bool is_compute, std::string_view target);
 
   std::size_t chunk_count() const { return chunks_.size(); }
   std::size_t spill_count() const { return chunks_.spill_count; }
@@ -23,11 +24,13 @@ public:
   bool statements(std::size_t chunk, CodeText &out);
   // The guards of a body of parts, after the last chunk.
   void checks(CodeText &out);
-  // Stores the results, after the last chunk.
-  void results(std::string const &target, CodeText &out);
+  // Stores the results that no chunk stores: so many groups of them, which stand behind the last chunk.
+  std::size_t result_groups() const;
+  void results(std::size_t group, CodeText &out);
 
   // The arrays that the text has named since this was asked.
-  std::set<std::string_view> take_arrays() { return std::exchange(context_.arrays, {}); }
+  ArrayNames const &arrays() const { return context_.arrays; }
+  ArrayNames take_arrays() { return std::exchange(context_.arrays, {}); }
   void note_array(std::string_view array) { context_.arrays.insert(array); }
   // The declarations since this was asked, where they stand before the first statement.
   CodeText take_declarations() { return std::exchange(declarations_, CodeText(language_)); }
@@ -46,6 +49,7 @@ private:
   void set(std::size_t statement, bool declares, std::size_t indent, CodeText &out);
   void check_value(std::size_t statement, std::size_t indent, CodeText &out) const;
   void print_call(Step const &step, std::size_t indent, CodeText &out);
+  void store_result(std::size_t result, std::size_t indent, CodeText &out);
   std::string stored(std::string const &element, NodeId id, std::string const &value) const;
   Origin origin() const;
 
@@ -53,6 +57,7 @@ private:
   Language const &language_;
   FunctionBody const &body_;
   bool is_compute_;
+  std::string_view target_;
   Chunks chunks_;
   FunctionContext context_;
   CodeText declarations_;

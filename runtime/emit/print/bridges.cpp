@@ -173,7 +173,7 @@ std::string laid_out(Language const &language, std::string_view text) {
     lines.statement(begin * 2 / language.lines.step, text.substr(begin, end - begin));
     text.remove_prefix(std::min(end + 1, text.size()));
   }
-  return lines.text();
+  return lines.take_text();
 }
 
 } // namespace

@@ -44,10 +44,12 @@ void CodeText::lines(std::string_view text) {
   line_ += static_cast<std::size_t>(std::ranges::count(text, '\n'));
 }
 
-void CodeText::append(CodeText const &other) {
-  for (LineOrigin const &origin : other.origins_)
-    origins_.push_back({origin.first_line + line_ - 1, origin.last_line + line_ - 1, origin.locations});
-  lines(other.text_);
+void CodeText::append(CodeText &&other) {
+  for (LineOrigin &origin : other.origins_)
+    origins_.push_back({origin.first_line + line_ - 1, origin.last_line + line_ - 1, std::move(origin.locations)});
+  text_.append(other.text_);
+  line_ += other.line_ - 1;
+  other = CodeText(*language_);
 }
 
 } // namespace symreal

@@ -25,10 +25,10 @@ public:
   void statement(std::size_t indent, std::string_view text, Origin origin = {});
   // Whole lines as they are, each with its newline.
   void lines(std::string_view text);
-  void append(CodeText const &other);
+  void append(CodeText &&other);
 
-  std::string const &text() const { return text_; }
-  std::vector<LineOrigin> const &origins() const { return origins_; }
+  std::string take_text() { return std::move(text_); }
+  std::vector<LineOrigin> take_origins() { return std::move(origins_); }
 
 private:
   void end_line();

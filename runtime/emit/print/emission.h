@@ -25,6 +25,7 @@ struct Uses {
   bool kept_integer = false, keep_integer = false; // integers of 64 bits that stand in arrays of numbers
   bool truths = false;                             // variables with truth values
   bool hidden = false, value_checks = false;
+  bool apart = false;      // parts of functions that must not be joined again
   bool not_finite = false; // infinities and NaNs among the constants
 };
 

@@ -1,12 +1,13 @@
 // The nodes of an expression, and what asks for one.
 #include "emit/print/expression_printer.h"
 
+#include <array>
 #include <cmath>
 
 namespace symreal {
 
 std::string ExpressionPrinter::print(Item item) {
-  stack_.push_back(std::move(item));
+  stack_.push_back(item);
   return finish();
 }
 
@@ -27,13 +28,13 @@ std::string ExpressionPrinter::print_condition(Literal literal) {
     return finish();
   }
   if (wanted) return print({.node = id});
-  push_pattern(Op::logical_not, {Item{.node = id}});
+  push_pattern(Op::logical_not, std::array{Item{.node = id}});
   return finish();
 }
 
 std::string ExpressionPrinter::finish() {
   while (!stack_.empty()) {
-    Item item = std::move(stack_.back());
+    Item const item = stack_.back();
     stack_.pop_back();
     if (item.node == no_node)
       text_ += item.text;
@@ -66,10 +67,10 @@ void ExpressionPrinter::print_node(Item const &item) {
     push(")");
     return push_comparison(Op::ne, item.node);
   }
-  std::string const as_number = with_words(language_, language_.expressions.truth_as_number);
-  if (item.as != As::number || !is_truth || as_number.empty()) return print_itself(item);
+  if (item.as != As::number || !is_truth || language_.expressions.truth_as_number.empty()) return print_itself(item);
+  std::string_view const as_number = lasting(with_words(language_, language_.expressions.truth_as_number));
   std::size_t const place = as_number.find("$x");
-  text_.append(as_number, 0, place);
+  text_.append(as_number.substr(0, place));
   push(as_number.substr(place + 2));
   stack_.push_back({.node = item.node, .spelled_out = item.spelled_out});
 }
@@ -87,6 +88,8 @@ void ExpressionPrinter::print_itself(Item const &item) {
     return;
   }
   if (!item.spelled_out && is_kept(id)) return print_element(node, context_.element("v", context_.kept[id]));
+  if (!context_.copied.empty() && context_.copied[id] != no_slot)
+    return print_element(node, context_.element("v", context_.copied[id]));
   if (is_precomputed(id))
     return print_element(node, context_.element("constants", context_.emission.plan.constant_slot[id]));
   if (is_leaf(node.op)) {

@@ -4,9 +4,23 @@
 #include "emit/print/emission.h"
 #include "emit/print/variable_names.h"
 
+#include <algorithm>
 #include <string>
+#include <vector>
 
 namespace symreal {
+
+// A few names, each once.
+class ArrayNames {
+public:
+  void insert(std::string_view name) {
+    if (!contains(name)) names_.push_back(name);
+  }
+  bool contains(std::string_view name) const { return std::ranges::find(names_, name) != names_.end(); }
+
+private:
+  std::vector<std::string_view> names_;
+};
 
 // How the nodes that stand in variables and arrays are spelled inside one function, and what its text has used.
 struct FunctionContext {
@@ -16,8 +30,9 @@ struct FunctionContext {
   VariableNames spelling;                 // of variables
   std::vector<std::uint32_t> variable;    // per node: the number of its variable, or no_slot
   std::vector<std::uint32_t> kept;        // per node: the element of v where it stands for later chunks, or no_slot
+  std::vector<std::uint32_t> copied = {}; // per node: the element of v that has its array's element; or empty
   std::vector<char> constant_paths;       // per node; empty: compilers may evaluate what they find constant
-  std::set<std::string_view> arrays = {}; // that the text names
+  ArrayNames arrays = {};                 // that the text names
   std::vector<NodeId> spelled_out = {};   // the operations that the text holds
 
   FunctionContext(Emission &emission, FunctionBody const &body, bool in_compute);

@@ -3,6 +3,8 @@
 
 #include "emit/print/expression.h"
 
+#include <forward_list>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -15,7 +17,7 @@ public:
 
   // What is still to be printed: text, or a node that needs parentheses unless it binds at least this tightly.
   struct Item {
-    std::string text = {};
+    std::string_view text = {};
     NodeId node = no_node;
     int binding = binding::loosest;
     As as = As::itself;
@@ -54,15 +56,18 @@ private:
   void print_operation(Node const &node, int binding);
   void print_external(Node const &node);
   void push_comparison(Op op, NodeId id);
-  void push_pattern(Op op, std::vector<Item> const &operands, NodeId hidden = no_node);
+  void push_pattern(Op op, std::span<Item const> operands, NodeId hidden = no_node);
   void push_hidden(Item const &operand);
-  void push(std::string text) { stack_.push_back({.text = std::move(text)}); }
+  void push(std::string_view text) { stack_.push_back({.text = text}); }
+  // Text that lives as long as the printer.
+  std::string_view lasting(std::string text) { return lasting_.emplace_front(std::move(text)); }
 
   FunctionContext &context_;
   Language const &language_;
   Graph const &graph_;
   std::vector<Item> stack_; // instead of recursion; items are pushed last first
   std::string text_;
+  std::forward_list<std::string> lasting_;
 };
 
 } // namespace symreal

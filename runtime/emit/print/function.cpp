@@ -14,7 +14,8 @@ namespace {
 class FunctionPrinter {
 public:
   FunctionPrinter(Emission &emission, bool is_compute)
-      : graph_(emission.graph()),
+      : emission_(emission),
+        graph_(emission.graph()),
         language_(emission.language),
         syntax_(emission.language.functions),
         body_(is_compute ? emission.plan.compute : emission.plan.preprocess),
@@ -22,7 +23,7 @@ public:
         inputs_(is_compute ? std::vector<std::string>{"input", "constants"} : std::vector<std::string>{"parameters"}),
         target_(is_compute ? "output" : "constants"),
         threads_(emission.plan.threads),
-        printer_(emission, body_, is_compute) {}
+        printer_(emission, body_, is_compute, target_) {}
 
   CodeText print() {
     bool const may_fail = !body_.checks.empty();
@@ -31,23 +32,34 @@ public:
       printer_.begin(last);
       printer_.statements(0, last);
     } else {
-      last.statement(2, fill(language_, language_.statements.array,
-                             {{"name", "v"}, {"count", std::to_string(printer_.spill_count())}}));
+      last.statement(
+          2, fill(language_, language_.statements.array,
+                  {{"name", "v"}, {"count", std::to_string(std::max<std::size_t>(printer_.spill_count(), 1))}}));
       printer_.begin(last);
       if (may_fail && !is_shared()) last.statement(2, syntax_.failed);
       for (std::size_t chunk = 0; chunk < printer_.chunk_count(); ++chunk) {
         begin_part(chunk, last);
-        print_chunk(chunk, out, last);
+        CodeText text(language_);
+        bool const checks = printer_.statements(chunk, text);
+        print_part(chunk, std::move(text), checks, out, last);
         end_part(chunk, last);
       }
       if (is_shared()) printer_.checks(last);
-      end_group(printer_.chunk_count(), out);
+      for (std::size_t group = 0; printer_.result_groups() > 1 && group < printer_.result_groups(); ++group) {
+        CodeText text(language_);
+        printer_.results(group, text);
+        print_part(printer_.chunk_count() + group, std::move(text), false, out, last);
+      }
+      end_group(part_count(), out);
       for (std::string const &input : inputs_) printer_.note_array(input); // the calls pass them on
+      if (syntax_.parts_store) printer_.note_array(target_);
     }
-    printer_.results(target_, last);
+    last.statement(
+        2, fill(language_, syntax_.results, {{"name", target_}, {"count", std::to_string(body_.results.size())}}));
+    if (printer_.result_groups() == 1) printer_.results(0, last);
     if (may_fail) last.statement(2, syntax_.success);
     last.statement(2, fill(language_, syntax_.finish, {{"name", target_}}));
-    append(out, syntax_.head, syntax_.output, may_fail, name_, target_, last);
+    append(out, syntax_.head, syntax_.output, may_fail, name_, target_, std::move(last));
     return out;
   }
 
@@ -58,10 +70,13 @@ private:
   std::string with_output(std::string const &inputs, std::string const &output) const {
     return syntax_.output_first ? output + ", " + inputs : inputs + ", " + output;
   }
-  // Behind so many chunks.
-  void end_group(std::size_t chunks, CodeText &out) const {
+  std::size_t part_count() const {
+    return printer_.chunk_count() + (printer_.result_groups() == 1 ? 0 : printer_.result_groups());
+  }
+  // Behind so many parts.
+  void end_group(std::size_t parts, CodeText &out) const {
     if (syntax_.group_size == 0) return;
-    out.statement(0, fill(language_, syntax_.group_end, {{"name", group(chunks - 1)}}));
+    out.statement(0, fill(language_, syntax_.group_end, {{"name", group(parts - 1)}}));
     out.lines("\n");
   }
 
@@ -89,25 +104,27 @@ private:
     return fill(language_, lines, {{"threads", std::to_string(threads_)}});
   }
 
-  void print_chunk(std::size_t chunk, CodeText &out, CodeText &calls) {
-    if (syntax_.group_size != 0 && chunk % syntax_.group_size == 0) {
-      if (chunk != 0) end_group(chunk, out);
-      out.statement(0, fill(language_, syntax_.group_begin, {{"name", group(chunk)}}));
+  // A chunk, or results that none stores.
+  void print_part(std::size_t part, CodeText text, bool checks, CodeText &out, CodeText &calls) {
+    if (syntax_.group_size != 0 && part % syntax_.group_size == 0) {
+      if (part != 0) end_group(part, out);
+      out.statement(0, fill(language_, syntax_.group_begin, {{"name", group(part)}}));
     }
-    CodeText text(language_);
-    bool const checks = printer_.statements(chunk, text);
     if (checks) text.statement(2, syntax_.success);
     text.statement(2, fill(language_, syntax_.local_finish, {{"name", "v"}}));
-    std::string const name = language_.names.spelled(fmt::format("{}_{}", name_, chunk + 1));
+    std::string const name = language_.names.spelled(fmt::format("{}_{}", name_, part + 1));
+    bool const stores = printer_.arrays().contains(target_);
     append(out, syntax_.local_head, syntax_.local_output.empty() ? syntax_.output : syntax_.local_output, checks, name,
-           "v", text);
-    if (chunk + 1 < printer_.chunk_count() || syntax_.group_size == 0) out.lines("\n");
-    std::string const arguments = with_output(fmt::format("{}", fmt::join(inputs_, ", ")), "v");
+           "v", std::move(text));
+    if (part + 1 < part_count() || syntax_.group_size == 0) out.lines("\n");
+    std::string const arguments =
+        with_output(fmt::format("{}", fmt::join(inputs_, ", ")), stores ? target_ + ", v" : "v");
+    bool const is_shared = part < printer_.chunk_count() && this->is_shared(part);
     for (std::string_view rest = checks ? syntax_.checked_call : syntax_.call; !rest.empty();) { // a statement a line
       std::size_t const end = std::min(rest.find('\n'), rest.size());
       calls.statement(
-          is_shared(chunk) ? language_.parallel.indent : 2,
-          fill(language_, rest.substr(0, end), {{"name", name}, {"group", group(chunk)}, {"arguments", arguments}}));
+          is_shared ? language_.parallel.indent : 2,
+          fill(language_, rest.substr(0, end), {{"name", name}, {"group", group(part)}, {"arguments", arguments}}));
       rest.remove_prefix(std::min(end + 1, rest.size()));
     }
   }
@@ -123,21 +140,27 @@ private:
 
   // A parameter that the text does not use is marked, or compilers warn.
   void append(CodeText &out, std::string_view head, std::string_view output, bool may_fail, std::string const &name,
-              std::string const &last, CodeText const &text) {
+              std::string const &last, CodeText text) {
     bool const is_part = name != name_;
-    std::set<std::string_view> const used = printer_.take_arrays();
+    ArrayNames const used = printer_.take_arrays();
     std::string parameters;
     for (std::string const &input : inputs_)
       parameters += (parameters.empty() ? "" : ", ") + fill(language_, syntax_.input, {{"name", input}});
-    if (!output.empty()) parameters = with_output(parameters, fill(language_, output, {{"name", last}}));
+    bool const stores = is_part && used.contains(target_);
+    std::string outputs = stores ? fill(language_, syntax_.output, {{"name", target_}}) + ", " : "";
+    if (!output.empty()) parameters = with_output(parameters, outputs + fill(language_, output, {{"name", last}}));
+    bool const is_apart = is_part && body_.variables.size() > syntax_.most_statements && !syntax_.apart.empty();
+    emission_.uses.apart |= is_apart;
     out.statement(0, Filling()
                          .set("result", std::string(may_fail ? syntax_.status : syntax_.no_result))
                          .set_name("name", name)
                          .set("target", last)
                          .set("pure", std::string(graph_.externals.empty() ? syntax_.pure : ""))
+                         .set("apart", std::string(is_apart ? syntax_.apart : ""))
                          .set("parameters", parameters)(with_words(language_, head)));
     for (std::string const &input : inputs_)
       out.statement(2, fill(language_, syntax_.input_declaration, {{"name", input}}));
+    if (stores) out.statement(2, fill(language_, syntax_.output_declaration, {{"name", target_}}));
     out.statement(2, fill(language_, syntax_.output_declaration, {{"name", last}}));
     if (may_fail) out.statement(2, syntax_.status_declaration);
     print_locals(is_part, out);
@@ -147,10 +170,11 @@ private:
     };
     for (std::string const &input : inputs_) mark_unused(input);
     if (!output.empty()) mark_unused(last);
-    out.append(text);
+    out.append(std::move(text));
     out.statement(0, Filling().set_name("name", name)(with_words(language_, syntax_.end)));
   }
 
+  Emission &emission_;
   Graph const &graph_;
   Language const &language_;
   FunctionSyntax const &syntax_;

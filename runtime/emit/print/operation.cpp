@@ -44,22 +44,22 @@ void ExpressionPrinter::print_operation(Node const &node, int binding) {
   if (operation.form == Form::local) context_.emission.uses.integer_functions.insert(operation.c);
   NodeId const hidden =
       context_.constant_paths.empty() ? no_node : hidden_operand(graph_, context_.constant_paths, node);
-  std::vector<Item> operands;
+  std::array<Item, 3> operands;
   for (unsigned i = 0; i < operation.arity; ++i) {
     bool const decides = operation.has(flag::LOGICAL) || (operation.form == Form::select && i == 0);
     bool const is_integer = takes_wide(node.op, i);
     As const as = decides ? As::truth : is_integer ? As::itself : As::number;
-    operands.push_back({.node = node.operand[i], .as = as});
+    operands[i] = {.node = node.operand[i], .as = as};
   }
-  push_pattern(node.op, operands, hidden);
+  push_pattern(node.op, std::span(operands).first(operation.arity), hidden);
 }
 
 // `id` as a number, compared with 0.
 void ExpressionPrinter::push_comparison(Op op, NodeId id) {
-  push_pattern(op, {Item{.node = id, .as = As::number}, Item{.text = constant(language_, 0)}});
+  push_pattern(op, std::array{Item{.node = id, .as = As::number}, Item{.text = lasting(constant(language_, 0))}});
 }
 
-void ExpressionPrinter::push_pattern(Op op, std::vector<Item> const &operands, NodeId hidden) {
+void ExpressionPrinter::push_pattern(Op op, std::span<Item const> operands, NodeId hidden) {
   context_.emission.uses.spelled[static_cast<std::size_t>(op)] = true;
   std::vector<Spellings::Piece> const &pieces = context_.emission.spellings[op].pieces;
   for (std::size_t i = pieces.size(); i-- > 0;) {
@@ -73,13 +73,13 @@ void ExpressionPrinter::push_pattern(Op op, std::vector<Item> const &operands, N
       continue;
     }
     operand.binding = pieces[i].binding;
-    stack_.push_back(std::move(operand));
+    stack_.push_back(operand);
   }
 }
 
 void ExpressionPrinter::push_hidden(Item const &operand) {
   context_.emission.uses.hidden = true;
-  std::string const hidden = with_words(language_, language_.expressions.hidden);
+  std::string_view const hidden = lasting(with_words(language_, language_.expressions.hidden));
   std::size_t const place = hidden.find("$x");
   push(hidden.substr(place + 2));
   stack_.push_back(operand);

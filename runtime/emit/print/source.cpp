@@ -29,9 +29,9 @@ EmittedFile print_source(Emission &emission) {
   text.lines(emission.language.module.contains);
   text.lines(indented(emission.language, print_helpers(emission, false)));
   text.lines(print_bridges(emission));
-  text.append(functions);
+  text.append(std::move(functions));
   text.lines(part(files.end));
-  return {name, text.text(), text.origins()};
+  return {name, text.take_text(), text.take_origins()};
 }
 
 } // namespace symreal

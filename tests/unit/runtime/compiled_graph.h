@@ -44,13 +44,16 @@ public:
   }
   // The guard that does not hold, or 0.
   int run(std::vector<double> const &input, std::vector<double> &output) const {
+    return run(input.data(), output.data());
+  }
+  int run(double const *input, double *output) const {
     char const *const name = is_cpp_ ? "_ZN1k7computeEPKdS1_Pd" : "compute"; // k::compute
     if (guarded_) {
       auto compute = reinterpret_cast<int (*)(double const *, double const *, double *)>(dlsym(library_, name));
-      return compute(input.data(), nullptr, output.data());
+      return compute(input, nullptr, output);
     }
     auto compute = reinterpret_cast<void (*)(double const *, double const *, double *)>(dlsym(library_, name));
-    compute(input.data(), nullptr, output.data());
+    compute(input, nullptr, output);
     return 0;
   }
 

@@ -98,18 +98,18 @@ TEST_P(Emit, CallsAndLookupsComputeTheSameAcrossChunks) {
 
 // Integers of 64 bits that other chunks read are kept by their bits, among them such as are no number.
 TEST_P(Emit, IntegersOf64BitsCrossChunks) {
-  std::string text = "symreal-graph 1\nkernel \"k\"\ninput \"x\" [2]\noutput \"y\" [3]\n%0 = input 0\n%1 = input 1\n"
+  std::string text = "symreal-graph 1\nkernel \"k\"\ninput \"x\" [2]\noutput \"y\" [4]\n%0 = input 0\n%1 = input 1\n"
                      "%2 = wide_int %0\n%3 = wide 1481765933 1284865837\n%4 = wide_mul %2 %3\n%5 = wide_less %4 %2\n"
-                     "%6 = sin %0\n";
-  text += chain(7, 6000);
+                     "%6 = sin %0\n%7 = wide_value %4\n";
+  text += chain(8, 6000);
   text += "%6000 = wide_add %4 %2\n%6001 = wide_low %6000\n%6002 = wide_select %5 %4 %2\n%6003 = wide_value %6002\n"
-          "result 0 %6001\nresult 1 %6003\nresult 2 %5999\n";
+          "result 0 %6001\nresult 1 %6003\nresult 2 %5999\nresult 3 %7\n";
   Graph const graph = read_graph(text, "test");
   EXPECT_NE(emit(schedule(graph), *find_language("c"), {.base_name = "k"})[0].text.find("keep_integer(&v["),
             std::string::npos);
   Compiled const compiled = compile(graph);
   for (double x : {-1.0, 0.0, 1.0, 2.0, 12345.0, -98765.0, 0x1p62, 4503599627370495.0}) {
-    std::vector<double> const input = {x, 1 - x}, output = compiled.run(input, 3);
+    std::vector<double> const input = {x, 1 - x}, output = compiled.run(input, 4);
     std::vector<double> const expected = evaluate_sample(graph, input, {}).outputs;
     for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_EQ(output[i], expected[i]) << i << " at " << x;
   }
