@@ -51,8 +51,7 @@ void BodyPrinter::begin(CodeText &out) const {
     }
 }
 
-bool BodyPrinter::statements(std::size_t chunk, CodeText &out) {
-  std::size_t indent = 2;
+bool BodyPrinter::statements(std::size_t chunk, CodeText &out, std::size_t indent) {
   bool checks = false;
   for (std::size_t k = chunks_.begin[chunk]; k < chunks_.begin[chunk + 1]; ++k) {
     NodeId const id = body_.variables[k];

@@ -20,11 +20,16 @@ public:
   // What the outermost function begins with.
   void begin(CodeText &out) const;
   // The chunks in order. Whether one of its statements may return the number of a guard.
-  bool statements(std::size_t chunk, CodeText &out);
+  bool statements(std::size_t chunk, CodeText &out, std::size_t indent = 2);
   // The guards of a body of parts, after the last chunk.
   void checks(CodeText &out);
   // Stores the results, after the last chunk.
   void results(std::string const &target, CodeText &out);
+
+  // How the inputs are spelled, where they are no elements of `input`.
+  void spell_inputs(std::vector<std::string> leaves) { context_.leaves = std::move(leaves); }
+  // A node, once the statements are printed.
+  std::string use(NodeId node) { return print_use(context_, node); }
 
   // The arrays that the text has named since this was asked.
   std::set<std::string_view> take_arrays() { return std::exchange(context_.arrays, {}); }
