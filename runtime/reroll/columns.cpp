@@ -91,10 +91,14 @@ private:
     }
     if (!is_mixed)
       operand.negated = signs.front() < 0;
-    else if (BodyOperand *const factor = factor_for(operand))
+    else if (BodyOperand *const factor = is_values(operand) ? &operand : factor_for(operand))
       factor->column = number_of(signed_values(body_.columns[factor->column].values, signs));
     else
       operand.sign = number_of({{}, signs});
+  }
+
+  bool is_values(BodyOperand const &operand) const {
+    return operand.column != no_column && body_.columns[operand.column].nodes.empty();
   }
 
   // The constants of the product that is computed for this operand alone.
@@ -104,10 +108,8 @@ private:
     if (product.op != Op::mul) return nullptr;
     for (std::uint32_t k = 0; k < repeat_.count; ++k)
       if (uses_[operation(k, operand.position).node] != 1) return nullptr;
-    for (unsigned i = 0; i < 2; ++i) {
-      std::uint32_t const column = product.operands[i].column;
-      if (column != no_column && body_.columns[column].nodes.empty()) return &product.operands[i];
-    }
+    for (unsigned i = 0; i < 2; ++i)
+      if (is_values(product.operands[i])) return &product.operands[i];
     return nullptr;
   }
 

@@ -8,8 +8,8 @@
 // CHECK-NEXT: c{{[0-9]+}} = {{.*}};
 // CHECK-NEXT: }
 // RUN: %symreal verify %s %t/rk4.c 2>&1 | FileCheck %s --check-prefix=SAME
-// SAME: 1000 samples, 1000 within the premises
-// SAME: end {{.*}}0 {{ *}}0{{$}}
+// SAME: 1000 samples, 9{{[0-9]+}} within the premises
+// SAME: end{{\[0\]}} {{ *}}2 {{ *}}0 {{ *}}0{{$}}
 #include <cmath>
 
 struct State {

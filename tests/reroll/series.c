@@ -3,13 +3,16 @@
    RUN: %symreal generate %s --reroll -o %t/series.c
    RUN: FileCheck %s --input-file=%t/series.c
    CHECK: static double const values_[[ROWS:[0-9]+]][
+   CHECK-NOT: values_
    CHECK: for (int k = 0; k < [[ROWS]]; ++k) {
-   CHECK: sin(
+   CHECK-NEXT: row_[[ROWS]] = values_[[ROWS]] + 3*k;
+   CHECK-NEXT: sin(
    CHECK-NOT: for (
    CHECK: output[0] =
    RUN: %symreal verify %s %t/series.c 2>&1 | FileCheck %s --check-prefix=SAME
    SAME: 1000 samples, 1000 within the premises
-   SAME: sum_return {{.*}}0 {{ *}}0{{$}} */
+   SAME: value_return {{ *}}1 {{ *}}0 {{ *}}0{{$}}
+*/
 enum { terms = 80 };
 static double amplitude[terms], frequency[terms], phase[terms];
 

@@ -113,7 +113,7 @@ struct ParallelSyntax {
 // Loops that --reroll makes of repeats, and the tables that they read: constants of the function.
 struct LoopSyntax {
   std::string_view begin = {}, end = {};               // $index $count
-  std::string_view row = {};                           // $name $table $columns $index: where a row of a table begins
+  std::string_view row = {};                           // $name $table $index: where a row of a table begins
   std::string_view element_table = {}, table_end = {}; // $name $count: of elements of arrays
 
   bool is_given() const { return !begin.empty(); }

@@ -68,7 +68,7 @@ Language language_c() {
   c.loops = {
       .begin = "for (int $index = 0; $index < $count; ++$index) {",
       .end = "}",
-      .row = "$real const *const $name = $table + $columns*$index;",
+      .row = "$real const *const $name = $table + $index;",
       .element_table = "static unsigned const $name[$count] = {",
       .table_end = "};",
   };

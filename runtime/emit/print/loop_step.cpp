@@ -143,13 +143,12 @@ private:
     indent_ = 4;
     for (auto const &[rows, columns] : values_) {
       names_.insert(row_name(rows));
-      bool const repeats = rows != step_.count;
-      out_.statement(indent_,
-                     fill(language_, language_.loops.row,
-                          {{"name", row_name(rows)},
-                           {"table", values_name(rows)},
-                           {"columns", std::to_string(columns.size())},
-                           {"index", repeats ? fmt::format("({} % {})", counter, rows) : std::string(counter)}}));
+      std::string index(counter);
+      if (rows != step_.count) index = fmt::format("{} % {}", counter, rows);
+      if (columns.size() != 1)
+        index = fmt::format("{}*{}", columns.size(), rows == step_.count ? index : "(" + index + ")");
+      out_.statement(indent_, fill(language_, language_.loops.row,
+                                   {{"name", row_name(rows)}, {"table", values_name(rows)}, {"index", index}}));
     }
   }
 
