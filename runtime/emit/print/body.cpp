@@ -2,6 +2,7 @@
 
 #include "emit/origins/origins.h"
 #include "emit/print/call.h"
+#include "emit/print/constant_paths.h"
 #include "schedule/order.h"
 #include "support/quoted.h"
 
@@ -23,6 +24,11 @@ BodyPrinter::BodyPrinter(Emission &emission, FunctionBody const &body, bool is_c
       chunks_(cut(emission.plan, body, is_compute, language_.functions.most_statements)),
       context_(emission, body, is_compute),
       declarations_(language_) {}
+
+void BodyPrinter::spell_inputs(std::vector<std::string> leaves, std::vector<char> const &constant) {
+  context_.leaves = std::move(leaves);
+  if (!context_.constant_paths.empty()) context_.constant_paths = constant_on_a_path(emission_.graph(), constant);
+}
 
 bool BodyPrinter::is_call(std::size_t statement) const {
   return is_call_node(emission_.plan, body_, body_.variables[statement]);

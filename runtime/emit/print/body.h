@@ -26,8 +26,8 @@ public:
   // Stores the results, after the last chunk.
   void results(std::string const &target, CodeText &out);
 
-  // How the inputs are spelled, where they are no elements of `input`.
-  void spell_inputs(std::vector<std::string> leaves) { context_.leaves = std::move(leaves); }
+  // How the inputs are spelled, where they are no elements of `input`, and which compilers may know to be constant.
+  void spell_inputs(std::vector<std::string> leaves, std::vector<char> const &constant);
   // A node, once the statements are printed.
   std::string use(NodeId node) { return print_use(context_, node); }
 

@@ -38,7 +38,7 @@ public:
     Schedule const plan = schedule(step_.body);
     Emission inner{plan, whole, emission_.options, nullptr, names_};
     BodyPrinter printer(inner, plan.compute, true);
-    printer.spell_inputs(leaves);
+    printer.spell_inputs(leaves, constant_leaves());
     CodeText statements(language_);
     printer.statements(0, statements, indent_);
     out_.append(statements);
@@ -52,6 +52,14 @@ public:
 
 private:
   bool is_loop() const { return step_.count > 1; }
+
+  // Compilers may unroll a loop and see what a table holds.
+  std::vector<char> constant_leaves() const {
+    std::vector<char> constant;
+    for (Leaf const &leaf : step_.leaves)
+      constant.push_back(arrays_.may_be_constant && leaf.kind != Leaf::Kind::given && leaf.kind != Leaf::Kind::read);
+    return constant;
+  }
 
   std::vector<std::string> spell_leaves() {
     std::vector<std::size_t> column; // of a leaf in its table

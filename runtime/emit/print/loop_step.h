@@ -11,6 +11,7 @@ namespace symreal {
 // What the arrays of a function are called.
 struct ArrayNames {
   std::string given, read, memory, filled;
+  bool may_be_constant = false; // what stands in memory, on some path
 };
 
 // Prints into `out`; the names of the arrays that the text has are added to `used`.

@@ -1,6 +1,7 @@
 #include "emit/print/loops.h"
 
 #include "emit/language/pattern.h"
+#include "emit/print/constant_paths.h"
 #include "emit/print/loop_step.h"
 
 #include <algorithm>
@@ -23,7 +24,7 @@ public:
         function_(function),
         name_(emission.name(is_compute ? "compute" : "preprocess")),
         arrays_{is_compute ? "input" : "parameters", is_compute ? "constants" : "", "v",
-                is_compute ? "output" : "constants"},
+                is_compute ? "output" : "constants", hides_arguments(emission.graph())},
         inputs_{arrays_.given} {
     if (is_compute) inputs_.push_back(arrays_.read);
   }
