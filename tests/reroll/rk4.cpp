@@ -19,7 +19,7 @@ struct State {
 static State slope(State s, double damping) { return {s.speed, -std::sin(s.angle) - damping * s.speed}; }
 static State moved(State s, State by, double h) { return {s.angle + h * by.angle, s.speed + h * by.speed}; }
 
-#pragma symreal function input(begin[0:2], damping) output(end[0:2])
+#pragma symreal function input(begin[0 : 2], damping) output(end[0 : 2])
 void swing(double const *begin, double damping, double *end) {
   State s = {begin[0], begin[1]};
   double const h = 0.01;
