@@ -6,8 +6,9 @@
 
 namespace symreal {
 
-static std::vector<EmittedFile> print(Schedule const &plan, Language const &language, EmitOptions const &options) {
-  Emission emission{plan, language, options};
+static std::vector<EmittedFile> print(Schedule const &plan, Language const &language, EmitOptions const &options,
+                                      Rerolled const *loops) {
+  Emission emission{plan, language, options, loops};
   std::vector<EmittedFile> files = {print_source(emission)};
   for (Companion const &companion : language.files.companions)
     if (companion.option.empty() || options.extras.contains(companion.option))
@@ -15,12 +16,16 @@ static std::vector<EmittedFile> print(Schedule const &plan, Language const &lang
   return files;
 }
 
-std::vector<EmittedFile> emit(Schedule const &plan, Language const &language, EmitOptions const &options) {
+std::vector<EmittedFile> emit(Schedule const &plan, Language const &language, EmitOptions const &options,
+                              Rerolled const *loops) {
   require_expressible(plan, language, options);
+  if (loops && !language.loops.is_given())
+    fail(DiagnosticId::bad_option, {},
+         "--reroll needs loops, which --lang=" + std::string(language.name) + " does not have");
   if (options.is_single) require_single(*plan.graph, language, options);
   Language const wanted = options.is_single ? in_single_precision(language) : language;
-  if (wanted.has_blocks) return print(plan, wanted, options);
-  return print(schedule(*plan.graph, Nesting::bounded, Arms::computed), wanted, options);
+  if (wanted.has_blocks) return print(plan, wanted, options, loops);
+  return print(schedule(*plan.graph, Nesting::bounded, Arms::computed), wanted, options, nullptr);
 }
 
 } // namespace symreal

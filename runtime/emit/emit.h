@@ -3,6 +3,7 @@
 
 #include "emit/language/emitted.h"
 #include "emit/languages/languages.h"
+#include "reroll/reroll.h"
 #include "schedule/schedule.h"
 
 #include <vector>
@@ -19,6 +20,8 @@ namespace symreal {
 //   enum { guard_count = n };
 //   char const *guard_text(int guard);
 // Throws bad_option where the language cannot say what the graph needs.
-std::vector<EmittedFile> emit(Schedule const &plan, Language const &language, EmitOptions const &options);
+// With `loops`, these are printed in place of the statements of the schedule that they were found in.
+std::vector<EmittedFile> emit(Schedule const &plan, Language const &language, EmitOptions const &options,
+                              Rerolled const *loops = nullptr);
 
 } // namespace symreal

@@ -6,6 +6,7 @@
 #include "tool/calls/driver_program.h"
 #include "tool/commands/products.h"
 #include "tool/commands/subcommands.h"
+#include "tool/options/reroll_option.h"
 #include "tool/output/outputs.h"
 #include "tool/output/wrapper.h"
 #include "tool/output/write_config.h"
@@ -31,6 +32,7 @@ struct Options {
   LanguageOption language;
   BundleOption bundle;
   ParallelOption parallel;
+  RerollOption reroll;
   std::string output, graph_file, decisions = "error";
   FrozenOption frozen;
   std::string depfile;
@@ -59,6 +61,7 @@ void require_sense(Options const &options) {
     fail(DiagnosticId::bad_option, {}, "--wrapper hands on doubles: leave --real=float out");
   (void)options.emitter.is_single();
   options.parallel.require_sense(options.emitter);
+  options.reroll.require_sense(options.emitter, options.parallel.is_given());
   options.frozen.require_sense();
   require_one_of("--decisions", options.decisions, "error|guard|select");
   (void)options.passes.floating_point();
@@ -87,7 +90,9 @@ void emit_sources(program::Recorded const &recorded, Schedule const &plan, Optio
   std::string const path = place_output(options.output, given, several);
   std::vector<Language const *> const languages = options.language.languages(), any = all_languages();
   require_source_name(path, options.output == path ? languages : any);
-  product.files = emitted_files(plan, options.emitter, options.passes.floating_point(), languages, path);
+  std::optional<Rerolled> const loops = options.reroll.loops(plan, product.warnings, product.loops);
+  product.files =
+      emitted_files(plan, options.emitter, options.passes.floating_point(), languages, path, loops ? &*loops : nullptr);
   if (options.wrapper)
     product.files.push_back(wrapper_file(recorded.kernel, product.optimised.graph, options.emitter,
                                          fs::path(path).replace_extension(".c"), product.warnings));
@@ -207,6 +212,7 @@ void add_generate(CLI::App &app, Session &session) {
   options->passes.add_to(*command);
   options->emitter.add_to(*command);
   options->parallel.add_to(*command);
+  options->reroll.add_to(*command);
   command->add_flag("--wrapper", options->wrapper,
                     "Also emit a file that defines the function in place of the original");
   command

@@ -5,6 +5,7 @@
 #include "tool/commands/bundle.h"
 #include "tool/commands/optimise.h"
 #include "tool/commands/subcommands.h"
+#include "tool/options/reroll_option.h"
 #include "tool/output/outputs.h"
 
 #include <iostream>
@@ -23,6 +24,7 @@ struct Options {
   PassOptions passes;
   EmitterOptions emitter;
   ParallelOption parallel;
+  RerollOption reroll;
   bool statistics = false, json = false;
 };
 
@@ -37,6 +39,9 @@ void require_sense(Options const &options) {
          "code: use "
          "--lang=c");
   options.parallel.require_sense(emitter);
+  options.reroll.require_sense(emitter, options.parallel.is_given());
+  if (options.reroll.is_given && !emits_code(options))
+    fail(DiagnosticId::option_without_effect, {}, "--reroll makes loops of statements: use --lang=c");
   if (options.parallel.is_given() && options.language.text == "graph")
     fail(DiagnosticId::option_without_effect, {},
          "--parallel shares out statements, which graphs do not have: use --lang=c");
@@ -76,13 +81,13 @@ Input read_input(Options const &options) {
 }
 
 std::vector<OutputFile> result_files(Graph const &graph, Schedule const *read, Options const &options,
-                                     std::string &sharing) {
+                                     std::string &remark) {
   std::ostringstream text;
   if (options.language.text == "graph") {
     write_graph(text, graph);
     return {{options.output, text.str()}};
   }
-  Schedule const plan = read ? *read : options.parallel.shared(schedule(graph, options.emitter.nesting()), sharing);
+  Schedule const plan = read ? *read : options.parallel.shared(schedule(graph, options.emitter.nesting()), remark);
   std::vector<Language const *> const languages = options.language.languages();
   if (languages.empty()) {
     write_schedule(text, plan);
@@ -91,7 +96,11 @@ std::vector<OutputFile> result_files(Graph const &graph, Schedule const *read, O
   std::string const path =
       options.output.empty() ? graph.kernel + std::string(languages[0]->files.extension) : options.output;
   require_source_name(path, languages);
-  return emitted_files(plan, options.emitter, options.passes.floating_point(), languages, path);
+  std::vector<Diagnostic> remarks;
+  std::optional<Rerolled> const loops = options.reroll.loops(plan, remarks, remark);
+  for (Diagnostic const &diagnostic : remarks) print(std::cerr, diagnostic);
+  return emitted_files(plan, options.emitter, options.passes.floating_point(), languages, path,
+                       loops ? &*loops : nullptr);
 }
 
 std::vector<std::string> write_bundle(Graph const &graph, Schedule const *read, Options const &options) {
@@ -114,9 +123,9 @@ void run(CLI::App &command, Options const &options) {
   if (options.bundle.is_given()) {
     report.files = write_bundle(optimised.graph, read, options);
   } else {
-    std::string sharing;
-    std::vector<OutputFile> files = result_files(optimised.graph, read, options, sharing);
-    if (!sharing.empty()) std::cerr << "kernel " << optimised.graph.kernel << ": " << sharing << '\n';
+    std::string remark;
+    std::vector<OutputFile> files = result_files(optimised.graph, read, options, remark);
+    if (!remark.empty()) std::cerr << "kernel " << optimised.graph.kernel << ": " << remark << '\n';
     if (options.output.empty()) {
       std::cout << files.front().text;
     } else {
@@ -144,6 +153,7 @@ void add_opt(CLI::App &app, Session &session) {
   options->passes.add_to(*command);
   options->emitter.add_to(*command);
   options->parallel.add_to(*command);
+  options->reroll.add_to(*command);
   command->add_flag("--stats", options->statistics, "Print the table of operations to standard error");
   command->add_flag("--json", options->json, "Print the table as JSON to standard output");
   command->callback([options, command, &session] {

@@ -57,7 +57,8 @@ void show_products(std::vector<Product> const &products, program::Front const &f
                       {"run", front.run_seconds},
                       {"optimise and emit", product.seconds}};
     print_table(std::cerr, report, details);
-    if (!product.sharing.empty()) fmt::print(std::cerr, "  {}\n", product.sharing);
+    for (std::string const &remark : {product.sharing, product.loops})
+      if (!remark.empty()) fmt::print(std::cerr, "  {}\n", remark);
     if (as_json) json.push_back(to_json(report));
   }
   program::ObjectCache const &cache = *front.build.cache;

@@ -17,6 +17,7 @@ struct Product {
   Bundle bundle = {};
   std::vector<Diagnostic> warnings = {};
   std::string sharing = {}; // what threads that share an evaluation give, in words
+  std::string loops = {};   // how much of it loops hold, in words
   double seconds = 0;
 };
 

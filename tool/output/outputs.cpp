@@ -19,13 +19,14 @@ namespace symreal::tool {
 namespace fs = std::filesystem;
 
 std::vector<OutputFile> emitted_files(Schedule const &plan, EmitterOptions const &options, FloatingPoint mode,
-                                      std::vector<Language const *> const &languages, std::string const &path) {
+                                      std::vector<Language const *> const &languages, std::string const &path,
+                                      Rerolled const *loops) {
   EmitOptions const emit{
       fs::path(path).stem().string(), options.prefix,     mode, options.extras, options.trace_comments,
       options.check_values,           options.is_single()};
   std::vector<OutputFile> files;
   for (Language const *language : languages)
-    for (EmittedFile const &file : symreal::emit(plan, *language, emit)) {
+    for (EmittedFile const &file : symreal::emit(plan, *language, emit, loops)) {
       files.push_back({(fs::path(path).parent_path() / file.name).string(), file.text});
       if (!options.map_file.empty() && files.size() == 1)
         files.push_back({options.map_file, line_map(file, *plan.graph)});

@@ -1,6 +1,7 @@
 // The files that a run leaves: all of them or none.
 #pragma once
 
+#include "reroll/reroll.h"
 #include "schedule/schedule.h"
 #include "tool/options/language_option.h"
 #include "tool/options/options.h"
@@ -17,7 +18,8 @@ struct OutputFile {
 // Generated code beside `path`, which gives it its name: of each language the source, its header and on request the
 // mainline.
 std::vector<OutputFile> emitted_files(Schedule const &plan, EmitterOptions const &options, FloatingPoint mode,
-                                      std::vector<Language const *> const &languages, std::string const &path);
+                                      std::vector<Language const *> const &languages, std::string const &path,
+                                      Rerolled const *loops = nullptr);
 
 // Fails when a file of this name cannot be written; before the work is done, so that it is not done in vain.
 void require_writable(std::string const &path);

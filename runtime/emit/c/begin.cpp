@@ -11,7 +11,9 @@ std::string c_no_fusion(Emission const &emission) {
   return "#if defined(__clang__)\n"
          "#pragma STDC FP_CONTRACT OFF\n"
          "#elif defined(__GNUC__)\n"
-         "#pragma GCC optimize(\"fp-contract=off\", \"no-tree-slp-vectorize\")\n"
+         "#pragma GCC optimize(\"fp-contract=off\", \"no-tree-slp-vectorize\"" +
+         std::string(emission.loops ? ", \"no-tree-vectorize\"" : "") +
+         ")\n"
          "#endif\n";
 }
 

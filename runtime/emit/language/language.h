@@ -114,6 +114,15 @@ struct ParallelSyntax {
   bool is_given() const { return !stage_begin.empty(); }
 };
 
+// Loops that --reroll makes of repeats, and the tables that they read: constants of the function.
+struct LoopSyntax {
+  std::string_view begin = {}, end = {};               // $index $count
+  std::string_view row = {};                           // $name $table $index: where a row of a table begins
+  std::string_view element_table = {}, table_end = {}; // $name $count: of elements of arrays
+
+  bool is_given() const { return !begin.empty(); }
+};
+
 // A table of constants: `begin`, lines of numbers, `end`.
 struct TableSyntax {
   std::string_view begin = {}, end = {}; // $name $count
@@ -183,6 +192,7 @@ struct Language {
   StatementSyntax statements;
   FunctionSyntax functions;
   ParallelSyntax parallel;
+  LoopSyntax loops;
   TableSyntax tables;
   ExternalSyntax externals;
   FileSyntax files;

@@ -67,6 +67,13 @@ Language language_c() {
       .stage_end = "  }\n",
       .indent = 6,
   };
+  c.loops = {
+      .begin = "for (int $index = 0; $index < $count; ++$index) {",
+      .end = "}",
+      .row = "$real const *const $name = $table + $index;",
+      .element_table = "static unsigned const $name[$count] = {",
+      .table_end = "};",
+  };
   c.tables = {
       .begin = "static $real const $name[$count] = {",
       .end = "};",

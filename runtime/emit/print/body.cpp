@@ -2,6 +2,7 @@
 
 #include "emit/origins/origins.h"
 #include "emit/print/call.h"
+#include "emit/print/constant_paths.h"
 #include "schedule/order.h"
 #include "support/quoted.h"
 
@@ -25,6 +26,11 @@ BodyPrinter::BodyPrinter(Emission &emission, FunctionBody const &body, bool is_c
           cut(emission.plan, body, is_compute, {language_.functions.most_statements, language_.functions.parts_store})),
       context_(emission, body, is_compute),
       declarations_(language_) {}
+
+void BodyPrinter::spell_inputs(std::vector<std::string> leaves, std::vector<char> const &constant) {
+  context_.leaves = std::move(leaves);
+  if (!context_.constant_paths.empty()) context_.constant_paths = constant_on_a_path(emission_.graph(), constant);
+}
 
 bool BodyPrinter::is_call(std::size_t statement) const {
   return is_call_node(emission_.plan, body_, body_.variables[statement]);
@@ -53,8 +59,7 @@ void BodyPrinter::begin(CodeText &out) const {
     }
 }
 
-bool BodyPrinter::statements(std::size_t chunk, CodeText &out) {
-  std::size_t indent = 2;
+bool BodyPrinter::statements(std::size_t chunk, CodeText &out, std::size_t indent) {
   bool checks = false;
   for (std::size_t k = chunks_.begin[chunk]; k < chunks_.begin[chunk + 1]; ++k) {
     NodeId const id = body_.variables[k];

@@ -21,12 +21,17 @@ public:
   // What the outermost function begins with.
   void begin(CodeText &out) const;
   // The chunks in order. Whether one of its statements may return the number of a guard.
-  bool statements(std::size_t chunk, CodeText &out);
+  bool statements(std::size_t chunk, CodeText &out, std::size_t indent = 2);
   // The guards of a body of parts, after the last chunk.
   void checks(CodeText &out);
   // Stores the results that no chunk stores: so many groups of them, which stand behind the last chunk.
   std::size_t result_groups() const;
   void results(std::size_t group, CodeText &out);
+
+  // How the inputs are spelled, where they are no elements of `input`, and which compilers may know to be constant.
+  void spell_inputs(std::vector<std::string> leaves, std::vector<char> const &constant);
+  // A node, once the statements are printed.
+  std::string use(NodeId node) { return print_use(context_, node); }
 
   // The arrays that the text has named since this was asked.
   ArrayNames const &arrays() const { return context_.arrays; }

@@ -30,11 +30,12 @@ void add_compared(Graph const &graph, std::vector<char> &found) {
 
 } // namespace
 
-std::vector<char> constant_on_a_path(Graph const &graph) {
+std::vector<char> constant_on_a_path(Graph const &graph, std::vector<char> const &inputs) {
   std::vector<char> found(graph.nodes.size(), 0);
   add_compared(graph, found);
   for (std::size_t id = 0; id < graph.nodes.size(); ++id) {
     Node const &node = graph.nodes[id];
+    if (node.op == Op::input && !inputs.empty()) found[id] = inputs[node.slot()];
     if (is_leaf(node.op)) continue;
     OperationInfo const &operation = info(node.op);
     auto const may_be = [&](NodeId operand) { return found[operand] || graph.nodes[operand].is_constant(); };
@@ -46,6 +47,13 @@ std::vector<char> constant_on_a_path(Graph const &graph) {
       found[id] |= std::ranges::all_of(operands(node), may_be);
   }
   return found;
+}
+
+bool hides_arguments(Graph const &graph) {
+  std::vector<char> const found = constant_on_a_path(graph);
+  return std::ranges::any_of(graph.nodes, [&](Node const &node) {
+    return !is_leaf(node.op) && hidden_operand(graph, found, node) != no_node;
+  });
 }
 
 NodeId hidden_operand(Graph const &graph, std::vector<char> const &found, Node const &call) {

@@ -13,7 +13,10 @@
 namespace symreal {
 
 // Per node: whether it is a number that does not depend on the input on some path.
-std::vector<char> constant_on_a_path(Graph const &graph);
+// `inputs`: per slot, whether it is one of these itself.
+std::vector<char> constant_on_a_path(Graph const &graph, std::vector<char> const &inputs = {});
+// Whether some argument is hidden.
+bool hides_arguments(Graph const &graph);
 
 // The operand of a call that the generated code must hide from the compiler; no_node where none.
 NodeId hidden_operand(Graph const &graph, std::vector<char> const &constant_on_a_path, Node const &call);

@@ -6,6 +6,7 @@
 #include "emit/language/words.h"
 #include "emit/print/bridge_names.h"
 #include "emit/print/spellings.h"
+#include "reroll/reroll.h"
 #include "schedule/schedule.h"
 
 #include <array>
@@ -27,12 +28,16 @@ struct Uses {
   bool hidden = false, value_checks = false;
   bool apart = false;      // parts of functions that must not be joined again
   bool not_finite = false; // infinities and NaNs among the constants
+
+  void add(Uses const &other);
 };
 
 struct Emission {
   Schedule const &plan;
   Language const &language;
   EmitOptions const &options;
+  Rerolled const *loops = nullptr;        // in place of the statements of the functions that have some
+  std::set<std::string> local_names = {}; // that the functions have besides those of their variables
   Spellings spellings{language};
   std::vector<std::string> bridges = bridge_names(*plan.graph, language); // by function of the graph
   Uses uses = {};

@@ -92,6 +92,10 @@ void ExpressionPrinter::print_itself(Item const &item) {
     return print_element(node, context_.element("v", context_.copied[id]));
   if (is_precomputed(id))
     return print_element(node, context_.element("constants", context_.emission.plan.constant_slot[id]));
+  if (node.op == Op::input && !context_.leaves.empty()) {
+    text_ += context_.leaves[node.slot()];
+    return;
+  }
   if (is_leaf(node.op)) {
     text_ += context_.element(node.op == Op::input ? "input" : "parameters", node.slot());
     return;

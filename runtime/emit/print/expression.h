@@ -34,6 +34,7 @@ struct FunctionContext {
   std::vector<char> constant_paths;       // per node; empty: compilers may evaluate what they find constant
   ArrayNames arrays = {};                 // that the text names
   std::vector<NodeId> spelled_out = {};   // the operations that the text holds
+  std::vector<std::string> leaves = {};   // per input: how it is spelled where it is no element of `input`
 
   FunctionContext(Emission &emission, FunctionBody const &body, bool in_compute);
   Graph const &graph() const { return emission.graph(); }

@@ -2,6 +2,7 @@
 
 #include "emit/language/pattern.h"
 #include "emit/print/body.h"
+#include "emit/print/loops.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -188,6 +189,11 @@ private:
 
 } // namespace
 
-CodeText print_function(Emission &emission, bool is_compute) { return FunctionPrinter(emission, is_compute).print(); }
+CodeText print_function(Emission &emission, bool is_compute) {
+  if (emission.loops)
+    if (auto const &loops = is_compute ? emission.loops->compute : emission.loops->preprocess)
+      return print_loops(emission, *loops, is_compute);
+  return FunctionPrinter(emission, is_compute).print();
+}
 
 } // namespace symreal

@@ -1,0 +1,83 @@
+// Takes turns with the original, straight-line code and loops: driver N MODEL, on standard output the nanoseconds of a
+// call, a line a turn. KERNEL is the number of one of those below, STRAIGHT whether there is straight-line code.
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <vector>
+
+extern "C" void straight_compute(double const *input, double const *constants, double *output);
+extern "C" void reroll_compute(double const *input, double const *constants, double *output);
+
+static int n;
+
+#if KERNEL < 3
+#include "example.h"
+static chain::Model *model;
+static void original(double const *in, double *out) {
+#if KERNEL == 0
+  chain::forward_kinematics(*model, in, out);
+#elif KERNEL == 1
+  chain::inverse_dynamics(*model, in, in + n, in + 2 * n, out);
+#else
+  chain::forward_dynamics(*model, in, in + n, in + 2 * n, out);
+#endif
+}
+static void prepare(int argc, char **argv) { model = new chain::Model(chain::example_model(argc, argv)); }
+#elif KERNEL == 3
+#include "programs/series.cpp"
+static std::vector<Term> terms;
+static void original(double const *in, double *out) { out[0] = series(terms, in[0]); }
+static void prepare(int, char **) { terms = example_terms(n); }
+#elif KERNEL == 4
+#include "programs/swing.cpp"
+static void original(double const *in, double *out) { swing(in, in[2], n, out); }
+static void prepare(int, char **) {}
+#else
+#include "programs/filter.cpp"
+static void original(double const *in, double *out) { filter(in, n, out); }
+static void prepare(int, char **) {}
+#endif
+
+static void straight(double const *in, double *out) {
+#if STRAIGHT
+  straight_compute(in, nullptr, out);
+#else
+  (void)in, (void)out;
+#endif
+}
+static void reroll(double const *in, double *out) { reroll_compute(in, nullptr, out); }
+
+int main(int argc, char **argv) {
+  n = std::atoi(argv[1]);
+  prepare(argc, argv);
+  std::vector<double> in(3 * n + 3), first(n + 12), out(n + 12);
+  for (std::size_t k = 0; k < in.size(); k++) in[k] = 0.3 + 0.001 * (k % 700);
+  void (*const contenders[])(double const *, double *) = {original, straight, reroll};
+  original(in.data(), first.data()); // fused as gcc likes it: near, but not equal
+  for (int k = 2; k >= 1 + !STRAIGHT; k--) {
+    contenders[k](in.data(), out.data());
+    for (std::size_t j = 0; j < out.size(); j++) {
+      double const allowed = k == 2 ? 1e-6 * std::max(1.0, std::fabs(first[j])) : 0;
+      if (!(std::fabs(out[j] - first[j]) <= allowed)) return std::fprintf(stderr, "result %zu differs\n", j), 1;
+    }
+    first = out;
+  }
+  double turn = 2e6; // nanoseconds
+  for (int round = 0; round < 41; round++) {
+    for (int k = 0; k < 3; k++) {
+      long calls = 0;
+      auto const start = std::chrono::steady_clock::now();
+      double time = 0;
+      for (; time < turn; calls++) {
+        in[0] += 1e-9;
+        contenders[k](in.data(), out.data());
+        if (calls % 8 == 7 || n > 100)
+          time = std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - start).count();
+      }
+      std::printf("%g ", time / calls);
+    }
+    std::printf("\n");
+  }
+}

@@ -1,0 +1,136 @@
+"""--reroll, straight-line code and the original: see bench/reroll/run.
+
+   generate twice ──▶ verify the loops ──▶ compile all three ──▶ turns of each, one after the other ──▶ table
+
+A chain longer than the model of inputs/chain repeats its first 63 links; `rnea*` has other numbers in every link.
+"""
+import os
+import pathlib
+import platform
+import random
+import re
+import shutil
+import statistics
+import subprocess
+import sys
+
+HERE = pathlib.Path(__file__).parent
+SYMREAL = pathlib.Path(os.environ["SYMREAL"]).resolve()
+WORK = pathlib.Path("build/bench-reroll").resolve()
+CHAIN = [f"inputs/chain/{name}.cpp" for name in ("algorithms", "example", "model", "spatial")]
+MODEL = pathlib.Path("inputs/chain/data/chain-model.csv")
+SIZES = (16, 64, 256, 1000)
+# name: what is measured, its number in driver.cpp, sources
+KERNELS = {
+    "fk": ("forward kinematics of N links", 0, ["inputs/chain/fk.cpp", *CHAIN]),
+    "rnea": ("inverse dynamics (RNEA) of N links", 1, ["inputs/chain/rnea.cpp", *CHAIN]),
+    "rnea*": ("the same, other numbers in every link", 1, ["inputs/chain/rnea.cpp", *CHAIN]),
+    "aba": ("forward dynamics (ABA) of N links", 2, ["inputs/chain/aba.cpp", *CHAIN]),
+    "series": ("a series of N terms", 3, [HERE / "programs/series.cpp"]),
+    "swing": ("N steps of Runge and Kutta", 4, [HERE / "programs/swing.cpp"]),
+    "filter": ("N samples of a filter", 5, [HERE / "programs/filter.cpp"]),
+}
+FLAGS = ["-O3", "-march=native", "-w"]
+KEPT = ["-ffp-contract=off", "-fno-tree-slp-vectorize"]  # what generated code asks for; it says so itself, too
+MOST_SECONDS = 120  # for the compiler, of straight-line code
+
+
+def command(words, limit=None):
+    """What it says; nothing if it takes too long."""
+    try:
+        done = subprocess.run([str(word) for word in words], capture_output=True, text=True, timeout=limit)
+    except subprocess.TimeoutExpired:
+        return None
+    if done.returncode != 0:
+        sys.exit(f"bench: {' '.join(map(str, words))}\n{done.stdout}{done.stderr}")
+    return done.stdout + done.stderr
+
+
+def write_model(kernel, size):
+    head, *rows = MODEL.read_text().split()
+    rows = [row.split(",") for row in rows]
+    chance = random.Random(1)
+    text = [head]
+    for k in range(size):
+        row = rows[k % 63][:]
+        if kernel.endswith("*"):
+            row[2:] = [repr(float(cell) * chance.uniform(0.9, 1.1)) for cell in row[2:]]
+        text.append(",".join([str(k + 1), *row[1:]]))
+    path = WORK / f"model-{size}{'-other' if kernel.endswith('*') else ''}.csv"
+    path.write_text("\n".join(text) + "\n")
+    return path
+
+
+def figure(value):
+    for unit, scale in (("ns", 1), ("µs", 1e3), ("ms", 1e6)):
+        if value < 1000 * scale or unit == "ms":
+            return f"{value / scale:.3g} {unit}"
+
+
+def size_of(path):
+    return f"{path.stat().st_size / 1000:.0f} kB"
+
+
+def measure(kernel, size):
+    _, number, sources = KERNELS[kernel]
+    name = f"{kernel.replace('*', '_other')}{size}"
+    arguments = [str(size)] + ([str(write_model(kernel, size))] if number < 3 else [])
+    given = ["--run-args", " ".join(arguments)]
+    files, said = {}, ""
+    for way, option in (("straight", []), ("reroll", ["--reroll"])):
+        files[way] = WORK / f"{name}_{way}.c"
+        said = command([SYMREAL, "generate", *sources, *given, *option, "--prefix", way, "-o", files[way]])
+    command([SYMREAL, "verify", *sources, *given, files["reroll"], "--samples=20", "--min-samples=5"])
+    loops = re.search(r"compute: .*", said)
+    objects = {}
+    for way, file in files.items():
+        objects[way] = file.with_suffix(".o")
+        if command(["gcc", *FLAGS, *KEPT, "-c", file, "-o", objects[way]], MOST_SECONDS) is None:
+            del objects[way]
+    words = [f"-DKERNEL={number}", f"-DSTRAIGHT={int('straight' in objects)}", "-DNO_MAIN", "-Iinputs/chain"]
+    program = WORK / name
+    command(["g++", *FLAGS, *words, HERE / "driver.cpp", *(CHAIN if number < 3 else []), *objects.values(), "-lm", "-o", program])
+    turns = [[float(word) for word in line.split()] for line in command([program, *arguments]).splitlines()]
+    times = dict(zip(("original", "straight", "reroll"), zip(*turns)))
+    if "straight" not in objects:
+        del times["straight"]
+    return {"size": size, "times": times, "files": files, "loops": loops[0] if loops else "straight-line code"}
+
+
+def cell(values):
+    low, middle, high = statistics.quantiles(values, n=4)
+    return f"{figure(middle)} ({figure(low)} to {figure(high)})"
+
+
+def row(result):
+    times, files = result["times"], result["files"]
+    gain = statistics.median(a / b for a, b in zip(times["original"], times["reroll"]))
+    straight = cell(times["straight"]) if "straight" in times else f"compiles in more than {MOST_SECONDS} s"
+    return (f"| {result['size']} | {cell(times['original'])} | {straight} | {cell(times['reroll'])} | {gain:.2g} | "
+            f"{size_of(files['straight'])} | {size_of(files['reroll'])} |")
+
+
+def main():
+    shutil.rmtree(WORK, ignore_errors=True)
+    WORK.mkdir(parents=True)
+    chosen = sys.argv[1:] or list(KERNELS)
+    processor = re.search(r"model name\s*: (.*)", pathlib.Path("/proc/cpuinfo").read_text())
+    load = os.getloadavg()[0]
+    text = ["# Loops in place of straight-line code", "",
+            f"Written by bench/reroll/run on {processor[1] if processor else platform.machine()}, where {load:.1f} other processes ran when it began. "
+            f"All are compiled by gcc with `{' '.join(FLAGS[:2])}`, generated code also with `{' '.join(KEPT)}`. A figure is the median of 41 "
+            "turns, with quartiles. Each file was verified, and straight-line code and loops give the same bits."]
+    for kernel in chosen:
+        begin = len(text)
+        text += ["", f"## {kernel}: {KERNELS[kernel][0]}", "",
+                 "| N | Original | Straight-line code | `--reroll` | Times as fast as the original | File | with `--reroll` |",
+                 "|---:|---:|---:|---:|---:|---:|---:|"]
+        results = [measure(kernel, size) for size in (SIZES if kernel != "rnea*" else SIZES[-1:])]
+        text += [row(result) for result in results]
+        text += ["", f"N = {results[-1]['size']}: {results[-1]['loops']}."]
+        print("\n".join(text[begin:]), flush=True)
+    if not sys.argv[1:]:
+        (HERE / "results.md").write_text("\n".join(text) + "\n")
+
+
+main()

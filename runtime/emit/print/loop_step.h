@@ -1,0 +1,21 @@
+// The statements of a step of a function of loops.
+#pragma once
+
+#include "emit/print/code_text.h"
+#include "emit/print/emission.h"
+
+#include <string>
+
+namespace symreal {
+
+// What the arrays of a function are called.
+struct ArrayNames {
+  std::string given, read, memory, filled;
+  bool may_be_constant = false; // what stands in memory, on some path
+};
+
+// Prints into `out`; the names of the arrays that the text has are added to `used`.
+void print_step(Emission &emission, reroll::Step const &step, ArrayNames const &arrays, CodeText &out,
+                std::set<std::string> &used);
+
+} // namespace symreal

@@ -1,0 +1,114 @@
+#include "emit/print/loops.h"
+
+#include "emit/language/pattern.h"
+#include "emit/print/constant_paths.h"
+#include "emit/print/loop_step.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace symreal {
+
+namespace {
+
+using reroll::Step;
+using reroll::Store;
+
+class LoopsPrinter {
+public:
+  LoopsPrinter(Emission &emission, reroll::LoopFunction const &function, bool is_compute)
+      : emission_(emission),
+        language_(emission.language),
+        syntax_(emission.language.functions),
+        function_(function),
+        name_(emission.name(is_compute ? "compute" : "preprocess")),
+        arrays_{is_compute ? "input" : "parameters", is_compute ? "constants" : "", "v",
+                is_compute ? "output" : "constants", hides_arguments(emission.graph())},
+        inputs_{arrays_.given} {
+    if (is_compute) inputs_.push_back(arrays_.read);
+  }
+
+  CodeText print() {
+    CodeText out(language_), last(language_);
+    std::set<std::string> used = {arrays_.given, arrays_.read, arrays_.filled}; // the calls pass them on
+    last.statement(
+        2, fill(language_, language_.statements.array,
+                {{"name", arrays_.memory}, {"count", std::to_string(std::max<std::size_t>(function_.memory, 1))}}));
+    bool is_checked = false;
+    for (std::size_t k = 0; k < function_.steps.size(); ++k) {
+      Step const &step = function_.steps[k];
+      bool const fills = std::ranges::any_of(step.stores, &Store::is_result);
+      if (fills && !std::exchange(is_checked, true)) print_checks(last);
+      print_part(k, fills, out, last);
+    }
+    if (!is_checked) print_checks(last);
+    if (!function_.checks.empty()) last.statement(2, syntax_.success);
+    append(out, syntax_.head, !function_.checks.empty(), name_, inputs_, arrays_.filled, used, last);
+    return out;
+  }
+
+private:
+  void print_checks(CodeText &out) const {
+    for (std::size_t k = 0; k < function_.checks.size(); ++k) {
+      std::string const condition = emission_.spellings.apply(
+          Op::eq, element(language_, arrays_.memory, function_.checks[k]), constant(language_, 0));
+      out.statement(2, fill(language_, language_.statements.check,
+                            {{"condition", condition}, {"number", std::to_string(k + 1)}}));
+    }
+  }
+
+  // What fills the results reads memory alone.
+  void print_part(std::size_t number, bool fills, CodeText &out, CodeText &calls) {
+    CodeText text(language_);
+    std::set<std::string> used = {arrays_.memory};
+    print_step(emission_, function_.steps[number], arrays_, text, used);
+    std::string const name = language_.names.spelled(fmt::format("{}_{}", name_, number + 1));
+    std::vector<std::string> inputs = {arrays_.memory};
+    if (!fills) inputs = inputs_;
+    std::string const &last = fills ? arrays_.filled : arrays_.memory;
+    append(out, syntax_.local_head, false, name, inputs, last, used, text);
+    out.lines("\n");
+    calls.statement(
+        2, fill(language_, syntax_.call,
+                {{"name", name}, {"group", ""}, {"arguments", fmt::format("{}, {}", fmt::join(inputs, ", "), last)}}));
+  }
+
+  // A parameter that the text does not use is marked, or compilers warn.
+  void append(CodeText &out, std::string_view head, bool may_fail, std::string const &name,
+              std::vector<std::string> const &inputs, std::string const &last, std::set<std::string> const &used,
+              CodeText const &text) const {
+    std::string parameters, unused;
+    auto const add = [&](std::string_view pattern, std::string const &parameter) {
+      parameters += (parameters.empty() ? "" : ", ") + fill(language_, pattern, {{"name", parameter}});
+      if (!used.contains(parameter)) unused += "  " + fill(language_, syntax_.unused, {{"name", parameter}}) + "\n";
+    };
+    for (std::string const &input : inputs) add(syntax_.input, input);
+    add(syntax_.output, last);
+    out.statement(0, Filling()
+                         .set("result", std::string(may_fail ? syntax_.status : syntax_.no_result))
+                         .set_name("name", name)
+                         .set("target", last)
+                         .set("pure", "")
+                         .set("parameters", parameters)(with_words(language_, head)));
+    out.lines(unused);
+    out.append(text);
+    out.statement(0, Filling().set_name("name", name)(with_words(language_, syntax_.end)));
+  }
+
+  Emission &emission_;
+  Language const &language_;
+  FunctionSyntax const &syntax_;
+  reroll::LoopFunction const &function_;
+  std::string name_;
+  ArrayNames arrays_;
+  std::vector<std::string> inputs_;
+};
+
+} // namespace
+
+CodeText print_loops(Emission &emission, reroll::LoopFunction const &function, bool is_compute) {
+  return LoopsPrinter(emission, function, is_compute).print();
+}
+
+} // namespace symreal

@@ -1,0 +1,57 @@
+// A function as steps, each of which computes its body once or as often as a loop goes round: what an emitter prints.
+#pragma once
+
+#include "graph/graph.h"
+
+#include <vector>
+
+namespace symreal::reroll {
+
+// An element of an array for each iteration.
+struct Access {
+  std::int64_t first = 0, step = 0;         // first + step * iteration
+  std::vector<std::uint32_t> elements = {}; // where no step fits: one per iteration
+
+  bool is_listed() const { return !elements.empty(); }
+  std::size_t at(std::size_t iteration) const {
+    return is_listed() ? elements[iteration]
+                       : static_cast<std::size_t>(first + step * static_cast<std::int64_t>(iteration));
+  }
+};
+
+// What an input of a body stands for.
+struct Leaf {
+  enum class Kind : std::uint8_t {
+    given,   // an element of what the function is given: inputs, or in preprocess parameters
+    read,    // an element of what preprocess stored
+    memory,  // an element of the function's own array
+    values,  // values[iteration % size]
+    carried, // in the first iteration that element of memory, then the value `next` of the iteration before
+  } kind;
+  Access access = {};
+  std::vector<double> values = {};
+  NodeId next = no_node;
+};
+
+// Behind each iteration, in this order: an element of memory, or of what the function fills.
+struct Store {
+  NodeId value;
+  bool is_result = false;
+  Access access = {};
+};
+
+struct Step {
+  Graph body; // its input k is leaf k; its results are what is stored and carried
+  std::uint32_t count = 1;
+  std::vector<Leaf> leaves = {};
+  std::vector<Store> stores = {};
+};
+
+struct LoopFunction {
+  std::vector<Step> steps;
+  std::size_t memory = 0;                 // elements of the function's own array
+  std::vector<std::uint32_t> checks = {}; // per guard: the element of memory that must not be 0
+  std::size_t operations = 0, in_loops = 0, loops = 0;
+};
+
+} // namespace symreal::reroll

@@ -1,0 +1,205 @@
+#include "reroll/plan.h"
+
+#include "reroll/body_builder.h"
+#include "reroll/memory.h"
+#include "reroll/result_copies.h"
+#include "reroll/roles.h"
+
+#include <algorithm>
+#include <set>
+
+namespace symreal::reroll {
+
+namespace {
+
+// A loop, or a straight stretch: one lies before each loop, and one at the end.
+struct Piece {
+  std::uint32_t begin, end;
+  std::uint32_t loop = no_position;
+  std::vector<std::pair<Cell, NodeId>> copies = {}; // that later loops read
+  std::vector<NodeId> kept = {};                    // what no operation computes and is read from memory
+
+  bool computes(Sequence const &sequence, NodeId node) const {
+    return sequence.position[node] != no_position && sequence.position[node] >= begin && sequence.position[node] < end;
+  }
+};
+
+constexpr std::uint32_t most_operations = 1000; // of a straight piece: compilers take long over one huge function
+
+class Planner {
+public:
+  Planner(Sequence sequence, std::vector<Repeat> const &repeats, std::vector<NodeId> const &stored,
+          std::vector<NodeId> const &checked)
+      : sequence_(std::move(sequence)),
+        stored_(stored),
+        checked_(checked),
+        loops_(bodies(repeats)),
+        memory_(sequence_, loops_) {}
+
+  LoopFunction run() {
+    cut();
+    for (Piece &piece : pieces_) {
+      if (piece.loop == no_position)
+        need_operands(piece);
+      else
+        choose_roles(piece.loop);
+    }
+    need_roots();
+    memory_.lay_out();
+    LoopFunction function;
+    for (Piece const &piece : pieces_) {
+      Step step = piece.loop == no_position ? straight_step(piece) : loop_step(piece.loop);
+      if (!step.stores.empty()) function.steps.push_back(std::move(step));
+    }
+    add_result_copies(*sequence_.graph, stored_, memory_, function.steps);
+    for (NodeId condition : checked_) function.checks.push_back(memory_.home(condition));
+    function.memory = memory_.size();
+    function.operations = sequence_.size();
+    function.loops = loops_.size();
+    for (LoopBody const &loop : loops_) function.in_loops += std::size_t{loop.repeat.period} * loop.repeat.count;
+    return function;
+  }
+
+private:
+  std::vector<LoopBody> bodies(std::vector<Repeat> const &repeats) {
+    std::vector<std::uint32_t> uses(sequence_.graph->nodes.size(), 0);
+    for (Operation const &operation : sequence_.operations)
+      for (unsigned i = 0; i < operation.count; ++i) ++uses[operation.operands[i].node];
+    for (auto const *roots : {&stored_, &checked_})
+      for (NodeId root : *roots) ++uses[root];
+    std::vector<LoopBody> result;
+    for (Repeat const &repeat : repeats) result.push_back(loop_body(sequence_, repeat, uses));
+    return result;
+  }
+
+  void cut() {
+    std::uint32_t at = 0;
+    auto const straight_to = [&](std::uint32_t end) {
+      do {
+        std::uint32_t const next = std::min(at + most_operations, end);
+        pieces_.push_back({at, next});
+        at = next;
+      } while (at < end);
+    };
+    for (std::uint32_t loop = 0; loop < loops_.size(); ++loop) {
+      Repeat const &repeat = loops_[loop].repeat;
+      straight_to(repeat.begin);
+      piece_before_.push_back(pieces_.size() - 1);
+      pieces_.push_back({repeat.begin, repeat.end(), loop});
+      at = repeat.end();
+    }
+    straight_to(static_cast<std::uint32_t>(sequence_.size()));
+  }
+
+  bool is_computed(NodeId node) const { return sequence_.position[node] != no_position; }
+
+  void need_operands(Piece const &piece) {
+    for (std::uint32_t at = piece.begin; at < piece.end; ++at)
+      for (unsigned i = 0; i < sequence_.operations[at].count; ++i) {
+        NodeId const node = sequence_.operations[at].operands[i].node;
+        if (is_computed(node) && !piece.computes(sequence_, node)) memory_.need(node);
+      }
+  }
+
+  void choose_roles(std::uint32_t loop) {
+    Piece &before = pieces_[piece_before_[loop]];
+    auto const copy = [&](Cell const &cell, NodeId node) {
+      if (!memory_.hold_copy(cell, node)) return;
+      before.copies.emplace_back(cell, node);
+      if (!before.computes(sequence_, node)) memory_.need(node);
+    };
+    roles_.emplace_back();
+    for (Column const &column : loops_[loop].columns)
+      roles_.back().push_back(choose_role(sequence_, loops_, loop, column, memory_, copy));
+  }
+
+  void need_roots() {
+    std::set<NodeId> kept;
+    auto const need = [&](NodeId root) {
+      memory_.need(root);
+      if (!is_computed(root) && kept.insert(root).second) pieces_.back().kept.push_back(root);
+    };
+    for (NodeId root : stored_)
+      if (!sequence_.graph->nodes[root].is_constant() || sequence_.slot[root] != no_slot) need(root);
+    for (NodeId root : checked_) need(root);
+  }
+
+  Step straight_step(Piece const &piece) const {
+    BodyBuilder body(*sequence_.graph);
+    std::map<NodeId, NodeId> now;
+    auto const value = [&](NodeId node) {
+      auto const [entry, is_new] = now.try_emplace(node, no_node);
+      if (!is_new) return entry->second;
+      Node const &there = sequence_.graph->nodes[node];
+      if (is_computed(node))
+        entry->second = body.leaf({Leaf::Kind::memory, {memory_.home(node)}});
+      else if (sequence_.slot[node] != no_slot)
+        entry->second = body.leaf({Leaf::Kind::read, {sequence_.slot[node]}});
+      else if (there.is_constant())
+        entry->second = body.constant(there.value());
+      else
+        entry->second = body.leaf({Leaf::Kind::given, {there.slot()}});
+      return entry->second;
+    };
+    auto const store = [&](NodeId node, std::uint32_t element) { body.store(value(node), false, {element}); };
+    for (std::uint32_t at = piece.begin; at < piece.end; ++at) {
+      NodeId const id = sequence_.operations[at].node;
+      Node const &node = sequence_.graph->nodes[id];
+      std::array<NodeId, 3> operands = {no_node, no_node, no_node};
+      for (unsigned i = 0; i < arity(node.op); ++i) operands[i] = value(node.operand[i]);
+      now[id] = body.operation(node.op, operands, id);
+      if (memory_.has_home(id)) store(id, memory_.home(id));
+    }
+    for (auto const &[cell, node] : piece.copies) store(node, memory_.element(cell));
+    for (NodeId node : piece.kept) store(node, memory_.home(node));
+    return body.finish(1);
+  }
+
+  Step loop_step(std::uint32_t loop) const {
+    LoopBody const &plan = loops_[loop];
+    BodyBuilder body(*sequence_.graph);
+    std::vector<NodeId> leaves(plan.columns.size(), no_node), computed;
+    auto const column = [&](std::uint32_t number) {
+      if (leaves[number] != no_node) return leaves[number];
+      Role const &role = roles_[loop][number];
+      leaves[number] = role.constant ? body.constant(*role.constant) : body.leaf(leaf_of(role, memory_));
+      return leaves[number];
+    };
+    auto const value = [&](BodyOperand const &operand) {
+      NodeId const number = operand.position != no_position ? computed[operand.position] : column(operand.column);
+      if (operand.sign == no_column) return number;
+      return body.operation(Op::mul, {column(operand.sign), number, no_node}, no_node);
+    };
+    for (BodyOperation const &operation : plan.operations) {
+      std::array<NodeId, 3> operands = {no_node, no_node, no_node};
+      for (unsigned i = 0; i < operation.count; ++i) operands[i] = value(operation.operands[i]);
+      bool const first = operation.operands[0].negated, second = operation.operands[1].negated;
+      internal_check(!(first && second));
+      if (first) std::swap(operands[0], operands[1]);
+      computed.push_back(body.operation(first || second ? Op::sub : operation.op, operands, operation.first));
+    }
+    for (std::uint32_t number = 0; number < plan.columns.size(); ++number)
+      if (Role const &role = roles_[loop][number]; role.kind == Leaf::Kind::carried)
+        body.carry(leaves[number], computed[role.next]);
+    for (auto const &[position, field] : memory_.fields(loop))
+      body.store(computed[position], false, {memory_.element({loop, position, 0}), memory_.stride(loop)});
+    return body.finish(plan.repeat.count);
+  }
+
+  Sequence sequence_;
+  std::vector<NodeId> const &stored_, &checked_;
+  std::vector<LoopBody> loops_;
+  Memory memory_;
+  std::vector<Piece> pieces_;
+  std::vector<std::size_t> piece_before_; // per loop
+  std::vector<std::vector<Role>> roles_;  // per loop and column
+};
+
+} // namespace
+
+LoopFunction plan(Sequence sequence, std::vector<Repeat> const &repeats, std::vector<NodeId> const &stored,
+                  std::vector<NodeId> const &checked) {
+  return Planner(std::move(sequence), repeats, stored, checked).run();
+}
+
+} // namespace symreal::reroll

@@ -1,0 +1,31 @@
+// Stretches of a sequence in which the same operations follow each other again and again.
+//
+// Two operations match over a period if they are the same, their operands are of the same kind (constant, input, read,
+// computed), and what they compute with stands equally far back, or is the same node, or lies outside the period. Then
+// an iteration of a loop can compute either, whatever its operands are: what varies is a matter of tables.
+#pragma once
+
+#include "reroll/sequence.h"
+
+namespace symreal::reroll {
+
+struct Repeat {
+  std::uint32_t begin, period, count;
+  std::uint32_t end() const { return begin + period * count; }
+};
+
+// Whether the operation at `at` matches the one a period later, and whether its first two operands must be exchanged
+// for that.
+enum class Match { none, as_is, exchanged };
+Match match(Sequence const &sequence, std::uint32_t at, std::uint32_t period);
+
+// What is worth a loop: so many iterations; so many operations that need no code then, and this part of all. Small
+// loops inside of straight-line code cost more than they save.
+inline constexpr std::uint32_t least_count = 4, least_saving = 24, least_part = 50;
+bool is_worth_it(Sequence const &sequence, Repeat const &repeat);
+
+// Disjoint, in order. The longest stretches win, of equal ones those of the shorter period. Time is that of a few dozen
+// scans of the sequence.
+std::vector<Repeat> find_repeats(Sequence const &sequence);
+
+} // namespace symreal::reroll

@@ -1,0 +1,61 @@
+#include "reroll/reroll.h"
+
+#include "reroll/check.h"
+#include "reroll/plan.h"
+#include "reroll/trim.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace symreal {
+
+namespace {
+
+// What loops do not hold yet.
+std::string obstacle(Graph const &graph) {
+  std::vector<char> const live = live_nodes(graph);
+  for (std::size_t id = 0; id < graph.nodes.size(); ++id) {
+    if (!live[id] || is_leaf(graph.nodes[id].op)) continue;
+    if (is_call(graph.nodes[id].op)) return "it calls external functions";
+    if (is_wide(graph.nodes[id].op)) return "it computes with integers of 64 bits";
+  }
+  return {};
+}
+
+std::optional<reroll::LoopFunction> loops_of(Schedule const &plan, bool in_compute) {
+  using namespace reroll;
+  Sequence const all = sequence(plan, in_compute, roots(plan, in_compute));
+  std::vector<Repeat> const repeats = trimmed(all, find_repeats(all));
+  if (repeats.empty()) return {};
+  std::vector<NodeId> const &stored = in_compute ? plan.compute.results : plan.preprocess.results;
+  std::vector<NodeId> checked;
+  if (in_compute)
+    for (Guard const &guard : plan.graph->guards) checked.push_back(guard.condition);
+  LoopFunction function = reroll::plan(all, repeats, stored, checked);
+  internal_check(find_difference(all, function, stored, checked).empty());
+  return function;
+}
+
+} // namespace
+
+Rerolled rerolled(Schedule const &plan) {
+  if (std::string why = obstacle(*plan.graph); !why.empty()) return {{}, {}, std::move(why)};
+  Rerolled loops{loops_of(plan, false), loops_of(plan, true)};
+  if (!loops.has_loops()) loops.why_not = "no operations repeat often enough";
+  return loops;
+}
+
+std::string describe(Rerolled const &loops) {
+  std::string text;
+  auto const add = [&](char const *name, std::optional<reroll::LoopFunction> const &function) {
+    if (!function) return;
+    text += fmt::format("{}{}: {} loop{} hold{} {} of {} operations", text.empty() ? "" : "; ", name, function->loops,
+                        function->loops == 1 ? "" : "s", function->loops == 1 ? "s" : "", function->in_loops,
+                        function->operations);
+  };
+  add("preprocess", loops.preprocess);
+  add("compute", loops.compute);
+  return text;
+}
+
+} // namespace symreal

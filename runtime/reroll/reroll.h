@@ -1,0 +1,30 @@
+// --reroll: operations that repeat as loops.
+//
+// A recorded program is one long sequence of operations. Where the source had a loop, windows of it are alike but for
+// their inputs, constants and what they take from other windows. One window becomes the body of a loop; what differs
+// becomes an index that grows, a table, or a variable that is carried on. docs/reroll.md says more.
+#pragma once
+
+#include "reroll/loop_program.h"
+#include "schedule/schedule.h"
+
+#include <optional>
+#include <string>
+
+namespace symreal {
+
+// The functions that have loops.
+struct Rerolled {
+  std::optional<reroll::LoopFunction> preprocess, compute;
+  std::string why_not = {}; // where none has
+
+  bool has_loops() const { return preprocess || compute; }
+};
+
+// What is found is proved (check.h) whenever this runs.
+Rerolled rerolled(Schedule const &plan);
+
+// How much of the operations the loops hold, in words.
+std::string describe(Rerolled const &loops);
+
+} // namespace symreal

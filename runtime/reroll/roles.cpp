@@ -1,0 +1,137 @@
+#include "reroll/roles.h"
+
+#include <algorithm>
+#include <bit>
+
+namespace symreal::reroll {
+
+namespace {
+
+bool same_bits(double a, double b) { return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b); }
+
+std::vector<double> one_period(std::vector<double> values) {
+  std::size_t period = 1;
+  auto const repeats = [&] {
+    return std::equal(values.begin() + static_cast<std::ptrdiff_t>(period), values.end(), values.begin(), same_bits);
+  };
+  while (2 * period <= values.size() && !repeats()) ++period;
+  if (2 * period <= values.size()) values.resize(period);
+  return values;
+}
+
+Role role_of_values(std::vector<double> const &values) {
+  std::vector<double> period = one_period(values);
+  if (period.size() == 1) return {.constant = period.front()};
+  return {.values = std::move(period)};
+}
+
+class MemoryRole {
+public:
+  MemoryRole(Sequence const &sequence, std::vector<LoopBody> const &loops, std::uint32_t loop,
+             std::vector<NodeId> const &nodes, Memory &memory)
+      : sequence_(sequence),
+        loops_(loops),
+        loop_(loop),
+        nodes_(nodes),
+        memory_(memory) {}
+
+  Role choose(std::function<void(Cell const &, NodeId)> const &copy) {
+    Role role{Leaf::Kind::memory};
+    if (std::ranges::all_of(nodes_, [&](NodeId node) { return node == nodes_.front(); })) {
+      memory_.need(role.node = nodes_.front());
+      return role;
+    }
+    if (!find_line()) {
+      for (NodeId node : nodes_) memory_.need(node);
+      role.nodes = nodes_;
+      return role;
+    }
+    if (is_carried()) {
+      memory_.need(role.node = nodes_.front());
+      role.kind = Leaf::Kind::carried;
+      role.next = cell_.position;
+      return role;
+    }
+    memory_.need(cell_);
+    for (std::size_t k : elsewhere_) copy(at(k), nodes_[k]);
+    role.cell = cell_;
+    role.step = step_;
+    return role;
+  }
+
+private:
+  Cell at(std::size_t k) const {
+    return {cell_.loop, cell_.position, cell_.iteration + step_ * static_cast<std::int64_t>(k)};
+  }
+
+  // Two neighbours in the middle say on which line of cells the operands stand; those that are not there must have
+  // room at its ends.
+  bool find_line() {
+    std::size_t const middle = nodes_.size() / 2;
+    std::optional<Cell> const a = memory_.cell(nodes_[middle]), b = memory_.cell(nodes_[middle - 1]);
+    if (!a || !b || a->loop != b->loop || a->position != b->position) return false;
+    step_ = a->iteration - b->iteration;
+    cell_ = {a->loop, a->position, a->iteration - step_ * static_cast<std::int64_t>(middle)};
+    for (std::size_t k = 0; k < nodes_.size(); ++k) {
+      if (memory_.cell(nodes_[k]) == at(k)) continue;
+      bool const is_known_before = sequence_.position[nodes_[k]] < loops_[loop_].repeat.begin;
+      if (!is_known_before || !memory_.may_hold_copy(at(k), nodes_[k])) return false;
+      elsewhere_.push_back(k);
+    }
+    return step_ != 0;
+  }
+
+  // The value of the iteration before, but for the first.
+  bool is_carried() const {
+    bool const is_before = cell_.loop == loop_ && step_ == 1 && cell_.iteration == -1;
+    return is_before && elsewhere_ == std::vector<std::size_t>{0};
+  }
+
+  Sequence const &sequence_;
+  std::vector<LoopBody> const &loops_;
+  std::uint32_t loop_;
+  std::vector<NodeId> const &nodes_;
+  Memory &memory_;
+  Cell cell_ = {};
+  std::int64_t step_ = 0;
+  std::vector<std::size_t> elsewhere_; // iterations
+};
+
+} // namespace
+
+Access access_of(std::vector<std::uint32_t> elements) {
+  std::int64_t const first = elements.front(),
+                     step = elements.size() == 1 ? 0 : static_cast<std::int64_t>(elements[1]) - first;
+  for (std::size_t k = 0; k < elements.size(); ++k)
+    if (elements[k] != first + step * static_cast<std::int64_t>(k)) return {0, 0, std::move(elements)};
+  return {first, step};
+}
+
+Role choose_role(Sequence const &sequence, std::vector<LoopBody> const &loops, std::uint32_t loop, Column const &column,
+                 Memory &memory, std::function<void(Cell const &, NodeId)> const &copy) {
+  if (column.nodes.empty()) return role_of_values(column.values);
+  NodeId const first = column.nodes.front();
+  if (sequence.position[first] != no_position)
+    return MemoryRole(sequence, loops, loop, column.nodes, memory).choose(copy);
+  bool const is_read = sequence.slot[first] != no_slot;
+  std::vector<std::uint32_t> elements;
+  for (NodeId node : column.nodes)
+    elements.push_back(is_read ? sequence.slot[node] : sequence.graph->nodes[node].slot());
+  return {.kind = is_read ? Leaf::Kind::read : Leaf::Kind::given, .access = access_of(std::move(elements))};
+}
+
+Leaf leaf_of(Role const &role, Memory const &memory) {
+  Leaf leaf{role.kind, role.access, role.values};
+  if (role.cell) {
+    leaf.access = {memory.element(*role.cell), role.step * memory.stride(role.cell->loop)};
+  } else if (role.node != no_node) {
+    leaf.access = {memory.home(role.node), 0};
+  } else if (!role.nodes.empty()) {
+    std::vector<std::uint32_t> elements;
+    for (NodeId node : role.nodes) elements.push_back(memory.home(node));
+    leaf.access = access_of(std::move(elements));
+  }
+  return leaf;
+}
+
+} // namespace symreal::reroll

@@ -1,0 +1,34 @@
+// How the body of a loop finds the operands of a column.
+#pragma once
+
+#include "reroll/loop_program.h"
+#include "reroll/memory.h"
+
+#include <functional>
+
+namespace symreal::reroll {
+
+struct Role {
+  Leaf::Kind kind = Leaf::Kind::values;
+  std::optional<double> constant = {}; // of values that are all the same
+  std::vector<double> values = {};     // otherwise their period
+  Access access = {};                  // in what the function is given or reads
+  // In memory: cells a step of iterations apart, or one node, which also is where what is carried begins, or a list.
+  std::optional<Cell> cell = {};
+  std::int64_t step = 0;
+  NodeId node = no_node;
+  std::vector<NodeId> nodes = {};
+  std::uint32_t next = no_position; // carried: the operation of the body that computes the next value
+};
+
+// Says to memory what the column needs; `copy` puts a node into a cell before the loop.
+Role choose_role(Sequence const &sequence, std::vector<LoopBody> const &loops, std::uint32_t loop, Column const &column,
+                 Memory &memory, std::function<void(Cell const &, NodeId)> const &copy);
+
+// Once memory is laid out.
+Leaf leaf_of(Role const &role, Memory const &memory);
+
+// As first and step, if they fit.
+Access access_of(std::vector<std::uint32_t> elements);
+
+} // namespace symreal::reroll

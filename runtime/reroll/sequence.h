@@ -1,0 +1,44 @@
+// The operations of a function in the order of recording: in what repeats are looked for.
+#pragma once
+
+#include "schedule/schedule.h"
+
+#include <array>
+#include <vector>
+
+namespace symreal::reroll {
+
+inline constexpr std::uint32_t no_position = ~std::uint32_t{0};
+
+// An operand of an operation; `negated`: of a difference the second.
+struct Operand {
+  NodeId node = no_node;
+  bool negated = false;
+  bool operator==(Operand const &) const = default;
+};
+
+// x - y is x + (-y), bit by bit, so that sums and differences are one kind of operation.
+struct Operation {
+  NodeId node;
+  Op op;
+  std::array<Operand, 3> operands = {};
+  unsigned count = 0;        // of operands
+  bool may_exchange = false; // the first two
+};
+
+struct Sequence {
+  Graph const *graph;
+  std::vector<Operation> operations;
+  std::vector<std::uint32_t> position; // per node: of the operation that computes it, or no_position
+  std::vector<std::uint32_t> slot;     // per node: where the function reads it from the array that preprocess fills
+
+  std::size_t size() const { return operations.size(); }
+};
+
+// Of what `roots` need.
+Sequence sequence(Schedule const &plan, bool in_compute, std::vector<NodeId> const &roots);
+
+// What the function stores, and what else it must compute: the conditions of guards.
+std::vector<NodeId> roots(Schedule const &plan, bool in_compute);
+
+} // namespace symreal::reroll

@@ -1,0 +1,255 @@
+// What --reroll finds in small graphs, and that its proof sees a fault. The proof runs in every rerolled().
+#include "graph/node_table.h"
+#include "reroll/check.h"
+#include "reroll/reroll.h"
+
+#include <algorithm>
+#include <gtest/gtest.h>
+
+namespace symreal {
+namespace {
+
+using reroll::Leaf;
+using reroll::LoopFunction;
+using reroll::Step;
+
+class Builder {
+public:
+  NodeId input(std::uint32_t slot) {
+    inputs_ = std::max(inputs_, slot + 1);
+    return nodes_.intern(Node::input(slot));
+  }
+  NodeId number(double value) { return nodes_.constant(value); }
+  NodeId operator()(Op op, NodeId a, NodeId b = no_node, NodeId c = no_node) {
+    return nodes_.intern(nodes_.operation(op, a, b, c));
+  }
+  Graph finish(std::vector<NodeId> const &results, std::vector<NodeId> const &guards = {}) {
+    Graph graph;
+    graph.kernel = "k";
+    auto const count = static_cast<std::uint32_t>(results.size());
+    graph.inputs = {{"x", {inputs_}, 0, inputs_}};
+    graph.input_values.assign(inputs_, 0);
+    graph.outputs = {{"y", {count}, 0, count}};
+    graph.nodes = nodes_.release();
+    graph.results = results;
+    for (NodeId guard : guards) graph.guards.push_back({guard, no_location, "0 < x"});
+    return graph;
+  }
+
+private:
+  NodeTable nodes_;
+  std::uint32_t inputs_ = 0;
+};
+
+LoopFunction compute_of(Graph const &graph) {
+  Rerolled const loops = rerolled(schedule(graph));
+  EXPECT_TRUE(loops.compute) << loops.why_not;
+  return loops.compute.value_or(LoopFunction());
+}
+
+Step const &longest(LoopFunction const &function) {
+  return *std::ranges::max_element(function.steps, {},
+                                   [](Step const &step) { return step.count * step.body.nodes.size(); });
+}
+
+std::vector<Leaf> leaves_of(Step const &step, Leaf::Kind kind) {
+  std::vector<Leaf> found;
+  std::ranges::copy_if(step.leaves, std::back_inserter(found), [&](Leaf const &leaf) { return leaf.kind == kind; });
+  return found;
+}
+
+// y[k] = 0.25 x[k] + 0.5 y[k - 1]
+Graph filter(std::uint32_t samples) {
+  Builder make;
+  std::vector<NodeId> y = {make(Op::mul, make.input(0), make.number(0.25))};
+  for (std::uint32_t k = 1; k < samples; ++k)
+    y.push_back(
+        make(Op::add, make(Op::mul, make.input(k), make.number(0.25)), make(Op::mul, y.back(), make.number(0.5))));
+  return make.finish(y);
+}
+
+TEST(Reroll, AFilterCarriesItsState) {
+  LoopFunction const function = compute_of(filter(100));
+  EXPECT_EQ(function.loops, 1);
+  Step const &loop = longest(function);
+  EXPECT_GE(loop.count, 95);
+  EXPECT_EQ(leaves_of(loop, Leaf::Kind::carried).size(), 1);
+  std::vector<Leaf> const given = leaves_of(loop, Leaf::Kind::given);
+  ASSERT_EQ(given.size(), 1);
+  EXPECT_EQ(given[0].access.step, 1);
+  EXPECT_TRUE(leaves_of(loop, Leaf::Kind::values).empty());
+}
+
+TEST(Reroll, TheStepsDoNotGrowWithTheSamples) {
+  LoopFunction const few = compute_of(filter(100)), many = compute_of(filter(1000));
+  EXPECT_EQ(few.steps.size(), many.steps.size());
+  EXPECT_EQ(few.operations - few.in_loops, many.operations - many.in_loops);
+}
+
+TEST(Reroll, CoefficientsAreATable) {
+  Builder make;
+  NodeId sum = make.input(0);
+  NodeId const x = make.input(1);
+  for (int k = 0; k < 60; ++k) sum = make(Op::add, make(Op::mul, sum, x), make.number(1 + k * k));
+  Step const loop = longest(compute_of(make.finish({sum})));
+  EXPECT_GE(loop.count, 55);
+  std::vector<Leaf> const values = leaves_of(loop, Leaf::Kind::values);
+  ASSERT_EQ(values.size(), 1);
+  EXPECT_EQ(values[0].values.size(), loop.count);
+}
+
+TEST(Reroll, ATableIsAsLongAsItsPeriod) {
+  Builder make;
+  NodeId sum = make.input(0);
+  for (int k = 0; k < 60; ++k) sum = make(Op::add, make(Op::mul, sum, make.input(1)), make.number(2 + k % 5));
+  std::vector<Leaf> const values = leaves_of(longest(compute_of(make.finish({sum}))), Leaf::Kind::values);
+  ASSERT_EQ(values.size(), 1);
+  EXPECT_EQ(values[0].values.size(), 5);
+}
+
+TEST(Reroll, ASignGoesIntoAConstant) {
+  Builder make;
+  NodeId sum = make.input(0);
+  for (std::uint32_t k = 0; k < 60; ++k)
+    sum = make(k * k % 7 < 3 ? Op::add : Op::sub, sum, make(Op::mul, make.input(k), make.number(2 + k)));
+  Step const loop = longest(compute_of(make.finish({sum})));
+  ASSERT_EQ(leaves_of(loop, Leaf::Kind::values).size(), 1);
+  std::vector<double> const values = leaves_of(loop, Leaf::Kind::values)[0].values;
+  EXPECT_TRUE(std::ranges::any_of(values, [](double value) { return value < 0; }));
+}
+
+TEST(Reroll, ASignThatHasNoConstantIsAFactor) {
+  Builder make;
+  NodeId sum = make.input(0);
+  for (std::uint32_t k = 0; k < 60; ++k)
+    sum = make(k * k % 7 < 3 ? Op::add : Op::sub, make(Op::mul, sum, make.number(0.5)), make.input(k));
+  std::vector<Leaf> const values = leaves_of(longest(compute_of(make.finish({sum}))), Leaf::Kind::values);
+  ASSERT_EQ(values.size(), 1);
+  for (double value : values[0].values) EXPECT_EQ(std::abs(value), 1);
+}
+
+// Steps of the classical method of Runge and Kutta for y' = -sin y.
+TEST(Reroll, ARungeKuttaStepIsABody) {
+  Builder make;
+  NodeId y = make.input(0);
+  NodeId const h = make.input(1), half = make(Op::mul, h, make.number(0.5)), sixth = make(Op::div, h, make.number(6));
+  auto const slope = [&](NodeId at) { return make(Op::neg, make(Op::sin, at)); };
+  auto const moved = [&](NodeId by, NodeId k) { return make(Op::add, y, make(Op::mul, by, k)); };
+  for (int step = 0; step < 50; ++step) {
+    NodeId const k1 = slope(y), k2 = slope(moved(half, k1)), k3 = slope(moved(half, k2)), k4 = slope(moved(h, k3));
+    NodeId const inner = make(Op::mul, make.number(2), make(Op::add, k2, k3));
+    y = make(Op::add, y, make(Op::mul, sixth, make(Op::add, make(Op::add, k1, inner), k4)));
+  }
+  LoopFunction const function = compute_of(make.finish({y}));
+  EXPECT_EQ(function.loops, 1);
+  EXPECT_GE(longest(function).count, 47);
+  EXPECT_EQ(leaves_of(longest(function), Leaf::Kind::carried).size(), 1);
+}
+
+// As the two sweeps over a chain: what the first stores, the second reads in reverse.
+TEST(Reroll, ASecondSweepReadsBackwards) {
+  Builder make;
+  std::vector<NodeId> forward;
+  NodeId v = make.input(0);
+  for (std::uint32_t k = 1; k <= 80; ++k) {
+    v = make(Op::add, make(Op::mul, v, make(Op::cos, make.input(k))), make(Op::sin, make.input(k)));
+    forward.push_back(v);
+  }
+  NodeId force = make.input(0);
+  std::vector<NodeId> results;
+  for (std::uint32_t k = 80; k-- > 0;) {
+    force = make(Op::add, make(Op::mul, force, make.number(0.5)), make(Op::mul, forward[k], forward[k]));
+    results.push_back(force);
+  }
+  LoopFunction const function = compute_of(make.finish(results));
+  EXPECT_EQ(function.loops, 2);
+  std::size_t backwards = 0;
+  for (Step const &step : function.steps)
+    for (Leaf const &leaf : step.leaves) {
+      EXPECT_FALSE(leaf.access.is_listed());
+      backwards += leaf.kind == Leaf::Kind::memory && leaf.access.step < 0;
+    }
+  EXPECT_EQ(backwards, 1);
+}
+
+// What stands before the first iteration is copied to where the loop looks for it.
+TEST(Reroll, IterationsFurtherBackAreRecords) {
+  Builder make;
+  std::vector<NodeId> y;
+  for (std::uint32_t k = 0; k < 4; ++k) y.push_back(make(Op::sin, make.input(k)));
+  for (std::uint32_t k = 4; k < 60; ++k)
+    y.push_back(make(Op::add, make(Op::mul, y[k - 1], make.input(k)), make(Op::mul, y[k - 4], make.number(0.5))));
+  Step const loop = longest(compute_of(make.finish({y.back()})));
+  EXPECT_GE(loop.count, 50);
+  EXPECT_EQ(leaves_of(loop, Leaf::Kind::memory).size(), 1);
+}
+
+TEST(Reroll, AnIrregularOrderIsAList) {
+  Builder make;
+  std::vector<NodeId> first;
+  for (std::uint32_t k = 0; k < 64; ++k) first.push_back(make(Op::exp, make(Op::sin, make.input(k))));
+  NodeId sum = make.input(0);
+  for (std::uint32_t k = 0; k < 64; ++k) sum = make(Op::add, make(Op::mul, sum, make.number(0.5)), first[k * k % 61]);
+  LoopFunction const function = compute_of(make.finish({sum}));
+  EXPECT_TRUE(std::ranges::any_of(function.steps, [](Step const &step) {
+    return std::ranges::any_of(step.leaves, [](Leaf const &leaf) { return leaf.access.is_listed(); });
+  }));
+}
+
+// All iterations use what the first one computes: that one stays outside.
+TEST(Reroll, WhatTheFirstIterationComputesForAll) {
+  Builder make;
+  NodeId sum = make.input(0), shared = no_node;
+  for (std::uint32_t k = 1; k < 60; ++k) {
+    NodeId const here = make(Op::sin, make.input(k));
+    if (k == 1) shared = here;
+    sum = make(Op::add, make(Op::mul, sum, shared), here);
+  }
+  EXPECT_GE(longest(compute_of(make.finish({sum}))).count, 50);
+}
+
+TEST(Reroll, ResultsAndGuardsOfEveryKind) {
+  Builder make;
+  NodeId sum = make.input(0);
+  for (std::uint32_t k = 1; k < 60; ++k) sum = make(Op::add, make(Op::mul, sum, make.number(0.5)), make.input(k));
+  NodeId const guard = make(Op::lt, make.number(0), sum);
+  LoopFunction const function = compute_of(make.finish({sum, make.number(7), make.input(3), sum}, {guard}));
+  EXPECT_EQ(function.checks.size(), 1);
+}
+
+TEST(Reroll, WithoutRepeatsThereAreNoLoops) {
+  Builder make;
+  NodeId const sum = make(Op::add, make(Op::sin, make.input(0)), make.input(1));
+  Rerolled const loops = rerolled(schedule(make.finish({sum})));
+  EXPECT_FALSE(loops.has_loops());
+  EXPECT_EQ(loops.why_not, "no operations repeat often enough");
+}
+
+// Every number of every step that changes what is computed changes the proof.
+TEST(Reroll, TheProofSeesAFault) {
+  Graph const graph = filter(100);
+  Schedule const plan = schedule(graph);
+  reroll::Sequence const all = reroll::sequence(plan, true, graph.results);
+  LoopFunction const good = compute_of(graph);
+  EXPECT_EQ(reroll::find_difference(all, good, graph.results, {}), "");
+  auto const is_seen = [&](auto const &change) {
+    LoopFunction bad = good;
+    change(bad);
+    return !reroll::find_difference(all, bad, graph.results, {}).empty();
+  };
+  std::size_t const loop = static_cast<std::size_t>(&longest(good) - good.steps.data());
+  EXPECT_TRUE(is_seen([&](LoopFunction &bad) { --bad.steps[loop].count; }));
+  EXPECT_TRUE(is_seen([&](LoopFunction &bad) { bad.steps[loop].stores[0].access.step = 0; }));
+  EXPECT_TRUE(is_seen([&](LoopFunction &bad) { std::swap(bad.steps[loop], bad.steps.back()); }));
+  for (std::size_t k = 0; k < good.steps[loop].leaves.size(); ++k) {
+    EXPECT_TRUE(is_seen([&](LoopFunction &bad) { bad.steps[loop].leaves[k].access.first ^= 1; }));
+    if (good.steps[loop].leaves[k].kind == Leaf::Kind::given)
+      EXPECT_TRUE(is_seen([&](LoopFunction &bad) { bad.steps[loop].leaves[k].access.step = 2; }));
+  }
+  for (std::size_t id = 0; id < good.steps[loop].body.nodes.size(); ++id)
+    if (good.steps[loop].body.nodes[id].op == Op::add)
+      EXPECT_TRUE(is_seen([&](LoopFunction &bad) { bad.steps[loop].body.nodes[id].op = Op::sub; }));
+}
+
+} // namespace
+} // namespace symreal

@@ -1,0 +1,32 @@
+#include "tool/options/reroll_option.h"
+
+#include "diagnostics/diagnostic.h"
+
+namespace symreal::tool {
+
+void RerollOption::add_to(CLI::App &app) {
+  app.add_flag("--reroll", is_given, "C or C++ in which operations that repeat are loops over tables");
+}
+
+void RerollOption::require_sense(EmitterOptions const &emitter, bool is_parallel) const {
+  if (!is_given) return;
+  if (is_parallel)
+    fail(DiagnosticId::bad_option, {}, "--parallel shares out statements, which --reroll makes loops of");
+  if (emitter.check_values)
+    fail(DiagnosticId::bad_option, {}, "--check-values makes a statement of each operation, and --reroll loops");
+}
+
+std::optional<Rerolled> RerollOption::loops(Schedule const &plan, std::vector<Diagnostic> &remarks,
+                                            std::string &text) const {
+  if (!is_given) return {};
+  Rerolled loops = rerolled(plan);
+  if (!loops.has_loops()) {
+    remarks.push_back(
+        {DiagnosticId::not_rerolled, {}, "kernel '" + plan.graph->kernel + "' is not re-rolled: " + loops.why_not});
+    return {};
+  }
+  text = describe(loops);
+  return loops;
+}
+
+} // namespace symreal::tool

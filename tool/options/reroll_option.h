@@ -1,0 +1,20 @@
+// --reroll: repeats become loops.
+#pragma once
+
+#include "reroll/reroll.h"
+#include "tool/options/options.h"
+
+namespace symreal::tool {
+
+struct RerollOption {
+  bool is_given = false;
+
+  void add_to(CLI::App &app);
+  // Throws bad_option, option_without_effect.
+  void require_sense(EmitterOptions const &emitter, bool is_parallel) const;
+  // Nothing where it was not asked for, or there are no loops: then `remarks` says why. Otherwise `text` says how much
+  // they hold.
+  std::optional<Rerolled> loops(Schedule const &plan, std::vector<Diagnostic> &remarks, std::string &text) const;
+};
+
+} // namespace symreal::tool
