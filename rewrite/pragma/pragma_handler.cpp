@@ -56,8 +56,7 @@ public:
     PragmaFact const &fact = facts_.pragmas[*span];
     bool const has_setting = std::ranges::any_of(
         fact.clauses, [](ClauseFact const &clause) { return info(clause.clause).has(trait::SETTING); });
-    if (!pragma.is_function && has_setting)
-      index_.statement_pragmas[*span] = introducer.Loc;
+    if (!pragma.is_function && has_setting) index_.statement_pragmas[*span] = introducer.Loc;
     if (pragma.is_function)
       index_.function_pragmas[*span] = introducer.Loc;
     else if (index_.ask_compiler)

@@ -13,10 +13,7 @@ namespace {
 // Nodes of a graph on nodes of a network.
 class Import {
 public:
-  Import(Graph const &graph, Network &network)
-      : graph_(graph),
-        network_(network),
-        now_(graph.nodes.size()) {}
+  Import(Graph const &graph, Network &network) : graph_(graph), network_(network), now_(graph.nodes.size()) {}
 
   Literal operator[](NodeId id) const { return now_[id]; }
 

@@ -4,6 +4,7 @@
 #include "graph/graph_text.h"
 #include "verify/compare.h"
 
+#include <cmath>
 #include <gtest/gtest.h>
 
 namespace symreal {
