@@ -67,7 +67,8 @@ public:
         scratch_(recorded.scratch),
         banner_(banner),
         code_(path, banner, graph_, {}, *front.workspace),
-        source_(graph_, options.seed) {
+        source_(graph_, options.seed),
+        exact_(graph_) {
     bool const by_hand = front.original_program.empty();
     auto const start = [&](std::unique_ptr<Replay> &program, char const *what, std::string const &executable,
                            GeneratedCode const *code) {
@@ -106,6 +107,7 @@ public:
       try_sample(k, banner_.is_single ? in_single_precision(drawn) : drawn);
     }
     if (threads_) result_.threads = threads_->finish(code_, timed_ ? &*timed_ : nullptr);
+    result_.exact = exact_.judgement();
     return std::move(result_);
   }
 
@@ -157,9 +159,10 @@ private:
                std::vector<double> const &generated, std::vector<double> const &recorded) {
     for (replay::LeftBehind const &left : original_->left_behind())
       if (!is_left_by_generated(left) && !is_scratch(left)) add_left(result_.left, describe(left));
+    exact_.begin(sample.inputs, sample.parameters);
     for (std::size_t slot = 0; slot < original.size(); ++slot) {
       if (!single_)
-        result_.outputs[slot].add(k, original[slot], generated[slot], banner_.mode, options_.tolerance);
+        add(result_.outputs[slot], k, slot, original[slot], generated[slot]);
       else if (single_->lose(slot, original[slot], options_.tolerance))
         ++result_.lost[slot];
       else
@@ -191,9 +194,20 @@ private:
       if (computed.failed != 0) return;
       generated = computed.outputs;
       std::vector<double> const original = original_->outputs_of(call);
+      exact_.begin(inputs, sample.parameters);
       for (std::size_t slot = 0; slot < original.size(); ++slot)
-        result_.called_again[slot].add(k, original[slot], generated[slot], banner_.mode, options_.tolerance);
+        add(result_.called_again[slot], k, slot, original[slot], generated[slot]);
     }
+  }
+
+  // In mode fast what is beyond the tolerance may be the original's own error.
+  void add(OutputComparison &output, std::size_t k, std::size_t slot, double original, double generated) {
+    bool const is_same = same(original, generated, banner_.mode, options_.tolerance);
+    if (!is_same && banner_.mode == FloatingPoint::fast &&
+        exact_.accepts(slot, original, generated, options_.tolerance))
+      output.add_same(k, original, generated);
+    else
+      output.add(k, original, generated, banner_.mode, options_.tolerance);
   }
 
   static void keep_worst(std::vector<std::uint64_t> &worst, std::vector<double> const &one,
@@ -243,6 +257,7 @@ private:
   GeneratedCode code_;
   std::optional<GeneratedCode> own_code_;
   SampleSource source_;
+  ExactValues exact_;
   std::optional<ThreadVerification> threads_;
   std::optional<Sample> timed_;      // the first within the premises and all guards
   std::optional<SingleRuns> single_; // of the sample that is tried, where the code is in single precision

@@ -1,6 +1,7 @@
 // The proof by samples: the original against the generated code, and against the rewritten text that was recorded.
 #pragma once
 
+#include "program/exact_values.h"
 #include "program/front.h"
 #include "program/generated_code.h"
 #include "program/thread_verification.h"
@@ -64,6 +65,7 @@ struct Verification {
   std::size_t guards_different = 0;            // samples on which the code decided otherwise than it should
   std::optional<GuardMismatch> guard_mismatch; // the first of them
   std::optional<ThreadResult> threads;         // of code whose threads share an evaluation
+  ExactJudgement exact;                        // of mode fast, beyond the tolerance
 };
 
 // Outputs that differ on some sample.

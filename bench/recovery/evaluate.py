@@ -7,6 +7,10 @@ decimal.getcontext().prec = 40
 NODE = re.compile(r"%(\d+) = (\w+) (.*)")
 
 
+PARAMETERS = re.compile(r"parameter .* = (.*)")
+ARITHMETIC = ("add", "sub", "mul", "div")
+
+
 def read(text):
     """The nodes, each an operation and its operands, and the operands that are results."""
     nodes, results = {}, []
@@ -20,7 +24,13 @@ def read(text):
 
 
 def operations(text):
-    return sum(operation in ("add", "sub", "mul", "div") for operation, _ in read(text)[0].values())
+    """Of `compute`: what depends on an input."""
+    variable, count = set(), 0
+    for name, (operation, operands) in read(text)[0].items():
+        if operation == "input" or any(operand[0] == "%" and int(operand[1:]) in variable for operand in operands):
+            variable.add(name)
+            count += operation in ARITHMETIC
+    return count
 
 
 def sine(x, shift=0):
@@ -35,6 +45,7 @@ def sine(x, shift=0):
 
 def evaluate(text, inputs, number, sin, cos):
     nodes, results = read(text)
+    parameters = [word for line in text.splitlines() if (match := PARAMETERS.match(line)) for word in match[1].split()]
     values = {}
 
     def value(operand):
@@ -47,6 +58,8 @@ def evaluate(text, inputs, number, sin, cos):
     for name, (operation, operands) in nodes.items():
         if operation == "input":
             values[name] = number(inputs[int(operands[0])])
+        elif operation == "parameter":
+            values[name] = number(float(parameters[int(operands[0])]))
         else:
             values[name] = functions[operation](*map(value, operands))
     return [value(result) for result in results]

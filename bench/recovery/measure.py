@@ -1,4 +1,4 @@
-"""What structure recovery leaves of the chain's textbook code: see bench/recovery/run."""
+"""What structure recovery leaves of textbook code: see bench/recovery/run."""
 import argparse
 import pathlib
 import random
@@ -10,11 +10,13 @@ import time
 import evaluate
 
 KERNELS = {"inverse dynamics": "rnea", "mass matrix": "crba", "forward dynamics": "aba"}
+RX90 = "inverse dynamics of the RX90"
 SAMPLES = 20
 HEAD = """# Structure recovery
 
 Written by `bench/recovery/run`. Operations are + - * /; sign changes, sines and cosines are not counted. *Executed*: by the
-original while it was recorded. *Error*: the largest over {samples} random inputs against 40 digits, relative to the largest
+original while it was recorded. The RX90 has its inertial parameters as parameters, and operations on these alone are not
+counted. *Error*: the largest over {samples} random inputs against 40 digits, relative to the largest
 output, before recovery and after it. The time is that of `symreal opt`, all passes and reading included, and depends on the
 machine; the operations do not.
 
@@ -22,9 +24,14 @@ machine; the operations do not.
 
 
 def record(symreal, name, joints, work):
-    sources = [f"inputs/chain/{source}.cpp" for source in (name, "algorithms", "example", "model", "spatial")]
-    subprocess.run([symreal, "generate", *sources, "-o", work / "k.c", "--graph", work / "k.graph", "--run-args",
-                    f"{joints} inputs/chain/data/chain-model.csv"], check=True, capture_output=True)
+    if name == RX90:
+        sources = [f"inputs/dh/{source}.cpp" for source in ("rx90_inverse", "robot", "dynamics")]
+        arguments = []
+    else:
+        sources = [f"inputs/chain/{source}.cpp" for source in (name, "algorithms", "example", "model", "spatial")]
+        arguments = ["--run-args", f"{joints} inputs/chain/data/chain-model.csv"]
+    subprocess.run([symreal, "generate", *sources, "-o", work / "k.c", "--graph", work / "k.graph", *arguments],
+                   check=True, capture_output=True)
     return work / "k.graph"
 
 
@@ -74,7 +81,7 @@ def main():
     rows = ["| " + " | ".join(titles) + " |", "|---" * len(titles) + "|"]
     with tempfile.TemporaryDirectory() as work:
         for joints in arguments.joints:
-            for title, name in KERNELS.items():
+            for title, name in (KERNELS | ({RX90: RX90} if joints == 6 else {})).items():
                 cells = measure(arguments.symreal, name, joints, arguments.effort, pathlib.Path(work))
                 rows.append("| " + " | ".join(map(str, [title, joints, *cells])) + " |")
                 print(rows[-1], flush=True)

@@ -69,7 +69,7 @@ void check_returned_place(PragmaFact const &pragma, ClauseFact const &clause, Re
       report(result, DiagnosticId::pragma_item, item.place, "'return' belongs in a function pragma");
 }
 
-// decisions(...) and loop(N).
+// decisions(...), loop(N) and exact.
 bool is_setting(ClauseFact const &clause) { return info(clause.clause).has(trait::SETTING); }
 
 bool only_settings(PragmaFact const &pragma) {

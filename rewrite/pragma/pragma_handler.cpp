@@ -54,8 +54,9 @@ public:
     auto const &pragma = std::get<Pragma>(parsed);
     collect(pragma, words, *span, introducer.Loc);
     PragmaFact const &fact = facts_.pragmas[*span];
-    if (!pragma.is_function && (fact.clause(Clause::decisions) || fact.clause(Clause::loop)))
-      index_.statement_pragmas[*span] = introducer.Loc;
+    bool const has_setting = std::ranges::any_of(
+        fact.clauses, [](ClauseFact const &clause) { return info(clause.clause).has(trait::SETTING); });
+    if (!pragma.is_function && has_setting) index_.statement_pragmas[*span] = introducer.Loc;
     if (pragma.is_function)
       index_.function_pragmas[*span] = introducer.Loc;
     else if (index_.ask_compiler)

@@ -49,7 +49,7 @@ struct PragmaIndex {
   };
   std::vector<Name> function_names;
   std::map<Span, clang::SourceLocation> function_pragmas;
-  std::map<Span, clang::SourceLocation> statement_pragmas; // decisions(...) and loop(...)
+  std::map<Span, clang::SourceLocation> statement_pragmas; // decisions(...), loop(...) and exact
   std::vector<ExternalPragma> externals;
 };
 

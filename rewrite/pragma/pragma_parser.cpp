@@ -36,6 +36,10 @@ private:
     std::string const &name = tokens_[at_].text;
     if (!tokens_[at_].is_name) fail(at_, "expected the name of a clause, found '" + name + "'");
     check_name(name, is_function);
+    if (info(*find_clause(name)).has(trait::BARE)) {
+      clause.arguments = {++at_, at_};
+      return clause;
+    }
     if (++at_ == tokens_.size() || tokens_[at_].text != "(") fail(at_, "expected '(' after '" + name + "'");
     std::size_t const open = at_;
     std::size_t const close = matching(open);

@@ -41,6 +41,7 @@ std::string clause_text(PragmaFact const &pragma, ClauseFact const &clause) {
            std::to_string(clause.place.line) + ", " + std::to_string(clause.place.column) + ") ";
   if (clause.clause == Clause::decisions)
     return (pragma.is_function ? "SYMREAL_DECISIONS(" : "SYMREAL_REAL_DECISIONS(") + clause.argument + ") ";
+  if (clause.clause == Clause::exact) return pragma.is_function ? "SYMREAL_EXACT " : "SYMREAL_REAL_EXACT ";
   if (clause.clause == Clause::loop) // the loop it names has its own text; a refused one is an error
     return (pragma.tests_late ? "SYMREAL_REAL_LATE_LOOP(" : "SYMREAL_REAL_LOOP(") + clause.argument + ", " +
            pragma.loop_targets.value_or("") + ") ";

@@ -31,7 +31,9 @@ Parity parity_of(Op op) {
 
 // Defined, and finite, wherever its operands are. A select shields its arms, so it counts as an operation of its own.
 bool is_total(Op op) {
-  return op == Op::sin || op == Op::cos || (info(op).has(flag::QUIET) && op != Op::select && op != Op::wide_select);
+  bool const is_exact = op == Op::add || op == Op::sub || op == Op::mul; // arithmetic that algebra may not touch
+  return is_exact || op == Op::sin || op == Op::cos ||
+         (info(op).has(flag::QUIET) && op != Op::select && op != Op::wide_select);
 }
 
 // At each point something that looks random, by what the operands are there.

@@ -13,11 +13,7 @@ namespace {
 // Nodes of a graph on nodes of a network.
 class Import {
 public:
-  Import(Graph const &graph, std::vector<char> const &kept, Network &network)
-      : graph_(graph),
-        kept_(kept),
-        network_(network),
-        now_(graph.nodes.size()) {}
+  Import(Graph const &graph, Network &network) : graph_(graph), network_(network), now_(graph.nodes.size()) {}
 
   Literal operator[](NodeId id) const { return now_[id]; }
 
@@ -36,7 +32,8 @@ private:
     Node const &node = graph_.nodes[id];
     if (is_leaf(node.op)) return leaf(id);
     auto operand = [&](std::size_t i) { return now_[node.operand[i]]; };
-    if (kept_.empty() || !kept_[id]) {
+    if (node.op == Op::neg) return -operand(0);
+    if (graph_.node_exact.empty() || !graph_.node_exact[id]) {
       switch (node.op) {
       case Op::add: return network_.sum(operand(0), operand(1));
       case Op::sub: return network_.sum(operand(0), -operand(1));
@@ -44,7 +41,6 @@ private:
       case Op::div:
         if (operand(1) == network_.zero()) break;
         return network_.quotient(operand(0), operand(1));
-      case Op::neg: return -operand(0);
       default: break;
       }
     }
@@ -96,7 +92,6 @@ private:
   }
 
   Graph const &graph_;
-  std::vector<char> const &kept_;
   Network &network_;
   std::optional<ConstantForms> forms_;
   std::vector<Literal> now_;
@@ -121,8 +116,12 @@ public:
   }
   NodeTable &table() { return table_; }
   std::vector<NodeId> const &nodes() const { return now_; }
+  // Operations that algebra would know.
+  std::vector<NodeId> const &exact() const { return exact_; }
 
 private:
+  static bool is_arithmetic(Op op) { return op == Op::add || op == Op::sub || op == Op::mul || op == Op::div; }
+
   bool make(Index index) {
     NetworkNode const &node = network_[index];
     NodeId &id = now_[index];
@@ -131,6 +130,7 @@ private:
       std::array<NodeId, 3> operands = {no_node, no_node, no_node};
       for (std::size_t i = 0; i < function.arity; ++i) operands[i] = node_of(function.operands[i]);
       id = table_.intern(table_.operation(function.op, operands[0], operands[1], operands[2]));
+      if (is_arithmetic(function.op)) exact_.push_back(id);
     } else if (node.kind == Kind::leaf) {
       id = table_.intern(graph_.nodes[node.a.bits]);
     } else if (node.attribute == Attribute::constant) {
@@ -156,25 +156,26 @@ private:
   Network const &network_;
   Graph const &graph_;
   NodeTable table_;
-  std::vector<NodeId> now_;
+  std::vector<NodeId> now_, exact_;
 };
 
 } // namespace
 
-Network network_of(Graph const &graph, std::vector<char> const &kept) {
+Network network_of(Graph const &graph) {
   Network network(std::make_shared<HazardSets>());
-  Import(graph, kept, network).run();
+  Import(graph, network).run();
   return network;
 }
 
-std::optional<Graph> graph_of(Network const &network, Graph const &graph, std::vector<char> const &kept) {
+std::optional<Graph> graph_of(Network const &network, Graph const &graph) {
   Export made(network, graph);
   if (!made.run()) return std::nullopt;
-  // What the old nodes were called and where they stood is that of the new ones with the same value.
+  // What the old nodes were called and where they stood, and that they are exact, is that of the new ones with the same
+  // value.
   Network values(network.hazards());
-  Import old(graph, kept, values);
+  Import old(graph, values);
   std::vector<NodeId> now(graph.nodes.size(), no_node);
-  if (!graph.node_location.empty() || !graph.node_name.empty()) {
+  if (!graph.node_location.empty() || !graph.node_name.empty() || !graph.node_exact.empty()) {
     old.run();
     std::vector<char> const live = live_nodes(network), was_live = symreal::live_nodes(graph);
     for (NodeId id = 0; id < now.size(); ++id) {
@@ -189,6 +190,10 @@ std::optional<Graph> graph_of(Network const &network, Graph const &graph, std::v
   for_each_root(graph, [&](NodeId root) { now[root] = made.node_of(network.roots[next++]); });
   Graph result = without_nodes(graph);
   result.nodes = made.table().release();
+  if (!graph.node_exact.empty()) {
+    result.node_exact.resize(result.nodes.size(), 0);
+    for (NodeId id : made.exact()) result.node_exact[id] = 1;
+  }
   carry_over(graph, now, result);
   return result;
 }

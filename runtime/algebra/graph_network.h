@@ -8,12 +8,12 @@
 
 namespace symreal::algebra {
 
-// Sums, differences, products, quotients and changes of sign are algebra, but for nodes that are `kept` (per node, or
-// empty), which stay as they are written. All else is opaque. The roots are those of the graph, in its order.
-Network network_of(Graph const &graph, std::vector<char> const &kept = {});
+// Sums, differences, products, quotients and changes of sign are algebra, but for operations that are exact, which stay
+// as they are written. All else is opaque. The roots are those of the graph, in its order.
+Network network_of(Graph const &graph);
 
 // The graph that computes what `graph` did, as the network does. Nothing where a number in it is beyond those of
 // doubles.
-std::optional<Graph> graph_of(Network const &network, Graph const &graph, std::vector<char> const &kept = {});
+std::optional<Graph> graph_of(Network const &network, Graph const &graph);
 
 } // namespace symreal::algebra

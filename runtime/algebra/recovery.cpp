@@ -1,5 +1,6 @@
 #include "algebra/recovery.h"
 
+#include "algebra/base_parameters.h"
 #include "algebra/graph_network.h"
 #include "algebra/reciprocals.h"
 #include "algebra/windows.h"
@@ -89,11 +90,19 @@ Network searched(Network const &network, int effort) {
   return search_in_windows(std::move(best.network), search, budget.all, budget.disturbances).network;
 }
 
+// Where the search begins.
+Network start_of(Graph const &graph) {
+  Network network = rebuilt(with_common_reciprocals(rebuilt(network_of(graph))));
+  if (std::optional<Network> base = with_base_parameters(network); base && cost_of(*base) < cost_of(network))
+    return rebuilt(*base);
+  return network;
+}
+
 } // namespace
 
 Graph recover_structure(Graph const &graph, int effort) {
   if (effort == 0) return graph;
-  Network network = rebuilt(with_common_reciprocals(rebuilt(network_of(graph))));
+  Network const network = start_of(graph);
   std::optional<Graph> result = graph_of(rebuilt(searched(network, effort)), graph);
   if (!result || cost_of(*result) >= cost_of(graph)) return graph;
   return std::move(*result);

@@ -49,6 +49,11 @@ void carry_over(Graph const &graph, std::vector<NodeId> const &now, Graph &resul
       if (locations[id - 1] == no_location && !is_leaf(result.nodes[id - 1].op)) locations[id - 1] = locations[id];
   }
   if (!graph.node_name.empty()) result.node_name = moved(graph.node_name, now, result.nodes.size(), no_name);
+  if (!graph.node_exact.empty()) {
+    std::vector<char> const made = std::move(result.node_exact); // by a pass, of what it put in place of others
+    result.node_exact = moved(graph.node_exact, now, result.nodes.size(), char{0});
+    for (std::size_t id = 0; id < made.size(); ++id) result.node_exact[id] |= made[id];
+  }
 }
 
 std::vector<char> live_nodes(Graph const &graph) {

@@ -91,6 +91,7 @@ struct Graph {
   std::vector<LocationId> node_location; // per node, or empty: places were not asked for
   std::vector<std::string> names;        // what the source calls its numbers
   std::vector<NameId> node_name;         // per node, or empty
+  std::vector<char> node_exact;          // per node, or empty: 1 where even mode fast keeps it as it is written
   std::vector<double> input_values;      // per input slot: the value it had while recording
   std::vector<double> parameter_values;
   std::vector<Frozen> frozen;
@@ -110,8 +111,8 @@ private:
 Graph without_nodes(Graph const &graph);
 
 // Takes over what names the nodes of `graph`, where node `id` has become `now[id]` of `result`, or no_node: results,
-// precomputed, guards, effects, locations and names. A node that a pass made on the way to another has that one's
-// location.
+// precomputed, guards, effects, locations, names, and what is exact. A node that a pass made on the way to another has
+// that one's location.
 void carry_over(Graph const &graph, std::vector<NodeId> const &now, Graph &result);
 
 // Calls `visit` with every node that a function of the program must compute: results, precomputed, guards, effects.

@@ -45,7 +45,8 @@ template <class Archive> void serialize(Archive &file, Graph &x) {
   file(x.kernel, x.inputs, x.parameters, x.outputs, x.states);
   serialize_nodes(file, x.nodes);
   file(x.results, x.precomputed, x.guards, x.decisions, x.tables, x.externals, x.last_effect);
-  file(x.locations, x.node_location, x.names, x.node_name, x.input_values, x.parameter_values, x.frozen, x.executed);
+  file(x.locations, x.node_location, x.names, x.node_name, x.node_exact, x.input_values, x.parameter_values, x.frozen,
+       x.executed);
 }
 
 static std::string const head = "symreal-binary-graph " + std::string(version) + "\n";

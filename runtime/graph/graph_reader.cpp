@@ -35,6 +35,7 @@ public:
       names_.resize(graph_.nodes.size(), no_name);
       graph_.node_name = std::move(names_);
     }
+    if (!graph_.node_exact.empty()) graph_.node_exact.resize(graph_.nodes.size(), 0);
     if (std::string violation = find_violation(graph_); !violation.empty()) end.error(violation);
     return std::move(graph_);
   }
@@ -151,6 +152,10 @@ private:
     std::array<NodeId, 3> operand = {no_node, no_node, no_node};
     for (unsigned i = 0; i < arity(op); ++i) operand[i] = read_operand(line);
     named_.push_back(table_.append(table_.operation(op, operand[0], operand[1], operand[2])));
+    if (line.accept("exact")) {
+      graph_.node_exact.resize(table_.size(), 0);
+      graph_.node_exact.back() = 1;
+    }
     if (LocationId location = read_location_use(line); location != no_location) {
       located_ = true;
       locations_.resize(table_.size(), no_location);

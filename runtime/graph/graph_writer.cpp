@@ -95,6 +95,7 @@ void write_graph(std::ostream &out, Graph const &graph) {
     out << info(node.op).name;
     for (NodeId operand : node.operand)
       if (operand != no_node) out << ' ' << spell(operand);
+    if (!graph.node_exact.empty() && graph.node_exact[id]) out << " exact";
     if (!graph.node_location.empty() && graph.node_location[id] != no_location) out << " @" << graph.node_location[id];
     if (!graph.node_name.empty() && graph.node_name[id] != no_name)
       out << ' ' << quoted(graph.names[graph.node_name[id]]);

@@ -65,6 +65,8 @@ std::string find_violation(Graph const &graph) {
       return "a node names a location that does not exist";
   if (!graph.node_name.empty() && graph.node_name.size() != graph.nodes.size())
     return "the number of nodes' names differs";
+  if (!graph.node_exact.empty() && graph.node_exact.size() != graph.nodes.size())
+    return "the number of nodes that may be exact differs";
   for (NodeId stored : graph.precomputed)
     if (graph.nodes[stored].attribute != Attribute::parametric) return "a precomputed node is not parametric";
   for (std::size_t id = 0; id < graph.nodes.size(); ++id)

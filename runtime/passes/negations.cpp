@@ -53,6 +53,12 @@ Graph pass_negations(Graph const &graph, PassSettings const &settings) {
   }
   Graph result = without_nodes(graph);
   result.nodes = table.release();
+  if (!graph.node_exact.empty()) {
+    // The negative of what is exact is exact.
+    result.node_exact.resize(result.nodes.size(), 0);
+    for (std::size_t id = 0; id < graph.nodes.size(); ++id)
+      if (graph.nodes[id].op == Op::neg && graph.node_exact[graph.nodes[id].operand[0]]) result.node_exact[now[id]] = 1;
+  }
   carry_over(graph, now, result);
   return compact(result, live_nodes(result));
 }

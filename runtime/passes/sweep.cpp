@@ -22,6 +22,7 @@ public:
         now[id] = table_.intern(node);
         continue;
       }
+      exact_ = !graph.node_exact.empty() && graph.node_exact[id];
       std::array<NodeId, 3> operand = node.operand;
       for (NodeId &o : operand)
         if (o != no_node) o = now[o];
@@ -29,22 +30,34 @@ public:
     }
     Graph result = without_nodes(graph);
     result.nodes = table_.release();
+    result.node_exact = std::move(exact_nodes_);
     carry_over(graph, now, result);
     return result;
   }
 
 private:
+  // What stands for an exact node is exact, too.
+  NodeId intern(Node const &node) {
+    NodeId const id = table_.intern(node);
+    if (exact_) {
+      if (id >= exact_nodes_.size()) exact_nodes_.resize(id + 1, 0);
+      exact_nodes_[id] = 1;
+    }
+    return id;
+  }
+
   // Recursion is bounded: a replacement has at most three operations, and a sign only moves outwards past each.
   NodeId make(Op op, std::array<NodeId, 3> operand) {
     if (options_.canonical_order && info(op).has(flag::COMMUTATIVE) && is_newer(operand[0], operand[1], table_))
       std::swap(operand[0], operand[1]);
     Node node = table_.operation(op, operand[0], operand[1], operand[2]);
-    if (info(op).has(flag::OPAQUE)) return table_.intern(node);
+    if (info(op).has(flag::OPAQUE)) return intern(node);
     if (options_.fold && node.attribute == Attribute::constant && op != Op::wide) return fold(node);
     Bindings bindings;
     for (Rule const *rule : rules_[static_cast<std::size_t>(op)])
-      if (match(*rule, node, table_, bindings)) return build(rule->replacement, bindings);
-    return table_.intern(node);
+      if (!(exact_ && rule->mode == FloatingPoint::fast) && match(*rule, node, table_, bindings))
+        return build(rule->replacement, bindings);
+    return intern(node);
   }
 
   NodeId build(Term const &term, Bindings &bindings) {
@@ -84,6 +97,8 @@ private:
   SweepOptions options_;
   std::array<std::vector<Rule const *>, static_cast<std::size_t>(Op::count)> rules_;
   NodeTable table_;
+  bool exact_ = false; // what is made now
+  std::vector<char> exact_nodes_;
 };
 
 } // namespace

@@ -163,6 +163,7 @@ public:
     Guards::current().end(graph_);
     Externals::current().end(graph_);
     locate_nodes(pool.places());
+    graph_.node_exact = pool.exact();
     graph_.nodes = pool.end();
     deliver(graph_, output_file);
   }

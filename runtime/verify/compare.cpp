@@ -42,6 +42,18 @@ bool same(double original, double generated, FloatingPoint mode, double toleranc
   return false;
 }
 
+double error_of(double number, long double exact) {
+  return static_cast<double>(std::fabs(number - exact) / std::fmax(1.0L, std::fabs(exact)));
+}
+
+bool is_as_near(double error, double original_error, double tolerance) {
+  return error <= most_times_as_far * original_error + tolerance;
+}
+
+void OutputComparison::add_same(std::size_t sample, double original_value, double generated_value) {
+  add(sample, original_value, generated_value, true, ulp_distance(original_value, generated_value));
+}
+
 void OutputComparison::add(std::size_t sample, double original_value, double generated_value, FloatingPoint mode,
                            double tolerance) {
   add(sample, original_value, generated_value, same(original_value, generated_value, mode, tolerance),

@@ -17,6 +17,13 @@ std::uint64_t ulp_distance(float a, float b);
 // original's magnitude and 1.
 bool same(double original, double generated, FloatingPoint mode, double tolerance);
 
+// Mode fast, beyond the tolerance: a number that is as near to the exact one as the original's is not worse than that.
+// "As near" is not farther than so many times the original's distance, and the tolerance.
+inline constexpr double most_times_as_far = 4;
+bool is_as_near(double error, double original_error, double tolerance);
+// How far a number is from the exact one, relative to the larger of its magnitude and 1.
+double error_of(double number, long double exact);
+
 // What is known of one output after the samples so far.
 struct OutputComparison {
   std::size_t different = 0; // samples
@@ -25,6 +32,8 @@ struct OutputComparison {
   double original = 0, generated = 0; // at the worst sample
 
   void add(std::size_t sample, double original_value, double generated_value, FloatingPoint mode, double tolerance);
+  // Of what is the same in another way.
+  void add_same(std::size_t sample, double original_value, double generated_value);
   // Of code in single precision: within `tolerance`, and distances are those of floats.
   void add_single(std::size_t sample, double original_value, double generated_value, double tolerance);
 

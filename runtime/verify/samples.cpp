@@ -6,7 +6,10 @@
 
 namespace symreal {
 
-SampleSource::SampleSource(Graph const &graph, std::uint64_t seed) : guarded_(!graph.guards.empty()), state_(seed) {
+SampleSource::SampleSource(Graph const &graph, std::uint64_t seed, bool only_near)
+    : guarded_(!graph.guards.empty()),
+      only_near_(only_near),
+      state_(seed) {
   auto slots = [](std::vector<Object> const &objects, std::vector<double> const &recorded) {
     std::vector<Slot> result;
     for (Object const &object : objects)
@@ -25,6 +28,7 @@ Sample SampleSource::next() {
   constexpr Way ways[] = {Way::near, Way::near, Way::near, Way::wide, Way::near, Way::corner};
   Way way = drawn_ == 0 ? Way::recorded : ways[(drawn_ - 1) % std::size(ways)];
   if (guarded_ && drawn_ % std::size(ways) == 2) way = Way::sparse;
+  if (only_near_ && drawn_ != 0) way = Way::near;
   ++drawn_;
   Sample sample;
   for (Slot const &slot : inputs_) sample.inputs.push_back(draw(slot, way, false));

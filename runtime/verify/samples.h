@@ -16,7 +16,8 @@ struct Sample {
 
 class SampleSource {
 public:
-  SampleSource(Graph const &graph, std::uint64_t seed);
+  // `only_near`: no wide magnitudes and no corners, but in a range all of it.
+  SampleSource(Graph const &graph, std::uint64_t seed, bool only_near = false);
   // The first is the recorded one.
   Sample next();
 
@@ -36,7 +37,7 @@ private:
   double uniform(double low, double high);
 
   std::vector<Slot> inputs_, parameters_;
-  bool guarded_;
+  bool guarded_, only_near_;
   std::uint64_t state_;
   std::size_t drawn_ = 0;
 };

@@ -59,6 +59,7 @@ void analyze_graph(Options const &options, CLI::App const &command) {
 int analyze_family(Options &options, CLI::App &command, Session &session) {
   options.source.project.request.sources = options.files;
   options.source.project.configure(command, session.configured);
+  (void)options.passes.settings();
   (void)options.passes.names();
   Costs const costs = options.analysis.costs();
   SweepRequest request{parse_sweep(options.sweep), options.sweep_argument, {}, options.source.project.calls};
@@ -73,7 +74,7 @@ int analyze_family(Options &options, CLI::App &command, Session &session) {
   std::string kernel;
   Console console;
   bool const is_recorded = record_sweep(request, console, [&](long size, Graph const &recorded) {
-    Graph const graph = optimise(recorded, options.passes).graph;
+    Graph const graph = optimise(recorded, options.passes, [&](auto const &one) { console.report(one); }).graph;
     kernel = graph.kernel;
     members.push_back(sweep_member(size, graph, costs, figures(graph, costs, options.analysis.goal(costs))));
   });

@@ -13,9 +13,10 @@ void add_passes_before_analysis(CLI::App &command, PassOptions &passes) {
 }
 
 Graph analyzed_graph(CLI::App const &command, PassOptions const &passes, std::string const &file) {
-  if (command.count("--fp") != 0 && !passes.is_given())
-    fail(DiagnosticId::option_without_effect, {},
-         "--fp is for passes: without --passes a graph is analyzed as it stands");
+  for (char const *const option : {"--fp", "--effort", "--snap", "--tol"})
+    if (command.count(option) != 0 && !passes.is_given())
+      fail(DiagnosticId::option_without_effect, {},
+           std::string(option) + " is for passes: without --passes a graph is analyzed as it stands");
   Graph graph = read_graph(read_file(file), file);
   return passes.is_given() ? optimise(graph, passes).graph : graph;
 }

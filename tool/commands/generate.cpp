@@ -64,7 +64,7 @@ void require_sense(Options const &options) {
   options.reroll.require_sense(options.emitter, options.parallel.is_given());
   options.frozen.require_sense();
   require_one_of("--decisions", options.decisions, "error|guard|select");
-  (void)options.passes.floating_point();
+  (void)options.passes.settings();
   (void)options.passes.names();
   if (options.check && !options.depfile.empty())
     fail(DiagnosticId::option_without_effect, {}, "--depfile has no effect with --check, which writes nothing");
@@ -134,7 +134,7 @@ std::optional<std::vector<Product>> generate(program::FrontRequest const &reques
     auto const start = std::chrono::steady_clock::now();
     Product product{std::move(recorded.graph)};
     (void)find_states(product.recorded);
-    product.optimised = optimise(product.recorded, options.passes);
+    product.optimised = optimise(product.recorded, options.passes, [&](auto const &one) { console.report(one); });
     Schedule const plan =
         options.parallel.shared(schedule(product.optimised.graph, options.emitter.nesting()), product.sharing);
     emit_files(recorded, plan, options, front.kernels.size() > 1, product);

@@ -1,6 +1,7 @@
 // The back half of every run: recorded graph ──passes──▶ optimised graph, with what each pass did.
 #pragma once
 
+#include "tool/commands/exact_constants.h"
 #include "tool/options/options.h"
 #include "tool/report/report.h"
 
@@ -10,6 +11,7 @@ struct Optimised {
   Graph graph;
   std::vector<Stage> stages;
 };
-Optimised optimise(Graph const &recorded, PassOptions const &options);
+// Remarks go to standard error unless `report` takes them.
+Optimised optimise(Graph const &recorded, PassOptions const &options, Report const &report = {});
 
 } // namespace symreal::tool

@@ -2,8 +2,10 @@
 
 #include "diagnostics/diagnostic.h"
 #include "passes/pass.h"
+#include "passes/snap.h"
 #include "program/object_cache.h"
 #include "program/process.h"
+#include "support/number.h"
 
 namespace symreal::tool {
 
@@ -46,6 +48,23 @@ void PassOptions::add_to(CLI::App &app) {
   effort_option = app.add_option("--effort", effort,
                                  "With --fp=fast: how long to look for structure, 0 (not at all) to 3 (minutes)")
                       ->capture_default_str();
+  app.add_flag("--snap{" + shortest(usual_snap) + "}", snap,
+               "With --fp=fast: constants that arithmetic has left so near to 0, 1, -1, 1/2 or -1/2 are these numbers");
+  tolerance_option = app.add_option("--tol", tolerance, "With --snap: largest relative change of an output by it")
+                         ->capture_default_str();
+}
+
+std::optional<double> PassOptions::snap_distance() const {
+  if (tolerance_option && tolerance_option->count() != 0 && snap.empty())
+    fail(DiagnosticId::option_without_effect, {}, "--tol has no effect without --snap");
+  if (snap.empty()) return std::nullopt;
+  if (floating_point() != FloatingPoint::fast)
+    fail(DiagnosticId::option_without_effect, {}, "--snap has no effect without --fp=fast");
+  std::optional<double> const distance = parse_number(snap);
+  if (!distance || !(*distance > 0 && *distance <= largest_snap))
+    fail(DiagnosticId::bad_option, {},
+         "--snap takes a distance above 0 and up to " + shortest(largest_snap) + ", not '" + snap + "'");
+  return distance;
 }
 
 PassSettings PassOptions::settings() const {
@@ -53,6 +72,7 @@ PassSettings PassOptions::settings() const {
     fail(DiagnosticId::bad_option, {}, "--effort takes 0, 1, 2 or 3, not " + std::to_string(effort));
   if (effort_option && effort_option->count() != 0 && floating_point() != FloatingPoint::fast)
     fail(DiagnosticId::option_without_effect, {}, "--effort has no effect without --fp=fast");
+  (void)snap_distance();
   return {floating_point(), effort};
 }
 

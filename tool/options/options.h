@@ -9,6 +9,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -27,15 +28,18 @@ struct SourceOptions {
 
 // Which passes run, in which floating-point mode.
 struct PassOptions {
-  std::string mode = "finite", passes = "default";
+  std::string mode = "finite", passes = "default", snap;
   int effort = algebra::usual_effort;
-  CLI::Option *passes_option = nullptr, *effort_option = nullptr;
+  double tolerance = 1e-9; // of --snap
+  CLI::Option *passes_option = nullptr, *effort_option = nullptr, *tolerance_option = nullptr;
 
   void add_to(CLI::App &app);
   bool is_given() const { return passes_option && passes_option->count() != 0; } // which passes
   FloatingPoint floating_point() const;
-  // Throws bad_option for an effort out of range, option_without_effect for one in another mode than fast.
+  // Throws bad_option for what is out of range, option_without_effect for what is of another mode than fast.
   PassSettings settings() const;
+  // How near a constant is to the number that --snap takes it for; nothing without --snap.
+  std::optional<double> snap_distance() const;
   std::vector<std::string> names() const;
 };
 

@@ -1,5 +1,6 @@
 #include "tool/report/verify_report.h"
 
+#include "graph/extended.h"
 #include "graph/names.h"
 #include "support/number.h"
 #include "tool/report/thread_report.h"
@@ -138,6 +139,59 @@ void print_single(std::ostream &out, program::Verification const &verification) 
                verification.inside * verification.lost.size());
 }
 
+// Where the original itself is off.
+void print_exact(std::ostream &out, Graph const &graph, program::ExactJudgement const &exact) {
+  std::size_t numbers = 0;
+  for (program::OutputErrors const &output : exact.outputs) numbers += output.calls;
+  if (numbers == 0) return;
+  fmt::print(out,
+             "  judged in {} bits: {} numbers of {} calls, which are farther than the tolerance from the original's, "
+             "but no farther from the exact ones than {} times the original's and the tolerance\n",
+             extended_bits, numbers, exact.calls, most_times_as_far);
+  std::vector<std::string> const names = identifiers(graph.outputs);
+  for (std::size_t i = 0; i < graph.outputs.size(); ++i) {
+    Object const &object = graph.outputs[i];
+    for (std::uint32_t element = 0; element < object.count; ++element)
+      if (program::OutputErrors const &errors = exact.outputs[object.first + element]; errors.calls != 0)
+        fmt::print(out, "    {:<26}{:>10} calls: off by at most {:.1e}, the original by {:.1e}\n",
+                   element_name(names[i], object, element), errors.calls, errors.generated, errors.original);
+  }
+}
+
+Json to_json(Graph const &graph, program::ExactJudgement const &exact) {
+  Json json = {{"bits", extended_bits},
+               {"times_as_far", most_times_as_far},
+               {"calls", exact.calls},
+               {"untold", exact.untold},
+               {"outputs", Json::array()}};
+  if (!exact.obstacle.empty()) json["obstacle"] = exact.obstacle;
+  for (Object const &object : graph.outputs)
+    for (std::uint32_t element = 0; element < object.count; ++element)
+      if (program::OutputErrors const &errors = exact.outputs[object.first + element]; errors.calls != 0)
+        json["outputs"].push_back({{"label", object.label},
+                                   {"element", element},
+                                   {"calls", errors.calls},
+                                   {"error", errors.generated},
+                                   {"original_error", errors.original}});
+  return json;
+}
+
+// What extended precision tells of a difference, or why it does not.
+void add_exact_notes(Diagnostic &diagnostic, program::ExactJudgement const &exact) {
+  auto const add = [&](std::string note) { diagnostic.notes.push_back({{}, std::move(note)}); };
+  if (!exact.obstacle.empty())
+    return add("extended precision cannot tell which of them is nearer to the exact value: " + exact.obstacle);
+  if (exact.untold != 0)
+    add(fmt::format("in {} calls extended precision does not tell which of them is nearer to the exact value, since a "
+                    "decision falls otherwise there",
+                    exact.untold));
+  auto const worst = std::ranges::max_element(exact.outputs, {}, &program::OutputErrors::failed_generated);
+  if (worst != exact.outputs.end() && worst->failed_generated != 0)
+    add(fmt::format("in extended precision the original is off by {:.1e}, the generated code by {:.1e}: more than {} "
+                    "times as far and the tolerance",
+                    worst->failed_original, worst->failed_generated, most_times_as_far));
+}
+
 std::string guard_difference(program::Verification const &verification) {
   program::GuardMismatch const &mismatch = *verification.guard_mismatch;
   return fmt::format("the original {}, the code returned {}, inputs {}",
@@ -165,6 +219,7 @@ void print_verification(std::ostream &out, Graph const &graph, program::Verifica
   if (verification.is_single) print_single(out, verification);
   if (!verification.guards.empty()) print_guards(out, verification);
   if (verification.threads) print_threads(out, *verification.threads);
+  print_exact(out, graph, verification.exact);
   if (!verification.wrapped.empty()) fmt::print(out, "  the wrapper was tried as well\n");
   fmt::print(out, "  {:<28}{:>10}{:>22}{:>12}{}{}\n", "output", "elements",
              verification.is_single ? "worst ULP of float" : "worst ULP", "different",
@@ -209,6 +264,7 @@ Json to_json(Graph const &graph, program::Verification const &verification) {
     json["lost"] = verification.lost;
   }
   if (verification.threads) json["parallel"] = to_json(*verification.threads);
+  if (verification.exact.calls != 0) json["extended"] = to_json(graph, verification.exact);
   if (!verification.guards.empty()) json["refused"] = verification.refused;
   json["rewritten_different"] = program::count_different(verification.rewritten);
   json["called_again_different"] = program::count_different(verification.called_again);
@@ -238,6 +294,7 @@ std::optional<Diagnostic> verification_failure(Graph const &graph, program::Veri
                "a pass but what the recording did not see (state that is no input, a decision that was carried, "
                "code that was not rewritten)",
                verification.graph_different)});
+    if (verification.mode == FloatingPoint::fast) add_exact_notes(diagnostic, verification.exact);
     return diagnostic;
   }
   if (std::size_t count = program::count_different(verification.called_again))

@@ -5,9 +5,9 @@
 namespace symreal {
 
 // Multiplications and additions are not to be fused, whatever the flags: gcc's vectoriser of straight-line code does it
-// even with -ffp-contract=off, where sums and differences alternate.
+// even with -ffp-contract=off, where sums and differences alternate. In mode fast only exact operations mind.
 std::string c_no_fusion(Emission const &emission) {
-  if (emission.options.mode == FloatingPoint::fast) return {};
+  if (emission.options.mode == FloatingPoint::fast && emission.graph().node_exact.empty()) return {};
   return "#if defined(__clang__)\n"
          "#pragma STDC FP_CONTRACT OFF\n"
          "#elif defined(__GNUC__)\n"

@@ -31,6 +31,8 @@ static std::string promise(Emission const &emission) {
            "operation that sees its sign" +
            when + ".";
   case FloatingPoint::fast:
+    if (!emission.graph().node_exact.empty())
+      return "Mode fast: the real-number algebra of the original; rounding differs, but for what is exact" + when + ".";
     return "Mode fast: the real-number algebra of the original; rounding differs." + std::string(files.fast_when);
   }
   return "";

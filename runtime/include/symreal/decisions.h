@@ -28,6 +28,18 @@ private:
   int before_;
 };
 
+// Until the end of a scope even mode fast keeps operations as they are written.
+class ExactScope {
+public:
+  ExactScope() noexcept;
+  ExactScope(ExactScope const &) = delete;
+  ExactScope &operator=(ExactScope const &) = delete;
+  ~ExactScope();
+
+private:
+  bool before_;
+};
+
 // While it lives, statements are executed under a condition (the arm of a select): guards that are met hold only where
 // the condition does.
 class PathScope {

@@ -32,6 +32,7 @@ using SymrealBranch = Branch;
 using SymrealLoop = Loop;
 using SymrealReturns = Returns;
 using SymrealDecisionScope = DecisionScope;
+using SymrealExactScope = ExactScope;
 inline constexpr Decisions symreal_decisions_error = Decisions::error;
 inline constexpr Decisions symreal_decisions_guard = Decisions::guard;
 inline constexpr Decisions symreal_decisions_select = Decisions::select;

@@ -343,6 +343,8 @@ public:                                                                         
   if (::symreal::SymrealDecisionScope symreal_decisions(::symreal::symreal_decisions_##policy); true)
 #define SYMREAL_DECISIONS(policy)                                                                                      \
   ::symreal::SymrealDecisionScope symreal_decisions(::symreal::symreal_decisions_##policy);
+#define SYMREAL_REAL_EXACT if (::symreal::SymrealExactScope symreal_exact; true)
+#define SYMREAL_EXACT ::symreal::SymrealExactScope symreal_exact;
 #define SYMREAL_RETURNS ::symreal::SymrealReturns symreal_returns;
 #define SYMREAL_RETURNS_OF(kernel) ::symreal::SymrealReturns symreal_returns(kernel);
 #define SYMREAL_RETURNS_END return symreal_returns.symreal_last();
@@ -366,6 +368,8 @@ public:                                                                         
 #define SYMREAL_REAL_RETURN(...) return __VA_ARGS__
 #define SYMREAL_REAL_DECISIONS(policy)
 #define SYMREAL_DECISIONS(policy)
+#define SYMREAL_REAL_EXACT
+#define SYMREAL_EXACT
 #define SYMREAL_RETURNS
 #define SYMREAL_RETURNS_OF(kernel)
 #define SYMREAL_RETURNS_END

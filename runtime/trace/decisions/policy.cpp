@@ -1,6 +1,7 @@
 #include "trace/decisions/policy.h"
 
 #include "trace/decisions/guards.h"
+#include "trace/nodes/pool.h"
 
 #include <cstdlib>
 #include <cstring>
@@ -31,6 +32,9 @@ DecisionScope::DecisionScope(Decisions policy) noexcept : before_(scoped_policy)
   scoped_policy = static_cast<int>(policy);
 }
 DecisionScope::~DecisionScope() { scoped_policy = before_; }
+
+ExactScope::ExactScope() noexcept : before_(trace::Pool::current().set_exact(true)) {}
+ExactScope::~ExactScope() { trace::Pool::current().set_exact(before_); }
 
 PathScope::PathScope(SymbolicBool condition) noexcept : before_(path) {
   path = (SymbolicBool::from_condition(path) & condition).condition();

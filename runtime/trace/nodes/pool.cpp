@@ -58,6 +58,7 @@ void Pool::begin(Columns columns) {
   table_.clear();
   values_.clear();
   places_.clear();
+  exact_nodes_.clear();
   columns_ = columns;
   make_room();
 }
@@ -142,7 +143,21 @@ RealNumber Pool::record(Op op, RealNumber x, RealNumber y, RealNumber z, void co
   if (info(op).has(flag::ERROR)) error_setter_ = id;
   if (id + 1 == table_.size()) // most likely new
     fill(id, columns_.values && id == values_.size() ? value_of(table_[id]) : 0, caller);
+  if (exact_) mark_exact(id);
   return number(id);
+}
+
+// A computation that also stands elsewhere is one node, and exact.
+void Pool::mark_exact(NodeId id) {
+  memory::OwnWork const own;
+  if (id >= exact_nodes_.size()) exact_nodes_.resize(id + 1, 0);
+  exact_nodes_[id] = 1;
+}
+
+std::vector<char> Pool::exact() const {
+  std::vector<char> result = exact_nodes_;
+  if (!result.empty()) result.resize(table_.size(), 0);
+  return result;
 }
 
 double Pool::carried_value(RealNumber number) {

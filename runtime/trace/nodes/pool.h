@@ -10,6 +10,7 @@
 #include <symreal/annotate.h>
 #include <symreal/symbolic.h>
 
+#include <utility>
 #include <vector>
 
 namespace symreal::trace {
@@ -62,6 +63,10 @@ public:
   double final_value(RealNumber number) const { return value(static_cast<NodeId>(number.to_bits())); }
 
   NodeTable const &nodes() const { return table_; }
+  // From now on what is recorded is exact, or no longer; returns what held before.
+  bool set_exact(bool exact) { return std::exchange(exact_, exact); }
+  // Per node; empty where none is.
+  std::vector<char> exact() const;
   // Per node, relative to the load base; 0 where unknown; empty where places are not kept.
   LongArray<std::uint32_t> const &places() const { return places_; }
 
@@ -76,6 +81,7 @@ private:
   double value(NodeId id) const;
   double value_of(Node const &node) const;
   NodeId checked(RealNumber number) const;
+  void mark_exact(NodeId id);
   // Fills the columns for a node if it is new.
   void fill(NodeId id, double value, void const *caller);
 
@@ -85,6 +91,8 @@ private:
   LongArray<std::uint32_t> places_;
   std::uint8_t generation_ = 0;
   bool recording_ = false;
+  std::vector<char> exact_nodes_; // up to the last that is
+  bool exact_ = false;            // a statement or function says so, which may stand around a whole recording
   NodeId error_setter_ = no_node;
 };
 

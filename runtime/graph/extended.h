@@ -1,0 +1,28 @@
+// A graph in extended precision: what its outputs would be if almost nothing were rounded.
+#pragma once
+
+#include "graph/graph.h"
+
+#include <limits>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace symreal {
+
+// Of as many bits as the machine's widest numbers have: 64 on x86-64.
+inline constexpr int extended_bits = std::numeric_limits<long double>::digits;
+
+// Why a graph cannot be evaluated so, in words: an operation on something else than real numbers, such as a call. Empty
+// where it can.
+std::string obstacle_to_extended(Graph const &graph);
+
+// One number per output slot. `values` are those of the nodes in double precision: nothing where a comparison or a
+// conversion to an integer gives something else in extended precision, so that another formula would hold. The graph
+// has no obstacle.
+std::optional<std::vector<long double>> evaluate_extended(Graph const &graph, std::span<double const> inputs,
+                                                          std::span<double const> parameters,
+                                                          std::span<double const> values);
+
+} // namespace symreal

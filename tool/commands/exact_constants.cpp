@@ -1,0 +1,138 @@
+#include "tool/commands/exact_constants.h"
+
+#include "graph/complex_function.h"
+#include "graph/evaluate.h"
+#include "graph/names.h"
+#include "passes/snap.h"
+#include "program/exact_values.h"
+#include "support/number.h"
+#include "verify/samples.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace symreal::tool {
+namespace {
+
+// The user's own, not one of a library further in.
+Place place_of(Graph const &graph, SnappedConstant const &constant) {
+  if (constant.location == no_location || graph.locations[constant.location].places.empty()) return {};
+  return graph.locations[constant.location].places.front();
+}
+
+std::string in_words(SnappedConstant const &constant) {
+  return fmt::format("{} counts as {}, in {} place{}", shortest(constant.value), shortest(constant.exact),
+                     constant.uses, constant.uses == 1 ? "" : "s");
+}
+
+// Numbers that the driver has no code for.
+bool calls_out(Graph const &graph) {
+  return std::ranges::any_of(graph.externals, [](External const &one) { return !find_complex_function(one); });
+}
+
+void tell(Graph const &graph, std::vector<SnappedConstant> const &constants, Report const &report) {
+  constexpr std::size_t most_alone = 4;
+  std::vector<Note> notes;
+  if (calls_out(graph))
+    notes.push_back({{},
+                     "whether outputs change is not tried here, since the kernel calls external functions: symreal "
+                     "verify tries it"});
+  if (constants.size() <= most_alone) {
+    for (SnappedConstant const &constant : constants)
+      report({DiagnosticId::snapped_constant, place_of(graph, constant), in_words(constant), notes});
+    return;
+  }
+  for (SnappedConstant const &constant : constants) notes.push_back({place_of(graph, constant), in_words(constant)});
+  report({DiagnosticId::snapped_constant, place_of(graph, constants.front()),
+          fmt::format("{} constants count as exact numbers", constants.size()), std::move(notes)});
+}
+
+// Of the outputs of one sample, the first that changes by more than the tolerance.
+class Change {
+public:
+  Change(Graph const &before, Graph const &after, double tolerance)
+      : before_(before),
+        after_(after),
+        tolerance_(tolerance),
+        exact_(before) {}
+
+  // In words; empty where there is none.
+  std::string at(Sample const &sample) {
+    Evaluation const old = evaluate_sample(before_, sample.inputs, sample.parameters);
+    if (!old.premises.hold() || old.failing_guard < before_.guards.size()) return {};
+    Evaluation const now = evaluate_sample(after_, sample.inputs, sample.parameters);
+    exact_.begin(sample.inputs, sample.parameters);
+    for (std::uint32_t slot = 0; slot < old.outputs.size(); ++slot) {
+      double const from = old.outputs[slot], to = now.outputs[slot];
+      if (!same(from, to, FloatingPoint::fast, tolerance_) && !exact_.accepts(slot, from, to, tolerance_))
+        return fmt::format("{} changes from {} to {}", name_of(slot), shortest(from), shortest(to));
+    }
+    return {};
+  }
+
+private:
+  std::string name_of(std::uint32_t slot) const {
+    std::vector<std::string> const names = identifiers(before_.outputs);
+    std::size_t object = 0;
+    while (slot >= before_.outputs[object].first + before_.outputs[object].count) ++object;
+    return element_name(names[object], before_.outputs[object], slot - before_.outputs[object].first);
+  }
+
+  Graph const &before_, &after_;
+  double tolerance_;
+  program::ExactValues exact_;
+};
+
+void require_same_outputs(Graph const &recorded, Snapped const &snapped, double tolerance) {
+  constexpr std::size_t work = 20'000'000, fewest = 5, most = 100;
+  std::size_t const samples = std::clamp(work / (recorded.nodes.size() + 1), fewest, most);
+  Change change(recorded, snapped.graph, tolerance);
+  SampleSource source(recorded, 1, true);
+  for (std::size_t k = 0; k < samples; ++k) {
+    Sample const sample = source.next();
+    std::string const changed = change.at(sample);
+    if (changed.empty()) continue;
+    std::vector<Note> notes;
+    for (SnappedConstant const &constant : snapped.constants)
+      notes.push_back({place_of(recorded, constant), in_words(constant)});
+    fail(DiagnosticId::snap_changes_output, place_of(recorded, snapped.constants.front()),
+         fmt::format("{}{}, by more than {} of the larger of its magnitude and 1", changed,
+                     k == 0 ? " on the recorded inputs" : "", shortest(tolerance)),
+         std::move(notes));
+  }
+}
+
+std::size_t operations(Graph const &graph, PassSettings const &settings) {
+  Graph const simple = pass_simplify(pass_cull(graph, settings), settings);
+  std::vector<char> const live = live_nodes(simple);
+  std::size_t count = 0;
+  for (std::size_t id = 0; id < simple.nodes.size(); ++id) {
+    Node const &node = simple.nodes[id];
+    count += live[id] && node.attribute == Attribute::variable &&
+             (node.op == Op::add || node.op == Op::sub || node.op == Op::mul || node.op == Op::div);
+  }
+  return count;
+}
+
+} // namespace
+
+Graph with_exact_constants(Graph const &recorded, double distance, double tolerance, Report const &report) {
+  Snapped snapped = snap_constants(recorded, distance);
+  if (snapped.constants.empty()) return recorded;
+  if (!calls_out(recorded)) require_same_outputs(recorded, snapped, tolerance);
+  tell(recorded, snapped.constants, report);
+  return std::move(snapped.graph);
+}
+
+void tell_of_exact_constants(Graph const &recorded, PassSettings const &settings, Report const &report) {
+  Snapped const snapped = snap_constants(recorded, usual_snap);
+  if (snapped.constants.empty()) return;
+  std::size_t const now = operations(recorded, settings), then = operations(snapped.graph, settings);
+  if (then >= now) return;
+  SnappedConstant const &first = snapped.constants.front();
+  report({DiagnosticId::snap_would_save, place_of(recorded, first),
+          fmt::format("{} of {} operations compute with constants that are nearly exact, such as {} for {}", now - then,
+                      now, shortest(first.value), shortest(first.exact))});
+}
+
+} // namespace symreal::tool
