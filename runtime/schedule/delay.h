@@ -6,8 +6,8 @@
 namespace symreal {
 
 // A statement moves down to the first that reads it, if what it reads itself lives that long anyway: then fewer values
-// live at any point, and fewer cross from chunk to chunk. Statements in blocks and what conditions read stay. `is_read`:
-// nodes that are found in an array. Linear.
+// live at any point, and fewer cross from chunk to chunk. Statements in blocks and what conditions read stay.
+// `is_read`: nodes that are found in an array. Linear.
 void delay(Graph const &graph, std::vector<char> const &is_read, std::vector<NodeId> const &conditions,
            FunctionBody &body);
 
