@@ -1,7 +1,7 @@
 // --kernel in C++: methods of an object that is named, static and overloaded functions, references, containers, matrices,
 // complex numbers, what needs an expression.
 // DEFINE: %{call} =
-// DEFINE: %{flags} = -- -I/usr/include/eigen3
+// DEFINE: %{flags} =
 // DEFINE: %{run} = %symreal generate %s --kernel %{call} -o %t.c %{flags} 2> %t.log && %symreal verify %s %t.c --samples 200 --kernel %{call} %{flags} 2>> %t.log
 
 // REDEFINE: %{call} = 'veh::Bicycle(2.7, 1.1).derivative(x[0:3]=0.5, u[0:2]) -> dx[0:3]'
@@ -18,10 +18,12 @@
 // RUN: %{run} && FileCheck %s --check-prefix=MADE < %t.log
 // MADE: kernel derivative: 5 inputs, 0 parameters, 3 outputs
 
+// REDEFINE: %{flags} = -- -DMATRICES -I/usr/include/eigen3
 // REDEFINE: %{call} = 'veh::mix(x[0:3]={1, 2, 3}, m[0:2][0:2]=-1..1, r=0.25, z=1, s.a=2, s.b=3) -> x[0:3], z, return'
 // RUN: %{run} && FileCheck %s --check-prefix=MIX < %t.log
 // MIX: kernel mix: 12 inputs, 0 parameters, 6 outputs
 // MIX: kernel mix, mode finite: 200 samples
+// REDEFINE: %{flags} =
 
 // Members of the elements of an array.
 // REDEFINE: %{call} = 'veh::total(p[0:2].a, p[0:2].b={1, 2}) -> return'
@@ -29,21 +31,27 @@
 // MEMBERS: kernel total: 4 inputs, 0 parameters, 1 outputs
 // MEMBERS: kernel total, mode finite: 200 samples
 
+// REDEFINE: %{flags} = -- -DMATRICES -I/usr/include/eigen3
 // REDEFINE: %{call} = 'scale(v[0:3]=1) -> v[0:3]'
 // RUN: %{run} && FileCheck %s --check-prefix=FIXED < %t.log
 // FIXED: kernel scale: 3 inputs, 0 parameters, 3 outputs
+// REDEFINE: %{flags} =
 // REDEFINE: %{call} = 'scale(v[0:n]=1, n=2) -> v[0:n]'
 // RUN: %{run} && FileCheck %s --check-prefix=COUNTED < %t.log
 // COUNTED: kernel scale: 2 inputs, 0 parameters, 2 outputs
+// REDEFINE: %{flags} = -- -DMATRICES -I/usr/include/eigen3
 // RUN: not %symreal generate %s --kernel 'scale(v[0:3]={1, 2}) -> v' -o %t.c %{flags} 2>&1 | FileCheck %s --check-prefix=FEW
 // FEW: --kernel:1:1: error: 3 functions 'scale' do not take these arguments: write the types of its parameters
 // FEW: note: scale(double *, int)
 // RUN: not %symreal generate %s --kernel 'scale(v=1) -> v' -o %t.c %{flags} 2>&1 | FileCheck %s --check-prefix=MANY
 // MANY: --kernel:1:1: error: 2 functions 'scale' take these arguments: write the types of its parameters
+// REDEFINE: %{flags} =
 // REDEFINE: %{call} = 'scale(double &)(v=1) -> v'
 // RUN: %{run} && FileCheck %s --check-prefix=TYPES < %t.log
 // TYPES: kernel scale: 1 inputs, 0 parameters, 1 outputs
+#ifdef MATRICES // which take long to compile
 #include <Eigen/Dense>
+#endif
 #include <array>
 #include <cmath>
 #include <complex>
@@ -70,15 +78,19 @@ Bicycle make(char const *size) { return std::strcmp(size, "small") == 0 ? Bicycl
 struct Sides {
   double a, b;
 };
+#ifdef MATRICES
 double mix(std::vector<double> &x, Eigen::MatrixXd const &m, double &&r, std::complex<double> &z, Sides s) {
   for (std::size_t i = 0; i < x.size(); ++i) x[i] *= s.a;
   z *= 2;
   return m.trace() * r - s.b;
 }
+#endif
 double total(Sides const *p) { return p[0].a * p[1].a + p[0].b - p[1].b; }
 } // namespace veh
 
+#ifdef MATRICES
 static void scale(Eigen::Vector3d &v) { v *= 2; }
+#endif
 static void scale(double &v) { v *= 2; }
 void scale(double *v, int n) {
   for (int i = 0; i < n; ++i) v[i] *= 2;

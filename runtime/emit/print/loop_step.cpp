@@ -20,7 +20,7 @@ constexpr std::string_view counter = "k";
 
 class StepPrinter {
 public:
-  StepPrinter(Emission &emission, Step const &step, ArrayNames const &arrays, CodeText &out,
+  StepPrinter(Emission &emission, Step const &step, LoopArrays const &arrays, CodeText &out,
               std::set<std::string> &used)
       : emission_(emission),
         language_(emission.language),
@@ -37,11 +37,11 @@ public:
     whole.functions.most_statements = std::string::npos;
     Schedule const plan = schedule(step_.body);
     Emission inner{plan, whole, emission_.options, nullptr, names_};
-    BodyPrinter printer(inner, plan.compute, true);
+    BodyPrinter printer(inner, plan.compute, true, arrays_.filled);
     printer.spell_inputs(leaves, constant_leaves());
     CodeText statements(language_);
     printer.statements(0, statements, indent_);
-    out_.append(statements);
+    out_.append(std::move(statements));
     for (Store const &store : step_.stores)
       set(element(store.is_result ? arrays_.filled : arrays_.memory, store.access), printer.use(store.value));
     for (std::size_t k = 0; k < leaves.size(); ++k)
@@ -167,7 +167,7 @@ private:
   Emission &emission_;
   Language const &language_;
   Step const &step_;
-  ArrayNames const &arrays_;
+  LoopArrays const &arrays_;
   CodeText &out_;
   std::set<std::string> &used_;
   std::set<std::string> names_;
@@ -177,7 +177,7 @@ private:
 
 } // namespace
 
-void print_step(Emission &emission, reroll::Step const &step, ArrayNames const &arrays, CodeText &out,
+void print_step(Emission &emission, reroll::Step const &step, LoopArrays const &arrays, CodeText &out,
                 std::set<std::string> &used) {
   StepPrinter(emission, step, arrays, out, used).print();
 }

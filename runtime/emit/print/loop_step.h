@@ -9,13 +9,13 @@
 namespace symreal {
 
 // What the arrays of a function are called.
-struct ArrayNames {
+struct LoopArrays {
   std::string given, read, memory, filled;
   bool may_be_constant = false; // what stands in memory, on some path
 };
 
 // Prints into `out`; the names of the arrays that the text has are added to `used`.
-void print_step(Emission &emission, reroll::Step const &step, ArrayNames const &arrays, CodeText &out,
+void print_step(Emission &emission, reroll::Step const &step, LoopArrays const &arrays, CodeText &out,
                 std::set<std::string> &used);
 
 } // namespace symreal

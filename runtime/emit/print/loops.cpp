@@ -44,7 +44,7 @@ public:
     }
     if (!is_checked) print_checks(last);
     if (!function_.checks.empty()) last.statement(2, syntax_.success);
-    append(out, syntax_.head, !function_.checks.empty(), name_, inputs_, arrays_.filled, used, last);
+    append(out, syntax_.head, !function_.checks.empty(), name_, inputs_, arrays_.filled, used, std::move(last));
     return out;
   }
 
@@ -67,7 +67,7 @@ private:
     std::vector<std::string> inputs = {arrays_.memory};
     if (!fills) inputs = inputs_;
     std::string const &last = fills ? arrays_.filled : arrays_.memory;
-    append(out, syntax_.local_head, false, name, inputs, last, used, text);
+    append(out, syntax_.local_head, false, name, inputs, last, used, std::move(text));
     out.lines("\n");
     calls.statement(
         2, fill(language_, syntax_.call,
@@ -77,7 +77,7 @@ private:
   // A parameter that the text does not use is marked, or compilers warn.
   void append(CodeText &out, std::string_view head, bool may_fail, std::string const &name,
               std::vector<std::string> const &inputs, std::string const &last, std::set<std::string> const &used,
-              CodeText const &text) const {
+              CodeText &&text) const {
     std::string parameters, unused;
     auto const add = [&](std::string_view pattern, std::string const &parameter) {
       parameters += (parameters.empty() ? "" : ", ") + fill(language_, pattern, {{"name", parameter}});
@@ -92,7 +92,7 @@ private:
                          .set("pure", "")
                          .set("parameters", parameters)(with_words(language_, head)));
     out.lines(unused);
-    out.append(text);
+    out.append(std::move(text));
     out.statement(0, Filling().set_name("name", name)(with_words(language_, syntax_.end)));
   }
 
@@ -101,7 +101,7 @@ private:
   FunctionSyntax const &syntax_;
   reroll::LoopFunction const &function_;
   std::string name_;
-  ArrayNames arrays_;
+  LoopArrays arrays_;
   std::vector<std::string> inputs_;
 };
 

@@ -149,13 +149,12 @@ RealNumber Pool::record(Op op, RealNumber x, RealNumber y, RealNumber z, void co
 
 // A computation that also stands elsewhere is one node, and exact.
 void Pool::mark_exact(NodeId id) {
-  memory::OwnWork const own;
   if (id >= exact_nodes_.size()) exact_nodes_.resize(id + 1, 0);
   exact_nodes_[id] = 1;
 }
 
 std::vector<char> Pool::exact() const {
-  std::vector<char> result = exact_nodes_;
+  std::vector<char> result(exact_nodes_.begin(), exact_nodes_.end());
   if (!result.empty()) result.resize(table_.size(), 0);
   return result;
 }

@@ -91,8 +91,8 @@ private:
   LongArray<std::uint32_t> places_;
   std::uint8_t generation_ = 0;
   bool recording_ = false;
-  std::vector<char> exact_nodes_; // up to the last that is
-  bool exact_ = false;            // a statement or function says so, which may stand around a whole recording
+  LongArray<char> exact_nodes_; // up to the last that is
+  bool exact_ = false;          // a statement or function says so, which may stand around a whole recording
   NodeId error_setter_ = no_node;
 };
 
