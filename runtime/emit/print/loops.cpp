@@ -90,6 +90,7 @@ private:
                          .set_name("name", name)
                          .set("target", last)
                          .set("pure", "")
+                         .set("apart", "") // compilers may join loops
                          .set("parameters", parameters)(with_words(language_, head)));
     out.lines(unused);
     out.append(std::move(text));
