@@ -116,11 +116,11 @@ std::optional<Preprocessed> preprocess(Command const &compilation, std::string c
 
 } // namespace
 
-bool ObjectCache::take_as_before(std::string const &key, std::string const &object, std::string const &workspace,
-                                 FilesNow &files) {
-  std::optional<std::string> const bytes = directory_->find(key);
-  auto const before = bytes ? compiled_from_bytes(*bytes) : std::nullopt;
-  return before && before->first.still_holds(files, workspace) && directory_->take_file(before->second, object);
+std::optional<ObjectCache::Kept> ObjectCache::kept(std::string const &by_words, std::string const &workspace,
+                                                   FilesNow &files) {
+  std::optional<std::string> const bytes = directory_->find(by_words);
+  std::optional<Kept> before = bytes ? compiled_from_bytes(*bytes) : std::nullopt;
+  return before && before->first.still_holds(files, workspace) ? std::move(before) : std::nullopt;
 }
 
 struct ObjectCache::Search {
@@ -135,7 +135,8 @@ ObjectCache::Search ObjectCache::search_by_words(Command const &compilation, std
   Search search{words[position_after(words, "-o")], {}, {}};
   if (!directory_->exists() || std::any_of(words.begin(), words.end(), reads_more)) return search;
   search.by_words = key_of_words(compilation, workspace);
-  search.taken = take_as_before(search.by_words, search.object, workspace, files);
+  auto const before = kept(search.by_words, workspace, files);
+  search.taken = before && directory_->take_file(before->second, search.object);
   return search;
 }
 
@@ -144,12 +145,6 @@ void ObjectCache::search_by_text(Search &search, Command const &compilation, std
   search.found = preprocess(compilation, search.object, workspace);
   search.taken = search.found && directory_->take_file(search.found->key, search.object);
   if (search.taken) keep(search, workspace);
-}
-
-ObjectCache::Search ObjectCache::search(Command const &compilation, std::string const &workspace, FilesNow &files) {
-  Search search = search_by_words(compilation, workspace, files);
-  search_by_text(search, compilation, workspace);
-  return search;
 }
 
 void ObjectCache::keep(Search const &search, std::string const &workspace) {
@@ -178,23 +173,21 @@ Captured ObjectCache::compile(Command const &compilation, std::string const &wor
   return result;
 }
 
-bool ObjectCache::take(Command const &compilation, std::string const &workspace, FilesNow &files) {
-  auto const before = directory_->exists() ? kept(compilation, workspace) : std::nullopt;
-  return before && before->first.still_holds(files, workspace) &&
-         directory_->link_file(before->second, compilation.arguments[position_after(compilation.arguments, "-o")]);
+std::optional<ObjectCache::Kept> ObjectCache::take(Command const &compilation, std::string const &workspace,
+                                                   FilesNow &files) {
+  if (!directory_->exists()) return {};
+  std::optional<Kept> before = kept(key_of_words(compilation, workspace), workspace, files);
+  std::string const &object = compilation.arguments[position_after(compilation.arguments, "-o")];
+  return before && directory_->link_file(before->second, object) ? std::move(before) : std::nullopt;
 }
 
-Captured ObjectCache::make(Command const &compilation, std::string const &workspace, FilesNow &files) {
-  Search const search = this->search(compilation, workspace, files);
-  Captured result = search.taken ? Captured{{Ending::exited, 0, 0}, {}} : capture(compilation);
-  if (!search.taken && result.outcome.success()) keep(search, workspace);
-  return result;
-}
-
-std::optional<std::pair<CompiledFrom, std::string>> ObjectCache::kept(Command const &compilation,
-                                                                      std::string const &workspace) {
-  std::optional<std::string> const bytes = directory_->find(key_of_words(compilation, workspace));
-  return bytes ? compiled_from_bytes(*bytes) : std::nullopt;
+std::optional<ObjectCache::Kept> ObjectCache::make(Command const &compilation, std::string const &workspace,
+                                                   FilesNow &files) {
+  Search search = search_by_words(compilation, workspace, files);
+  search_by_text(search, compilation, workspace);
+  if (!search.taken && !capture(compilation).outcome.success()) return {};
+  if (!search.taken) keep(search, workspace);
+  return kept(search.by_words, workspace, files);
 }
 
 std::size_t position_after(Words const &words, std::string_view option) {

@@ -34,13 +34,13 @@ public:
   using Quicker = std::function<std::optional<Command>(Command const &)>;
   Captured compile(Command const &compilation, std::string const &workspace, FilesNow &files, Quicker const &quicker);
 
-  // The same for what is not an object of the program, does not count as one, and is only read. False: it was not
-  // compiled before, as far as words and files tell.
-  bool take(Command const &compilation, std::string const &workspace, FilesNow &files);
-  Captured make(Command const &compilation, std::string const &workspace, FilesNow &files);
-
   // What a compilation that was kept has read, and the key of what it gave.
-  std::optional<std::pair<CompiledFrom, std::string>> kept(Command const &compilation, std::string const &workspace);
+  using Kept = std::pair<CompiledFrom, std::string>;
+  // The same for what is not an object of the program, does not count as one, and is only read. Nothing: it was not
+  // compiled before, as far as words and files tell.
+  std::optional<Kept> take(Command const &compilation, std::string const &workspace, FilesNow &files);
+  // Nothing: the compilation fails, or what it has read cannot be told.
+  std::optional<Kept> make(Command const &compilation, std::string const &workspace, FilesNow &files);
 
   std::size_t compiled() const { return compiled_; }
   std::size_t reused() const { return reused_; }
@@ -50,10 +50,10 @@ public:
 private:
   struct Search;
   Search search_by_words(Command const &compilation, std::string const &workspace, FilesNow &files);
-  Search search(Command const &compilation, std::string const &workspace, FilesNow &files);
   void search_by_text(Search &search, Command const &compilation, std::string const &workspace);
   void keep(Search const &search, std::string const &workspace);
-  bool take_as_before(std::string const &key, std::string const &object, std::string const &workspace, FilesNow &files);
+  // What is kept under the key of its words, if that still holds.
+  std::optional<Kept> kept(std::string const &by_words, std::string const &workspace, FilesNow &files);
 
   std::shared_ptr<CacheDirectory> directory_;
   std::atomic<std::size_t> compiled_ = 0, reused_ = 0;

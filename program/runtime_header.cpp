@@ -84,16 +84,17 @@ void RuntimeHeader::make(One &one, Command const &compilation, std::string const
   if (error) return;
   Command const precompilation = header_compilation(compilation, directory + "/header.h.gch");
   ++one.asked;
-  bool found = one.asked == 1 && objects_.take(precompilation, workspace_, files);
-  if (!found) {
+  auto kept = one.asked == 1 ? objects_.take(precompilation, workspace_, files) : std::nullopt;
+  if (!kept) {
     std::string const count_key = content_id("asked for " + key);
     std::string const before = directory_.find(count_key).value_or("");
     bool const is_worth_it = before.size() + 1 >= worth_making;
     one.tried = is_worth_it;
-    found = is_worth_it && objects_.make(precompilation, workspace_, files).outcome.success();
-    if (!is_worth_it) directory_.keep(count_key, before + "+");
+    if (is_worth_it)
+      kept = objects_.make(precompilation, workspace_, files);
+    else
+      directory_.keep(count_key, before + "+");
   }
-  auto kept = found ? objects_.kept(precompilation, workspace_) : std::nullopt;
   if (!kept) return;
   // Under a path that says what it is made from: so the words of what reads it do.
   std::filesystem::rename(directory, all + kept->second, error);

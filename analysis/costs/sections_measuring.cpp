@@ -1,9 +1,18 @@
 #include "analysis/costs/thread_costs.h"
 
+#include <fmt/format.h>
+
 namespace symreal {
 
+static std::string region(std::string_view name, int threads) {
+  std::string text =
+      fmt::format("static void {}(void) {{\n#pragma omp parallel sections num_threads({})\n  {{\n", name, threads);
+  for (int k = 0; k < threads; ++k) text += fmt::format("#pragma omp section\n    own[{}].value = 1;\n", k);
+  return text + "  }\n}\n";
+}
+
 // As generated code does it: a region for each call. The first ones start the threads.
-std::string_view sections_measuring_program() {
+std::string sections_measuring_program() {
   return R"(#include <omp.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -17,50 +26,8 @@ static double now(void) {
   clock_gettime(CLOCK_MONOTONIC, &t);
   return (double)t.tv_sec * 1e9 + (double)t.tv_nsec;
 }
-static void two(void) {
-#pragma omp parallel sections num_threads(2)
-  {
-#pragma omp section
-    own[0].value = 1;
-#pragma omp section
-    own[1].value = 1;
-  }
-}
-static void four(void) {
-#pragma omp parallel sections num_threads(4)
-  {
-#pragma omp section
-    own[0].value = 1;
-#pragma omp section
-    own[1].value = 1;
-#pragma omp section
-    own[2].value = 1;
-#pragma omp section
-    own[3].value = 1;
-  }
-}
-static void eight(void) {
-#pragma omp parallel sections num_threads(8)
-  {
-#pragma omp section
-    own[0].value = 1;
-#pragma omp section
-    own[1].value = 1;
-#pragma omp section
-    own[2].value = 1;
-#pragma omp section
-    own[3].value = 1;
-#pragma omp section
-    own[4].value = 1;
-#pragma omp section
-    own[5].value = 1;
-#pragma omp section
-    own[6].value = 1;
-#pragma omp section
-    own[7].value = 1;
-  }
-}
-static int ascending(void const *a, void const *b) {
+)" + region("two", 2) +
+         region("four", 4) + region("eight", 8) + R"(static int ascending(void const *a, void const *b) {
   double const x = *(double const *)a, y = *(double const *)b;
   return (x > y) - (x < y);
 }

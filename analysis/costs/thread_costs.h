@@ -39,7 +39,7 @@ std::string_view thread_measuring_program();
 inline constexpr std::string_view thread_measuring_flags = "-O1 -std=gnu11 -pthread";
 
 // C with OpenMP; of the same argument, and for this machine's number of processors.
-std::string_view sections_measuring_program();
+std::string sections_measuring_program();
 inline constexpr std::string_view sections_measuring_flags = "-O1 -std=gnu11 -fopenmp";
 // From its output; none if the output is not that of the program.
 std::vector<ThreadCosts::Barrier> measured_sections(std::string_view output);

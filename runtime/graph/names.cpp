@@ -200,4 +200,11 @@ std::string element_name(std::string const &identifier, Object const &object, st
   return element_name(identifier, object.extents, object.members, element);
 }
 
+std::optional<std::string> element_name(std::vector<Object> const &objects, std::uint32_t slot) {
+  std::vector<std::string> const names = identifiers(objects);
+  for (std::size_t i = 0; i < objects.size(); ++i)
+    if (slot - objects[i].first < objects[i].count) return element_name(names[i], objects[i], slot - objects[i].first);
+  return std::nullopt;
+}
+
 } // namespace symreal

@@ -3,6 +3,7 @@
 
 #include "graph/graph.h"
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -37,5 +38,7 @@ std::vector<std::string> identifiers(std::vector<Member> const &members, NameRul
 
 // "q[2]", "m[1][0]", "x", "bodies[1].mass": how a person calls one element of an object.
 std::string element_name(std::string const &identifier, Object const &object, std::uint32_t element);
+// That of the slot; nothing where no object has it.
+std::optional<std::string> element_name(std::vector<Object> const &objects, std::uint32_t slot);
 
 } // namespace symreal

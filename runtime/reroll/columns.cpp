@@ -49,16 +49,12 @@ private:
     Column column;
     for (std::uint32_t k = 0; k < repeat_.count; ++k) {
       NodeId const node = operand_at(k, p, i).node;
-      if (Node const &operand = sequence_.graph->nodes[node]; operand.is_constant() && !is_computed(node))
-        column.values.push_back(operand.value());
+      if (sequence_.source(node) == Source::constant)
+        column.values.push_back(sequence_.graph->nodes[node].value());
       else
         column.nodes.push_back(node);
     }
     return {.column = number_of(std::move(column))};
-  }
-
-  bool is_computed(NodeId node) const {
-    return sequence_.position[node] != no_position || sequence_.slot[node] != no_slot;
   }
 
   // The operation of the body that computes the operand in every iteration.

@@ -91,7 +91,7 @@ private:
     straight_to(static_cast<std::uint32_t>(sequence_.size()));
   }
 
-  bool is_computed(NodeId node) const { return sequence_.position[node] != no_position; }
+  bool is_computed(NodeId node) const { return sequence_.source(node) == Source::computed; }
 
   void need_operands(Piece const &piece) {
     for (std::uint32_t at = piece.begin; at < piece.end; ++at)
@@ -120,7 +120,7 @@ private:
       if (!is_computed(root) && kept.insert(root).second) pieces_.back().kept.push_back(root);
     };
     for (NodeId root : stored_)
-      if (!sequence_.graph->nodes[root].is_constant() || sequence_.slot[root] != no_slot) need(root);
+      if (sequence_.source(root) != Source::constant) need(root);
     for (NodeId root : checked_) need(root);
   }
 
@@ -131,14 +131,12 @@ private:
       auto const [entry, is_new] = now.try_emplace(node, no_node);
       if (!is_new) return entry->second;
       Node const &there = sequence_.graph->nodes[node];
-      if (is_computed(node))
-        entry->second = body.leaf({Leaf::Kind::memory, {memory_.home(node)}});
-      else if (sequence_.slot[node] != no_slot)
-        entry->second = body.leaf({Leaf::Kind::read, {sequence_.slot[node]}});
-      else if (there.is_constant())
-        entry->second = body.constant(there.value());
-      else
-        entry->second = body.leaf({Leaf::Kind::given, {there.slot()}});
+      switch (sequence_.source(node)) {
+      case Source::computed: entry->second = body.leaf({Leaf::Kind::memory, {memory_.home(node)}}); break;
+      case Source::read: entry->second = body.leaf({Leaf::Kind::read, {sequence_.slot[node]}}); break;
+      case Source::constant: entry->second = body.constant(there.value()); break;
+      case Source::input: entry->second = body.leaf({Leaf::Kind::given, {there.slot()}}); break;
+      }
       return entry->second;
     };
     auto const store = [&](NodeId node, std::uint32_t element) { body.store(value(node), false, {element}); };

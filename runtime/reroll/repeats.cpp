@@ -9,18 +9,10 @@ namespace symreal::reroll {
 
 namespace {
 
-enum class Kind : std::uint8_t { constant, input, read, computed };
-
-Kind kind_of(Sequence const &sequence, NodeId node) {
-  if (sequence.position[node] != no_position) return Kind::computed;
-  if (sequence.slot[node] != no_slot) return Kind::read;
-  return sequence.graph->nodes[node].is_constant() ? Kind::constant : Kind::input;
-}
-
 bool operands_match(Sequence const &sequence, std::uint32_t at, NodeId a, NodeId b, std::uint32_t period) {
-  Kind const kind = kind_of(sequence, a);
-  if (kind != kind_of(sequence, b)) return false;
-  if (kind != Kind::computed || a == b) return true;
+  Source const kind = sequence.source(a);
+  if (kind != sequence.source(b)) return false;
+  if (kind != Source::computed || a == b) return true;
   std::uint32_t const back_a = at - sequence.position[a], back_b = at + period - sequence.position[b];
   return back_a == back_b || (back_a > period && back_b > period);
 }
@@ -35,8 +27,8 @@ std::uint64_t token(Sequence const &sequence, std::uint32_t at) {
   std::array<std::uint64_t, 3> words = {};
   for (unsigned i = 0; i < operation.count; ++i) {
     NodeId const node = operation.operands[i].node;
-    Kind const kind = kind_of(sequence, node);
-    std::uint32_t const back = kind == Kind::computed ? std::min(at - sequence.position[node], far) : 0;
+    Source const kind = sequence.source(node);
+    std::uint32_t const back = kind == Source::computed ? std::min(at - sequence.position[node], far) : 0;
     words[i] = std::uint64_t{back} * 4 + static_cast<std::uint64_t>(kind) + 1;
   }
   if (operation.may_exchange && words[1] < words[0]) std::swap(words[0], words[1]);

@@ -110,10 +110,9 @@ Access access_of(std::vector<std::uint32_t> elements) {
 Role choose_role(Sequence const &sequence, std::vector<LoopBody> const &loops, std::uint32_t loop, Column const &column,
                  Memory &memory, std::function<void(Cell const &, NodeId)> const &copy) {
   if (column.nodes.empty()) return role_of_values(column.values);
-  NodeId const first = column.nodes.front();
-  if (sequence.position[first] != no_position)
-    return MemoryRole(sequence, loops, loop, column.nodes, memory).choose(copy);
-  bool const is_read = sequence.slot[first] != no_slot;
+  Source const source = sequence.source(column.nodes.front());
+  if (source == Source::computed) return MemoryRole(sequence, loops, loop, column.nodes, memory).choose(copy);
+  bool const is_read = source == Source::read;
   std::vector<std::uint32_t> elements;
   for (NodeId node : column.nodes)
     elements.push_back(is_read ? sequence.slot[node] : sequence.graph->nodes[node].slot());

@@ -26,6 +26,10 @@ struct Operation {
   bool may_exchange = false; // the first two
 };
 
+// Where a function has a node from: a number in its text, its input, what preprocess has filled, an operation of its
+// own.
+enum class Source : std::uint8_t { constant, input, read, computed };
+
 struct Sequence {
   Graph const *graph;
   std::vector<Operation> operations;
@@ -33,6 +37,11 @@ struct Sequence {
   std::vector<std::uint32_t> slot;     // per node: where the function reads it from the array that preprocess fills
 
   std::size_t size() const { return operations.size(); }
+  Source source(NodeId node) const {
+    if (position[node] != no_position) return Source::computed;
+    if (slot[node] != no_slot) return Source::read;
+    return graph->nodes[node].is_constant() ? Source::constant : Source::input;
+  }
 };
 
 // Of what `roots` need.

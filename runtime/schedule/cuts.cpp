@@ -37,8 +37,11 @@ Cuts::Cuts(Schedule const &plan, FunctionBody const &body, bool in_compute)
 
 std::vector<std::size_t> Cuts::between(std::size_t first, std::size_t end, std::size_t most_statements) {
   std::vector<std::size_t> begins;
-  for (; first<end; first = end - first> most_statements ? best_end(first, most_statements) : end)
+  while (first < end) {
     begins.push_back(first);
+    bool const is_long = end - first > most_statements;
+    first = is_long ? best_end(first, most_statements) : end;
+  }
   return begins;
 }
 

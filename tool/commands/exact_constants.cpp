@@ -65,19 +65,13 @@ public:
     for (std::uint32_t slot = 0; slot < old.outputs.size(); ++slot) {
       double const from = old.outputs[slot], to = now.outputs[slot];
       if (!same(from, to, FloatingPoint::fast, tolerance_) && !exact_.accepts(slot, from, to, tolerance_))
-        return fmt::format("{} changes from {} to {}", name_of(slot), shortest(from), shortest(to));
+        return fmt::format("{} changes from {} to {}", element_name(before_.outputs, slot).value(), shortest(from),
+                           shortest(to));
     }
     return {};
   }
 
 private:
-  std::string name_of(std::uint32_t slot) const {
-    std::vector<std::string> const names = identifiers(before_.outputs);
-    std::size_t object = 0;
-    while (slot >= before_.outputs[object].first + before_.outputs[object].count) ++object;
-    return element_name(names[object], before_.outputs[object], slot - before_.outputs[object].first);
-  }
-
   Graph const &before_, &after_;
   double tolerance_;
   program::ExactValues exact_;
@@ -105,13 +99,10 @@ void require_same_outputs(Graph const &recorded, Snapped const &snapped, double 
 std::size_t operations(Graph const &graph, PassSettings const &settings) {
   Graph const simple = pass_simplify(pass_cull(graph, settings), settings);
   std::vector<char> const live = live_nodes(simple);
-  std::size_t count = 0;
-  for (std::size_t id = 0; id < simple.nodes.size(); ++id) {
-    Node const &node = simple.nodes[id];
-    count += live[id] && node.attribute == Attribute::variable &&
-             (node.op == Op::add || node.op == Op::sub || node.op == Op::mul || node.op == Op::div);
-  }
-  return count;
+  OperationCounts counts; // without those on parameters
+  for (std::size_t id = 0; id < simple.nodes.size(); ++id)
+    if (live[id] && simple.nodes[id].attribute == Attribute::variable) ++counts[simple.nodes[id].op];
+  return counts.arithmetic();
 }
 
 } // namespace

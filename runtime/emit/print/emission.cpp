@@ -15,6 +15,7 @@ void Uses::add(Uses const &other) {
   truths = truths || other.truths;
   hidden = hidden || other.hidden;
   value_checks = value_checks || other.value_checks;
+  apart = apart || other.apart;
   not_finite = not_finite || other.not_finite;
 }
 

@@ -2,6 +2,7 @@
 
 #include "emit/language/pattern.h"
 #include "emit/print/body.h"
+#include "emit/print/function_head.h"
 #include "emit/print/loops.h"
 
 #include <algorithm>
@@ -152,13 +153,13 @@ private:
     if (!output.empty()) parameters = with_output(parameters, outputs + fill(language_, output, {{"name", last}}));
     bool const is_apart = is_part && body_.variables.size() > syntax_.most_statements && !syntax_.apart.empty();
     emission_.uses.apart |= is_apart;
-    out.statement(0, Filling()
-                         .set("result", std::string(may_fail ? syntax_.status : syntax_.no_result))
-                         .set_name("name", name)
-                         .set("target", last)
-                         .set("pure", std::string(graph_.externals.empty() ? syntax_.pure : ""))
-                         .set("apart", std::string(is_apart ? syntax_.apart : ""))
-                         .set("parameters", parameters)(with_words(language_, head)));
+    out.statement(0, print_head(language_, head,
+                                {.name = name,
+                                 .parameters = parameters,
+                                 .target = last,
+                                 .may_fail = may_fail,
+                                 .is_pure = graph_.externals.empty(),
+                                 .is_apart = is_apart}));
     for (std::string const &input : inputs_)
       out.statement(2, fill(language_, syntax_.input_declaration, {{"name", input}}));
     if (stores) out.statement(2, fill(language_, syntax_.output_declaration, {{"name", target_}}));

@@ -2,6 +2,7 @@
 
 #include "emit/language/pattern.h"
 #include "emit/print/constant_paths.h"
+#include "emit/print/function_head.h"
 #include "emit/print/loop_step.h"
 
 #include <algorithm>
@@ -85,13 +86,8 @@ private:
     };
     for (std::string const &input : inputs) add(syntax_.input, input);
     add(syntax_.output, last);
-    out.statement(0, Filling()
-                         .set("result", std::string(may_fail ? syntax_.status : syntax_.no_result))
-                         .set_name("name", name)
-                         .set("target", last)
-                         .set("pure", "")
-                         .set("apart", "") // compilers may join loops
-                         .set("parameters", parameters)(with_words(language_, head)));
+    out.statement(
+        0, print_head(language_, head, {.name = name, .parameters = parameters, .target = last, .may_fail = may_fail}));
     out.lines(unused);
     out.append(std::move(text));
     out.statement(0, Filling().set_name("name", name)(with_words(language_, syntax_.end)));

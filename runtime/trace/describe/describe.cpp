@@ -17,10 +17,7 @@ namespace trace {
 static constexpr int deepest = 4; // bounds the recursion, and what a reader takes in
 
 static std::string leaf_name(std::vector<Object> const &objects, std::uint32_t slot) {
-  std::vector<std::string> names = identifiers(objects);
-  for (std::size_t i = 0; i < objects.size(); ++i)
-    if (slot - objects[i].first < objects[i].count) return element_name(names[i], objects[i], slot - objects[i].first);
-  return "input " + std::to_string(slot);
+  return element_name(objects, slot).value_or("input " + std::to_string(slot));
 }
 
 static std::string describe_external(Node const &node, std::string const *operands) {
