@@ -23,6 +23,14 @@ function(symreal_room folder)
   set_property(GLOBAL APPEND_STRING PROPERTY SYMREAL_ROOMS "${folder} ${words}\n")
 endfunction()
 
+# The first target precompiles the header, for itself and for the others. Their flags must be its own.
+function(symreal_precompiled header first)
+  target_precompile_headers(${first} PRIVATE ${header})
+  foreach(other ${ARGN})
+    target_precompile_headers(${other} REUSE_FROM ${first})
+  endforeach()
+endfunction()
+
 function(symreal_write_rooms)
   get_property(rooms GLOBAL PROPERTY SYMREAL_ROOMS)
   file(GENERATE OUTPUT ${PROJECT_BINARY_DIR}/rooms.txt CONTENT "${rooms}")

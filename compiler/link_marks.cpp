@@ -38,7 +38,7 @@ std::string link_marks(rewrite::Result const &rewritten) {
     std::string const name = mark(boundary.mangled);
     // The linker names the place of the use.
     text += "extern \"C\" char const " + name + ";\n#line " + std::to_string(boundary.use.line) + " " +
-            quoted(boundary.use.file) + "\n__attribute__((used)) static char const *const symreal_needs_" + name +
+            in_quotes(boundary.use.file) + "\n__attribute__((used)) static char const *const symreal_needs_" + name +
             " = &" + name + ";\n";
   }
   return text;

@@ -91,7 +91,7 @@ public:
       std::size_t const close = open == line.npos ? line.npos : line.rfind('"');
       if (open != line.npos && line.substr(open + 1).starts_with(top_)) {
         std::string const name = original(std::string(line.substr(open + 1, close - open - 1)));
-        result.append(line.substr(0, open)).append(quoted(name)).append(line.substr(close + 1));
+        result.append(line.substr(0, open)).append(in_quotes(name)).append(line.substr(close + 1));
       } else {
         result.append(line);
       }

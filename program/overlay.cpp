@@ -8,7 +8,9 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <regex>
+#include <llvm/ADT/SmallVector.h>
+#include <llvm/ADT/StringRef.h>
+#include <llvm/Support/Regex.h>
 #include <set>
 
 namespace symreal::program {
@@ -80,7 +82,7 @@ void Overlay::write(rewrite::File const &file) const {
   // A byte order mark is one only at the very beginning.
   std::size_t const mark = file.text.starts_with("\xEF\xBB\xBF") ? 3 : 0;
   std::string const linkage = c_sources_.contains(file.path) ? "extern \"C\" {\n" : "";
-  write_if_changed(path, file.text.substr(0, mark) + linkage + "#line 1 " + quoted(file.compiled_name) + "\n" +
+  write_if_changed(path, file.text.substr(0, mark) + linkage + "#line 1 " + in_quotes(file.compiled_name) + "\n" +
                              redirected(file.text.substr(mark)) + (linkage.empty() ? "" : "\n}\n"));
   // A symbolic link to the file is found beside what includes it.
   fs::path const named(file.compiled_name);
@@ -92,16 +94,16 @@ void Overlay::write(rewrite::File const &file) const {
 
 // A header included by its full path would be read as it was.
 std::string Overlay::redirected(std::string const &text) const {
-  static std::regex const include("^([ \\t]*#[ \\t]*include[ \\t]*[\"<])(/[^\">\\n]*)");
+  llvm::Regex const include("^([ \t]*#[ \t]*include[ \t]*[\"<])(/[^\">\n]*)");
   if (text.find("\"/") == text.npos && text.find("</") == text.npos) return text;
   std::string result;
   for (std::size_t begin = 0; begin < text.size();) {
     std::size_t const end = std::min(text.find('\n', begin), text.size() - 1) + 1;
     std::string const line = text.substr(begin, end - begin);
-    std::smatch found;
-    bool const moves = line.size() < 4096 && line.find("include") != line.npos &&
-                       std::regex_search(line, found, include) && find(found[2]) != nullptr;
-    result += moves ? found[1].str() + directory_ + find(found[2])->path + found.suffix().str() : line;
+    llvm::SmallVector<llvm::StringRef> found;
+    rewrite::File const *file = nullptr;
+    if (line.find("include") != line.npos && include.match(line, &found)) file = find(found[2].str());
+    result += file ? found[1].str() + directory_ + file->path + line.substr(found[0].size()) : line;
     begin = end;
   }
   return result;

@@ -9,8 +9,8 @@
 #include <csignal>
 #include <cstring>
 #include <fmt/format.h>
+#include <llvm/ADT/StringExtras.h>
 #include <map>
-#include <regex>
 #include <set>
 
 namespace symreal::program {
@@ -175,10 +175,13 @@ Note clause_note(rewrite::Kernel const &kernel, Clauses const &clauses, std::str
     std::string const before = clause == "input" ? ", " : ", " + clause + " ";
     pragma += " " + clause + "(" + found->second + ")";
     entry += (entry.empty() ? "" : ", ") + clause + (clause.ends_with("put") ? "s: [" : ": [") + found->second + "]";
-    if (clause == "output")
+    if (clause == "output") {
       outputs = " -> ..., " + found->second;
-    else
-      items += before + std::regex_replace(found->second, std::regex(", "), before);
+      continue;
+    }
+    llvm::SmallVector<llvm::StringRef> names;
+    llvm::StringRef(found->second).split(names, ", ");
+    items += before + llvm::join(names, before);
   }
   std::string const call = kernel.name + "(..." + items + ")" + outputs;
   std::string text = "#pragma symreal" + std::string(kernel.is_function ? " function ..." : "") + pragma;

@@ -179,8 +179,8 @@ void Collector::moved_bytes(CallExpr const *call, FunctionDecl const *function) 
   };
   std::string const what =
       how == "compare" ? words(0) + "' or '" + words(1) : words(how == "move" || how == "into" ? 1 : 0);
-  std::string detail = how + ", " + quoted(what);
-  detail.append(", ").append(quoted(to_string(map_.place(call->getBeginLoc()))));
+  std::string detail = how + ", " + in_quotes(what);
+  detail.append(", ").append(in_quotes(to_string(map_.place(call->getBeginLoc()))));
   facts_.wraps.insert({*span, Use::bytes, detail});
 }
 

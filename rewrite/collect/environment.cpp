@@ -31,8 +31,8 @@ void Collector::environment(Expr const *expression, char const *what, std::strin
   if (!span)
     return report(DiagnosticId::split_expression, begin,
                   "a macro makes a part of this expression: Symreal does not see " + name + " in it");
-  facts_.wraps.insert(
-      {*span, Use::environment, std::string(what) + ", " + quoted(name) + ", " + quoted(to_string(map_.place(begin)))});
+  facts_.wraps.insert({*span, Use::environment,
+                       std::string(what) + ", " + in_quotes(name) + ", " + in_quotes(to_string(map_.place(begin)))});
 }
 
 void Collector::environment_of_call(CallExpr const *call) {

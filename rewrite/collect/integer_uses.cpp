@@ -32,7 +32,8 @@ public:
     std::optional<Span> const span = map_.range(table->getSourceRange());
     if (!span || (map_.is_shared(table->getSourceRange()) && is_written(*span))) return true;
     std::string const name = normalised(map_.text(*span, table->getBeginLoc()));
-    facts_.wraps.insert({*span, Use::table, quoted(name) + ", " + quoted(to_string(map_.place(table->getBeginLoc())))});
+    facts_.wraps.insert(
+        {*span, Use::table, in_quotes(name) + ", " + in_quotes(to_string(map_.place(table->getBeginLoc())))});
     reals_.add_table_load(element, table);
     for (Expr const *index : indices) {
       keep_(index);

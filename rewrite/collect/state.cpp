@@ -32,7 +32,7 @@ void Collector::note(Expr const *expression, Use use, Expr const *named) {
   std::optional<Span> const words = map_.range(named->getSourceRange());
   std::string name = normalised(map_.text(words ? *words : *span, begin));
   if (name.size() > longest) name.replace(longest, std::string::npos, "...");
-  facts_.wraps.insert({*span, use, quoted(name) + ", " + quoted(to_string(map_.place(named->getBeginLoc())))});
+  facts_.wraps.insert({*span, use, in_quotes(name) + ", " + in_quotes(to_string(map_.place(named->getBeginLoc())))});
 }
 
 // The value of an integer is used, or it gets a new one.

@@ -114,7 +114,7 @@ void Collector::reads_text(SourceLocation reader, Expr const *text, bool only_lo
   std::string name = normalised(map_.text(*span, begin));
   if (name.size() > longest) name.replace(longest, std::string::npos, "...");
   facts_.wraps.insert(
-      {*span, Use::text, (only_looks ? "nullptr" : quoted(name)) + ", " + quoted(to_string(map_.place(begin)))});
+      {*span, Use::text, (only_looks ? "nullptr" : in_quotes(name)) + ", " + in_quotes(to_string(map_.place(begin)))});
 }
 
 void Collector::formatting(CallExpr const *call, FunctionDecl const *function) {
@@ -149,7 +149,7 @@ void Collector::formatted(CallExpr const *call, FunctionDecl const *function) {
   name.consume_front("__builtin_");
   facts_.wraps.insert({*span, Use::formatting,
                        "print_" + name.str() + ", " + (is_used ? "true" : "false") + ", " +
-                           quoted(to_string(map_.place(call->getBeginLoc())))});
+                           in_quotes(to_string(map_.place(call->getBeginLoc())))});
 }
 
 // A function of the program, which may make text of what it is given through `...`.

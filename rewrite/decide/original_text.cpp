@@ -35,7 +35,7 @@ std::string annotation(Clause clause, ItemFact const &item) {
 
 std::string clause_text(ClauseFact const &clause) {
   if (clause.clause == Clause::generate)
-    return fmt::format("symreal_original_generate({}, {}, {}, {}); ", clause.argument, quoted(clause.place.file),
+    return fmt::format("symreal_original_generate({}, {}, {}, {}); ", clause.argument, in_quotes(clause.place.file),
                        clause.place.line, clause.place.column);
   std::string text;
   if (info(clause.clause)

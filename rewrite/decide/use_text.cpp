@@ -11,7 +11,7 @@ std::string with_payload(std::string_view text, std::string const &payload) {
     if (text[at] != '%')
       result += text[at];
     else if (text.substr(at).starts_with("%q")) {
-      result += quoted(payload);
+      result += in_quotes(payload);
       ++at;
     } else
       result += payload;

@@ -30,7 +30,7 @@ std::vector<std::string> write_mirror(std::vector<File> const &files, std::strin
     // A byte order mark is one only at the very beginning.
     std::string const mark = file.text.compare(0, 3, "\xEF\xBB\xBF") == 0 ? file.text.substr(0, 3) : "";
     write_if_changed(path.string(),
-                     mark + "#line 1 " + quoted(file.compiled_name) + "\n" + file.text.substr(mark.size()));
+                     mark + "#line 1 " + in_quotes(file.compiled_name) + "\n" + file.text.substr(mark.size()));
     written.push_back(path.string());
   }
   return written;

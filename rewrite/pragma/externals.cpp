@@ -86,9 +86,10 @@ public:
     }
     if (!good) return;
     Place const place = map_.place(function->getLocation());
-    std::string const arguments = quoted(function->getNameAsString()) + (pragma.pure ? ", true, " : ", false, ") +
-                                  quoted(text) + ", " + quoted(any_size ? sizes : "") + ", " + quoted(place.file) +
-                                  ", " + std::to_string(place.line) + ", " + std::to_string(place.column);
+    std::string const arguments = in_quotes(function->getNameAsString()) + (pragma.pure ? ", true, " : ", false, ") +
+                                  in_quotes(text) + ", " + in_quotes(any_size ? sizes : "") + ", " +
+                                  in_quotes(place.file) + ", " + std::to_string(place.line) + ", " +
+                                  std::to_string(place.column);
     reals_.add_external(function, {arguments, pragma.pure});
     facts_.externals.emplace(ASTNameGenerator(context_).getName(function),
                              Note{pragma.name_place, function->getNameAsString()});

@@ -45,7 +45,7 @@ void note_file_statics(ASTContext &context, SourceMap const &map, Facts &facts) 
         if (!means_file(clause.clause, item) || !item.type.empty()) continue;
         if (!statics) statics.emplace(context, map).TraverseDecl(context.getTranslationUnitDecl());
         item.type = "file";
-        item.expression = quoted(statics->by_file[span.file]);
+        item.expression = in_quotes(statics->by_file[span.file]);
       }
 }
 

@@ -37,7 +37,7 @@ std::string rebinding(ClauseFact const &clause, ItemFact const &item) {
 
 std::string clause_text(PragmaFact const &pragma, ClauseFact const &clause) {
   if (clause.clause == Clause::generate)
-    return "SYMREAL_GENERATE(" + clause.argument + ", " + quoted(clause.place.file) + ", " +
+    return "SYMREAL_GENERATE(" + clause.argument + ", " + in_quotes(clause.place.file) + ", " +
            std::to_string(clause.place.line) + ", " + std::to_string(clause.place.column) + ") ";
   if (clause.clause == Clause::decisions)
     return (pragma.is_function ? "SYMREAL_DECISIONS(" : "SYMREAL_REAL_DECISIONS(") + clause.argument + ") ";
@@ -48,7 +48,7 @@ std::string clause_text(PragmaFact const &pragma, ClauseFact const &clause) {
   if (clause.clause == Clause::range) return "SYMREAL_RANGE(" + with_real(clause.argument) + ") ";
   if (clause.clause == Clause::state) // two items, or it is an error
     return "SYMREAL_STATE(" + place_arguments(clause.items.front().label, clause.place) + ", " +
-           quoted(clause.items.back().label) + ") ";
+           in_quotes(clause.items.back().label) + ") ";
   std::string text;
   if (clause.clause == Clause::table) {
     for (ItemFact const &item : clause.items)
@@ -70,7 +70,7 @@ bool is_annotated(PragmaFact const &pragma, std::string const &name) {
 } // namespace
 
 std::string place_arguments(std::string const &label, Place const &place) {
-  return quoted(label) + ", " + quoted(place.file) + ", " + std::to_string(place.line) + ", " +
+  return in_quotes(label) + ", " + in_quotes(place.file) + ", " + std::to_string(place.line) + ", " +
          std::to_string(place.column);
 }
 
@@ -84,13 +84,15 @@ bool means_file(Clause clause, ItemFact const &item) { return clause == Clause::
 std::string layout_arguments(ObjectLayout const &layout) {
   std::string types;
   for (std::string const &type : layout.containers) types += (types.empty() ? "" : ", ") + with_real(type);
-  return quoted(layout.text) + ", (" + types + ")";
+  return in_quotes(layout.text) + ", (" + types + ")";
 }
 
 std::string region_text(PragmaFact const &pragma) {
   std::string text, around;
   for (FunctionFact::Value const &value : pragma.around)
-    around.append("SYMREAL_AROUND(" + quoted(value.name) + ", " + quoted(to_string(value.place)) + ", " + value.name)
+    around
+        .append("SYMREAL_AROUND(" + in_quotes(value.name) + ", " + in_quotes(to_string(value.place)) + ", " +
+                value.name)
         .append(") ");
   for (ClauseFact const &clause : pragma.clauses) {
     text += clause_text(pragma, clause);
@@ -112,11 +114,13 @@ std::string function_text(PragmaFact const &pragma) {
   if (!is_kernel) return trimmed(entry);
   std::string text = "SYMREAL_FUNCTION(" + place_arguments(pragma.function[0].name, pragma.place) + call + ") " + entry;
   for (FunctionFact::Value const &value : pragma.function[0].parameters)
-    text.append("SYMREAL_PARAMETER(" + quoted(value.name) + ", " + quoted(to_string(value.place)) + ", " + value.name)
+    text.append("SYMREAL_PARAMETER(" + in_quotes(value.name) + ", " + in_quotes(to_string(value.place)) + ", " +
+                value.name)
         .append(") ");
   for (FunctionFact::Value const &value : pragma.function[0].values)
     if (!is_annotated(pragma, value.name))
-      text.append("SYMREAL_ARGUMENT(" + quoted(value.name) + ", " + quoted(to_string(value.place)) + ", " + value.name)
+      text.append("SYMREAL_ARGUMENT(" + in_quotes(value.name) + ", " + in_quotes(to_string(value.place)) + ", " +
+                  value.name)
           .append(") ");
   // Also where `return` is the only output: it ends the annotations of the function's entry.
   return text + "SYMREAL_OUTPUTS_BEGIN " + exit + "SYMREAL_OUTPUTS_END";

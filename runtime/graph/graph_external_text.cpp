@@ -44,7 +44,7 @@ ExternalValue read_value(Line &line) {
 void write_value(std::ostream &out, ExternalValue const &value) {
   out << ' ' << name_of(value.kind);
   if (value.kind == Kind::integer)
-    out << ' ' << quoted(value.type);
+    out << ' ' << in_quotes(value.type);
   else if (value.kind != Kind::number)
     out << ' ' << value.count;
 }
@@ -76,7 +76,7 @@ void read_external(Line &line, std::vector<External> &externals) {
 
 void write_tables(std::ostream &out, std::vector<Table> const &tables) {
   for (std::size_t k = 0; k < tables.size(); ++k) {
-    out << "table " << k << ' ' << quoted(tables[k].name);
+    out << "table " << k << ' ' << in_quotes(tables[k].name);
     for (std::size_t extent : tables[k].extents) out << " [" << extent << ']';
     write_place(out, tables[k].place);
     out << " =";
@@ -88,7 +88,7 @@ void write_tables(std::ostream &out, std::vector<Table> const &tables) {
 void write_externals(std::ostream &out, std::vector<External> const &externals) {
   for (std::size_t k = 0; k < externals.size(); ++k) {
     External const &external = externals[k];
-    out << "external " << k << ' ' << quoted(external.name);
+    out << "external " << k << ' ' << in_quotes(external.name);
     if (external.pure) out << " pure";
     if (external.returned.kind != Kind::none) {
       out << " returns";

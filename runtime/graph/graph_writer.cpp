@@ -7,7 +7,7 @@
 namespace symreal {
 
 void write_place(std::ostream &out, Place const &place) {
-  if (!place.file.empty()) out << " at " << quoted(place.file) << ' ' << place.line << ' ' << place.column;
+  if (!place.file.empty()) out << " at " << in_quotes(place.file) << ' ' << place.line << ' ' << place.column;
 }
 
 static void write_shape(std::ostream &out, std::vector<std::size_t> const &extents,
@@ -16,7 +16,7 @@ static void write_shape(std::ostream &out, std::vector<std::size_t> const &exten
   if (members.empty()) return;
   out << " {";
   for (Member const &member : members) {
-    out << ' ' << quoted(member.name);
+    out << ' ' << in_quotes(member.name);
     write_shape(out, member.extents, member.members);
   }
   out << " }";
@@ -25,7 +25,7 @@ static void write_shape(std::ostream &out, std::vector<std::size_t> const &exten
 static void write_objects(std::ostream &out, char const *role, std::vector<Object> const &objects,
                           std::vector<double> const *values) {
   for (Object const &object : objects) {
-    out << role << ' ' << quoted(object.label);
+    out << role << ' ' << in_quotes(object.label);
     write_shape(out, object.extents, object.members);
     write_place(out, object.place);
     if (object.range) out << " range " << shortest(object.range->low) << ' ' << shortest(object.range->high);
@@ -54,18 +54,18 @@ std::vector<NodeId> line_numbers(Graph const &graph) {
 }
 
 void write_graph(std::ostream &out, Graph const &graph) {
-  out << "symreal-graph 1\nkernel " << quoted(graph.kernel) << '\n';
+  out << "symreal-graph 1\nkernel " << in_quotes(graph.kernel) << '\n';
   if (graph.decisions != "error") out << "decisions " << graph.decisions << '\n';
   write_objects(out, "input", graph.inputs, &graph.input_values);
   write_objects(out, "parameter", graph.parameters, &graph.parameter_values);
   write_objects(out, "output", graph.outputs, nullptr);
   for (StatePair const &pair : graph.states) {
-    out << "state " << quoted(pair.state) << ' ' << quoted(pair.derivative);
+    out << "state " << in_quotes(pair.state) << ' ' << in_quotes(pair.derivative);
     write_place(out, pair.place);
     out << '\n';
   }
   for (Frozen const &frozen : graph.frozen) {
-    out << "frozen " << quoted(frozen.name);
+    out << "frozen " << in_quotes(frozen.name);
     write_place(out, frozen.place);
     if (frozen.is_around) out << " around";
     if (frozen.is_member) out << " member";
@@ -98,7 +98,7 @@ void write_graph(std::ostream &out, Graph const &graph) {
     if (!graph.node_exact.empty() && graph.node_exact[id]) out << " exact";
     if (!graph.node_location.empty() && graph.node_location[id] != no_location) out << " @" << graph.node_location[id];
     if (!graph.node_name.empty() && graph.node_name[id] != no_name)
-      out << ' ' << quoted(graph.names[graph.node_name[id]]);
+      out << ' ' << in_quotes(graph.names[graph.node_name[id]]);
     out << '\n';
   }
   for (std::size_t slot = 0; slot < graph.results.size(); ++slot)
@@ -107,7 +107,7 @@ void write_graph(std::ostream &out, Graph const &graph) {
     Guard const &guard = graph.guards[k];
     out << "guard " << k << ' ' << spell(guard.condition);
     if (guard.location != no_location) out << " @" << guard.location;
-    out << ' ' << quoted(guard.text) << '\n';
+    out << ' ' << in_quotes(guard.text) << '\n';
   }
   if (graph.last_effect != no_node) out << "effect " << spell(graph.last_effect) << '\n';
   for (std::size_t slot = 0; slot < graph.precomputed.size(); ++slot)

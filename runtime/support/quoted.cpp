@@ -11,6 +11,6 @@ std::string escaped(std::string const &text) {
   return result;
 }
 
-std::string quoted(std::string const &text) { return '"' + escaped(text) + '"'; }
+std::string in_quotes(std::string const &text) { return '"' + escaped(text) + '"'; }
 
 } // namespace symreal

@@ -8,6 +8,6 @@ namespace symreal {
 // With a backslash before each quotation mark and each backslash.
 std::string escaped(std::string const &text);
 // The same between quotation marks.
-std::string quoted(std::string const &text);
+std::string in_quotes(std::string const &text);
 
 } // namespace symreal

@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t most_steps = 2000; // more than there are dots in a plot's width
 
 // In single quotes a quote is doubled, and nothing else has a meaning.
-std::string quoted(std::string_view text) {
+std::string in_quotes(std::string_view text) {
   std::string result = "'";
   for (char const c : text) result += c == '\'' ? std::string("''") : std::string(1, c);
   return result + "'";
@@ -47,7 +47,7 @@ std::string plot_script(Graph const &graph, Costs const &costs, Figures const &f
   } const plots[] = {{"inputs", "from the inputs", figures.from_inputs},
                      {"outputs", "from the outputs", figures.from_outputs},
                      {"levelled", "levelled", figures.evened}};
-  std::string text = "set terminal " + terminal(image) + "\nset output " + quoted(image) + "\n";
+  std::string text = "set terminal " + terminal(image) + "\nset output " + in_quotes(image) + "\n";
   std::size_t length = 0;
   for (Plot const &plot : plots) {
     text += data(plot.name, costs, plot.profile);
@@ -57,14 +57,15 @@ std::string plot_script(Graph const &graph, Costs const &costs, Figures const &f
   std::string const heading =
       fmt::format("{}: {} operations, span {} {}, mean parallelism {:.2f}", graph.kernel, figures.count,
                   shortest(costs.in_unit(figures.levels.span)), costs.time_unit, figures.levels.parallelism());
-  text += fmt::format("set multiplot layout 1,3 title {}\n", quoted(heading));
+  text += fmt::format("set multiplot layout 1,3 title {}\n", in_quotes(heading));
   text += fmt::format("set xrange [0:{}]\nset yrange [0:{}]\n", shortest(costs.in_unit(static_cast<Time>(length))),
                       highest + std::max(highest / 20, 1U));
-  text += fmt::format("set xlabel {}\nset ylabel 'operations at once'\nunset key\n",
-                      quoted(costs.scale == 1 ? "level (" + costs.time_unit + ")" : "time (" + costs.time_unit + ")"));
+  text +=
+      fmt::format("set xlabel {}\nset ylabel 'operations at once'\nunset key\n",
+                  in_quotes(costs.scale == 1 ? "level (" + costs.time_unit + ")" : "time (" + costs.time_unit + ")"));
   for (Plot const &plot : plots)
     text += fmt::format("set title {}\nplot ${} using 1:2 with fillsteps fillstyle solid 1.0 linecolor rgb '#3b6ea5'\n",
-                        quoted(fmt::format("{}, peak {}", plot.title, peak(plot.profile))), plot.name);
+                        in_quotes(fmt::format("{}, peak {}", plot.title, peak(plot.profile))), plot.name);
   return text + "unset multiplot\n";
 }
 

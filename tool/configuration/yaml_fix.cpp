@@ -36,11 +36,11 @@ std::vector<std::string> items_of(std::string const &list) {
 
 // A value, or a list of them in brackets.
 std::string value_with_quotes(std::string const &value) {
-  if (!value.starts_with("[")) return wants_quotes(value) ? quoted(value) : value;
+  if (!value.starts_with("[")) return wants_quotes(value) ? in_quotes(value) : value;
   bool const is_closed = value.ends_with("]");
   std::string text = "[", before;
   for (std::string const &item : items_of(value.substr(1, value.size() - (is_closed ? 2 : 1)))) {
-    text += before + (wants_quotes(item) ? quoted(item) : item);
+    text += before + (wants_quotes(item) ? in_quotes(item) : item);
     before = ", ";
   }
   return text + "]";

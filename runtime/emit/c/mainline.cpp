@@ -19,7 +19,7 @@ static std::string array(std::string const &type, std::string const &name, std::
 std::string mainline(Emission const &emission, MainlineWords const &words) {
   Graph const &graph = emission.graph();
   std::vector<std::string> labels = output_names(emission);
-  for (std::string &label : labels) label = quoted(label);
+  for (std::string &label : labels) label = in_quotes(label);
 
   std::string const real(emission.language.number.name);
   bool const is_single = emission.language.is_single;

@@ -25,7 +25,7 @@ std::string rust_end(Emission const &emission) {
   for (Guard const &guard : graph.guards) {
     std::string text = guard_text(graph, guard);
     std::ranges::replace(text, '\n', ' ');
-    list += "        " + quoted(text) + ",\n";
+    list += "        " + in_quotes(text) + ",\n";
   }
   return fmt::format(
       "\n/// The condition of a guard and its places in the source.\npub fn {0}(guard: i32) -> &'static str {{\n"
