@@ -35,6 +35,11 @@ if os.path.exists(venv + "/python") and subprocess.run([venv + "/python", "-c", 
 if subprocess.run(["/usr/bin/python3", "-c", "import numpy"], capture_output=True).returncode == 0:
     config.available_features.add("python")
 
+# scripts/test --all: what takes long and has a small setting, in full.
+everything = bool(os.environ.get("SYMREAL_TEST_ALL"))
+if everything:
+    config.available_features.add("all")
+
 config.substitutions += [
     (r"%symreal(?=-)", os.path.join(config.binary_dir, "tool", "symreal")),
     (r"%symreal\b", os.path.join(config.source_dir, "tests", "tools", "symreal")),
@@ -43,7 +48,7 @@ config.substitutions += [
     (r"%rewrite\b", os.path.join(config.binary_dir, "rewrite", "symreal-rewrite-dump") + " --text"),
     (r"%dump\b", os.path.join(config.binary_dir, "rewrite", "symreal-rewrite-dump")),
     (r"%decide\b", os.path.join(config.binary_dir, "rewrite", "symreal-rewrite-dump") + " --text --decide"),
-    (r"%same\b", "python3 " + os.path.join(config.source_dir, "tests", "tools", "same_object.py") + " "
+    (r"%same\b", "python3 " + os.path.join(config.source_dir, "tests", "tools", "same_object.py") + (" --all " if everything else " ")
      + os.path.join(config.binary_dir, "rewrite", "symreal-rewrite-dump") + " "
      + os.path.join(config.binary_dir, "runtime", "include")),
     (r"%source\b", config.source_dir),

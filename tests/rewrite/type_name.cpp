@@ -5,19 +5,19 @@
 // REDEFINE: %{name} = macro
 // RUN: cd %t && %{try}
 // REDEFINE: %{name} = typedef
-// RUN: cd %t && %{try}
+// RUN: %if all %{ cd %t && %{try} %}
 // REDEFINE: %{name} = enumerator
-// RUN: cd %t && %{try}
+// RUN: %if all %{ cd %t && %{try} %}
 // REDEFINE: %{name} = variable
-// RUN: cd %t && %{try}
+// RUN: %if all %{ cd %t && %{try} %}
 // REDEFINE: %{name} = parameter
 // RUN: cd %t && %{try}
 // REDEFINE: %{name} = field
 // RUN: cd %t && %{try}
 // REDEFINE: %{name} = namespace
-// RUN: cd %t && %{try}
+// RUN: %if all %{ cd %t && %{try} %}
 // REDEFINE: %{name} = defined
-// RUN: cd %t && %{try}
+// RUN: %if all %{ cd %t && %{try} %}
 // RUN: cd %t && %symreal verify field.cpp field.c --samples=20
 // CHECK: +{{.*}}SYMREAL_REAL 
 // CHECK-NOT: {{[^_M]REAL_[A-Z]+\(}}

@@ -20,7 +20,7 @@
 
 // REDEFINE: %{flags} = -- -DMATRICES -I/usr/include/eigen3
 // REDEFINE: %{call} = 'veh::mix(x[0:3]={1, 2, 3}, m[0:2][0:2]=-1..1, r=0.25, z=1, s.a=2, s.b=3) -> x[0:3], z, return'
-// RUN: %{run} && FileCheck %s --check-prefix=MIX < %t.log
+// RUN: %if all %{ %{run} && FileCheck %s --check-prefix=MIX < %t.log %}
 // MIX: kernel mix: 12 inputs, 0 parameters, 6 outputs
 // MIX: kernel mix, mode finite: 200 samples
 // REDEFINE: %{flags} =
@@ -33,7 +33,7 @@
 
 // REDEFINE: %{flags} = -- -DMATRICES -I/usr/include/eigen3
 // REDEFINE: %{call} = 'scale(v[0:3]=1) -> v[0:3]'
-// RUN: %{run} && FileCheck %s --check-prefix=FIXED < %t.log
+// RUN: %if all %{ %{run} && FileCheck %s --check-prefix=FIXED < %t.log %}
 // FIXED: kernel scale: 3 inputs, 0 parameters, 3 outputs
 // REDEFINE: %{flags} =
 // REDEFINE: %{call} = 'scale(v[0:n]=1, n=2) -> v[0:n]'

@@ -1,7 +1,7 @@
 // Objects of Eigen that are members: what its compiled templates read of them is seen where they are used.
 // RUN: not %symreal generate %s -o %t.c -- -I/usr/include/eigen3 2>&1 | FileCheck %s
 // RUN: %symreal generate %s -o %t.c --frozen=allow -- -I/usr/include/eigen3 2>&1 | FileCheck %s --check-prefix=LISTED
-// RUN: %symreal verify %s %t.c --samples=100 -- -I/usr/include/eigen3
+// RUN: %if all %{ %symreal verify %s %t.c --samples=100 -- -I/usr/include/eigen3 %}
 #include <Eigen/Dense>
 
 #include <cstdio>

@@ -1,6 +1,6 @@
-"""The facts do not depend on the order in which the nodes of a syntax tree are visited: order_of_visits.py DUMP SOURCE...
+"""The facts do not depend on the order in which the nodes of a syntax tree are visited: order_of_visits.py DUMP --every N SOURCE...
 
-Each source is read twice, with the flags that its own tests name, parents first and children first.
+Every N-th source is read twice, with the flags that its own tests name, parents first and children first.
 """
 import re
 import subprocess
@@ -14,7 +14,8 @@ def flags_of(source):
 
 
 def main():
-    dump, *sources = sys.argv[1:]
+    dump, _, every, *sources = sys.argv[1:]
+    sources = sources[:: int(every)]
     read = different = 0
     for source in sources:
         words = [source, "--", *flags_of(source)]
