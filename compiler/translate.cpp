@@ -66,7 +66,7 @@ public:
 
   std::string original(std::string const &name) const {
     if (!name.starts_with(top_)) return name;
-    std::string const path = fs::path(name.substr(top_.size())).lexically_normal().string();
+    std::string path = fs::path(name.substr(top_.size())).lexically_normal().string();
     for (rewrite::File const &file : rewritten_.files)
       if (file.path == path) return file.compiled_name;
     return path;
