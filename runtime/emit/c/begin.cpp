@@ -1,8 +1,21 @@
 #include "emit/c/parts.h"
 
+#include <algorithm>
 #include <fmt/format.h>
+#include <unordered_set>
 
 namespace symreal {
+namespace {
+
+bool has_sine_and_cosine_of_one(Nodes const &nodes) {
+  std::unordered_set<NodeId> angles;
+  for (Node const &node : nodes)
+    if (node.op == Op::sin) angles.insert(node.operand[0]);
+  return std::ranges::any_of(nodes,
+                             [&](Node const &node) { return node.op == Op::cos && angles.contains(node.operand[0]); });
+}
+
+} // namespace
 
 // Multiplications and additions are not to be fused, whatever the flags: gcc's vectoriser of straight-line code does it
 // even with -ffp-contract=off, where sums and differences alternate. In mode fast only exact operations mind.
@@ -27,6 +40,20 @@ std::string c_apart(Emission const &emission) {
          "#endif\n";
 }
 
+// Sine and cosine of one angle become one call where the compiler knows that neither sets errno, which nobody reads
+// here. glibc's has the bits of the two.
+std::string c_sine_and_cosine(Emission const &emission) {
+  if (!has_sine_and_cosine_of_one(emission.graph().nodes)) return {};
+  bool const is_cxx = emission.language.has_namespace, is_single = emission.language.is_single;
+  std::string const number(emission.language.number.name);
+  std::string text = "/* Nobody reads the errno of these: a compiler makes one call of both. */\n"
+                     "#if defined(__GLIBC__) && defined(__GNUC__)\n";
+  for (Op op : {Op::sin, Op::cos})
+    text += fmt::format("{0}{1} {2}{3}({1}){4} __attribute__((const));\n", is_cxx ? "extern \"C\" " : "", number,
+                        info(op).c, is_single ? "f" : "", is_cxx ? " noexcept" : "");
+  return text + "#endif\n";
+}
+
 std::string c_value_checks(Emission const &emission) {
   if (!emission.uses.value_checks) return {};
   return "#include <stdio.h>\n\n"
@@ -48,9 +75,10 @@ std::string c_quiet_pragmas(Emission const &emission) {
 }
 
 std::string c_begin(Emission const &emission) {
-  return fmt::format("#include \"{}.h\"\n\n#include <math.h>\n{}{}{}{}{}{}\n", emission.options.base_name,
+  return fmt::format("#include \"{}.h\"\n\n#include <math.h>\n{}{}{}{}{}{}{}\n", emission.options.base_name,
                      emission.uses.truths ? "#include <stdbool.h>\n" : "", c_integer_includes(emission),
-                     c_value_checks(emission), c_no_fusion(emission), c_apart(emission), c_quiet_pragmas(emission));
+                     c_sine_and_cosine(emission), c_value_checks(emission), c_no_fusion(emission), c_apart(emission),
+                     c_quiet_pragmas(emission));
 }
 
 } // namespace symreal
