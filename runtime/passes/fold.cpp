@@ -4,7 +4,7 @@
 namespace symreal {
 
 Graph pass_fold(Graph const &graph, PassSettings const &settings) {
-  return sweep(graph, {.mode = settings.mode, .fold = true});
+  return sweep(graph, {.mode = settings.mode, .fold = true, .limit = settings.limit});
 }
 
 } // namespace symreal

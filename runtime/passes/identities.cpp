@@ -4,7 +4,8 @@
 namespace symreal {
 
 Graph pass_identities(Graph const &graph, PassSettings const &settings) {
-  return sweep(graph, {.mode = settings.mode, .topics = static_cast<unsigned>(Topic::identities)});
+  return sweep(graph,
+               {.mode = settings.mode, .topics = static_cast<unsigned>(Topic::identities), .limit = settings.limit});
 }
 
 } // namespace symreal

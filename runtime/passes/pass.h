@@ -12,12 +12,15 @@
 
 namespace symreal {
 
+struct RewriteLimit;
+
 // What a pass may do, and how long it may search for more. Of a mode alone it has the usual effort.
 struct PassSettings {
   PassSettings(FloatingPoint mode, int effort = algebra::usual_effort) : mode(mode), effort(effort) {}
 
   FloatingPoint mode;
-  int effort; // of pass `recover`: algebra/recovery.h
+  int effort;                    // of pass `recover`: algebra/recovery.h
+  RewriteLimit *limit = nullptr; // of passes that rewrite node by node: sweep.h
 };
 
 #define PASS(name, ...) Graph pass_##name(Graph const &graph, PassSettings const &settings);

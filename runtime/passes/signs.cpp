@@ -4,7 +4,7 @@
 namespace symreal {
 
 Graph pass_signs(Graph const &graph, PassSettings const &settings) {
-  return sweep(graph, {.mode = settings.mode, .topics = static_cast<unsigned>(Topic::signs)});
+  return sweep(graph, {.mode = settings.mode, .topics = static_cast<unsigned>(Topic::signs), .limit = settings.limit});
 }
 
 } // namespace symreal

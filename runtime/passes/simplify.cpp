@@ -8,7 +8,8 @@ namespace symreal {
 Graph pass_simplify(Graph const &graph, PassSettings const &settings) {
   constexpr auto all = static_cast<unsigned>(Topic::identities) | static_cast<unsigned>(Topic::signs) |
                        static_cast<unsigned>(Topic::algebra);
-  return sweep(graph, {.mode = settings.mode, .topics = all, .fold = true, .canonical_order = true});
+  return sweep(graph,
+               {.mode = settings.mode, .topics = all, .fold = true, .canonical_order = true, .limit = settings.limit});
 }
 
 } // namespace symreal

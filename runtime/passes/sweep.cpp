@@ -22,6 +22,7 @@ public:
         now[id] = table_.intern(node);
         continue;
       }
+      node_ = static_cast<NodeId>(id);
       exact_ = !graph.node_exact.empty() && graph.node_exact[id];
       std::array<NodeId, 3> operand = node.operand;
       for (NodeId &o : operand)
@@ -52,12 +53,23 @@ private:
       std::swap(operand[0], operand[1]);
     Node node = table_.operation(op, operand[0], operand[1], operand[2]);
     if (info(op).has(flag::OPAQUE)) return intern(node);
-    if (options_.fold && node.attribute == Attribute::constant && op != Op::wide) return fold(node);
+    if (options_.fold && node.attribute == Attribute::constant && op != Op::wide)
+      return may_rewrite(nullptr) ? fold(node) : intern(node);
     Bindings bindings;
     for (Rule const *rule : rules_[static_cast<std::size_t>(op)])
       if (!(exact_ && rule->mode == FloatingPoint::fast) && match(*rule, node, table_, bindings))
-        return build(rule->replacement, bindings);
+        return may_rewrite(rule) ? build(rule->replacement, bindings) : intern(node);
     return intern(node);
+  }
+
+  bool may_rewrite(Rule const *rule) {
+    RewriteLimit *const limit = options_.limit;
+    if (!limit) return true;
+    if (limit->done == limit->most) return false;
+    ++limit->done;
+    limit->last = rule;
+    limit->last_node = node_;
+    return true;
   }
 
   NodeId build(Term const &term, Bindings &bindings) {
@@ -97,7 +109,8 @@ private:
   SweepOptions options_;
   std::array<std::vector<Rule const *>, static_cast<std::size_t>(Op::count)> rules_;
   NodeTable table_;
-  bool exact_ = false; // what is made now
+  NodeId node_ = no_node; // of the graph that is swept, whose turn it is
+  bool exact_ = false;    // what is made now
   std::vector<char> exact_nodes_;
 };
 
