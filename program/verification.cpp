@@ -1,10 +1,12 @@
 #include "program/verification.h"
 
+#include "emit/origins/origins.h"
 #include "graph/evaluate.h"
 #include "program/guard_verification.h"
 #include "program/replay.h"
 #include "program/single_runs.h"
 #include "program/wrapped_original.h"
+#include "verify/boundaries.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -68,7 +70,8 @@ public:
         banner_(banner),
         code_(path, banner, graph_, {}, *front.workspace),
         source_(graph_, options.seed),
-        exact_(graph_) {
+        exact_(graph_),
+        decisions_(counts_decisions() ? decisions_of(graph_) : std::vector<symreal::Decision>()) {
     bool const by_hand = front.original_program.empty();
     auto const start = [&](std::unique_ptr<Replay> &program, char const *what, std::string const &executable,
                            GeneratedCode const *code) {
@@ -102,16 +105,31 @@ public:
   }
 
   Verification run() {
-    for (std::size_t k = 0; k < options_.samples; ++k) {
-      Sample const drawn = source_.next();
-      try_sample(k, banner_.is_single ? in_single_precision(drawn) : drawn);
+    for (symreal::Decision const &decision : decisions_)
+      result_.decisions.push_back({place_of(decision), decision.is_guards, {}});
+    if (options_.replayed.empty()) {
+      for (std::size_t k = 0; k < options_.samples; ++k) try_sample(k, source_.next());
+      Boundaries const boundaries = find_boundaries(graph_, options_.seed, is_exact() ? 0 : least_apart);
+      result_.crossed = boundaries.crossed;
+      for (std::size_t k = 0; k < boundaries.samples.size(); ++k) {
+        result_.around += options_.shard.has(options_.samples + k);
+        try_sample(options_.samples + k, boundaries.samples[k]);
+      }
     }
+    for (std::size_t k = 0; k < options_.replayed.size(); ++k) try_sample(k, options_.replayed[k]);
+    keep_named();
     if (threads_) result_.threads = threads_->finish(code_, timed_ ? &*timed_ : nullptr);
     result_.exact = exact_.judgement();
     return std::move(result_);
   }
 
 private:
+  // Not where the graph is evaluated in another process, nor of samples that someone chose.
+  bool counts_decisions() const { return !code_.needs_program() && options_.replayed.empty(); }
+
+  // Whether it decides as the original does, wherever that may be. Otherwise rounding moves the boundaries.
+  bool is_exact() const { return banner_.mode != FloatingPoint::fast && !banner_.is_single; }
+
   // The generated code as the user's project would compile it.
   void compile_with_own_flags(Front const &front, std::string const &path) {
     std::vector<char const *> words;
@@ -122,10 +140,55 @@ private:
     result_.own_code_ulp.resize(graph_.output_count());
   }
 
-  void try_sample(std::size_t k, Sample const &sample) {
+  // The first of the user's own places, or that of the kernel.
+  std::string place_of(symreal::Decision const &decision) const {
+    std::string const place = decision.location == no_location ? "" : describe_locations(graph_, {decision.location});
+    return place.empty() ? "kernel " + graph_.kernel : place;
+  }
+
+  void try_sample(std::size_t k, Sample const &drawn) {
+    if (!options_.shard.has(k)) return;
+    ++result_.tried;
+    is_named_ = false;
+    Sample const sample = banner_.is_single ? in_single_precision(drawn) : drawn;
+    compare(k, sample);
+    if (!is_named_) return;
+    result_.named[k] = sample;
+    if (result_.named.size() > 2 * most_named_) keep_named();
+  }
+
+  // Samples that were the worst for a while go.
+  void keep_named() {
+    std::map<std::size_t, Sample> kept;
+    auto const keep = [&](std::size_t k) {
+      if (auto const found = result_.named.find(k); found != result_.named.end()) kept.insert(*found);
+    };
+    for (auto const *outputs : {&result_.outputs, &result_.rewritten, &result_.called_again, &result_.wrapped})
+      for (OutputComparison const &output : *outputs)
+        if (output.has_worst()) keep(output.worst_sample);
+    if (result_.guard_mismatch) keep(result_.guard_mismatch->sample);
+    result_.named = std::move(kept);
+    most_named_ = std::max<std::size_t>(least_named, result_.named.size());
+  }
+
+  Evaluation evaluate_recorded(Sample const &sample) {
+    if (code_.needs_program()) return original_->run_graph(sample);
+    values_ = evaluate(graph_, sample.inputs, sample.parameters);
+    return evaluation_of(graph_, values_);
+  }
+
+  void count_decisions() {
+    if (decisions_.empty()) return;
+    std::vector<char> const active = active_nodes(graph_, values_);
+    for (std::size_t k = 0; k < decisions_.size(); ++k) {
+      DecisionCounts &counts = result_.decisions[k].counts;
+      if (active[decisions_[k].condition]) ++(values_[decisions_[k].condition] != 0 ? counts.yes : counts.no);
+    }
+  }
+
+  void compare(std::size_t k, Sample const &sample) {
     bool const in_program = code_.needs_program();
-    Evaluation const evaluated =
-        in_program ? original_->run_graph(sample) : evaluate_sample(graph_, sample.inputs, sample.parameters);
+    Evaluation const evaluated = evaluate_recorded(sample);
     GeneratedCode::Result const computed =
         in_program ? original_->run_generated(sample) : code_.run(sample.inputs, sample.parameters);
     // What the functions that it calls have left, as those of the original do.
@@ -139,15 +202,18 @@ private:
       ++result_.undefined;
     else if (!inside)
       ++(premises.finite ? result_.zero_sign : result_.not_finite);
-    result_.samples.push_back(sample);
     if (inside && single_ && single_->decide_otherwise(evaluated.failing_guard))
       return void(++result_.decided_otherwise);
-    if (inside) check_guards(graph_, evaluated.failing_guard, computed, k, result_);
+    if (inside) {
+      count_decisions();
+      check_guards(graph_, evaluated.failing_guard, computed, k, result_);
+      is_named_ |= result_.guard_mismatch && result_.guard_mismatch->sample == k;
+    }
     // Beyond a guard the original goes where the recording has not been, and nothing is promised.
     if (evaluated.failing_guard < graph_.guards.size() || computed.failed != 0 || !premises.defined) return;
     std::vector<double> const original = original_->run(sample);
     if (inside)
-      compare(k, sample, original, computed.outputs, evaluated.outputs);
+      compare_inside(k, sample, original, computed.outputs, evaluated.outputs);
     else
       result_.outside_different +=
           !(banner_.is_single ? all_near(original, computed.outputs) : all_same(original, computed.outputs));
@@ -155,8 +221,8 @@ private:
     result_.inside += inside;
   }
 
-  void compare(std::size_t k, Sample const &sample, std::vector<double> const &original,
-               std::vector<double> const &generated, std::vector<double> const &recorded) {
+  void compare_inside(std::size_t k, Sample const &sample, std::vector<double> const &original,
+                      std::vector<double> const &generated, std::vector<double> const &recorded) {
     for (replay::LeftBehind const &left : original_->left_behind())
       if (!is_left_by_generated(left) && !is_scratch(left)) add_left(result_.left, describe(left));
     exact_.begin(sample.inputs, sample.parameters);
@@ -166,14 +232,14 @@ private:
       else if (single_->lose(slot, original[slot], options_.tolerance))
         ++result_.lost[slot];
       else
-        result_.outputs[slot].add_single(k, original[slot], generated[slot], options_.tolerance);
+        is_named_ |= result_.outputs[slot].add_single(k, original[slot], generated[slot], options_.tolerance);
     }
     if (!code_.needs_program() && !single_) compare_calls(k, sample, generated);
     result_.graph_different += !all_same(original, recorded);
     if (rewritten_) {
       std::vector<double> const rewritten = rewritten_->run(sample);
       for (std::size_t slot = 0; slot < original.size(); ++slot)
-        result_.rewritten[slot].add(k, original[slot], rewritten[slot], FloatingPoint::strict, 0);
+        is_named_ |= result_.rewritten[slot].add(k, original[slot], rewritten[slot], FloatingPoint::strict, 0);
     }
     if (own_flags_) keep_worst(result_.own_flags_ulp, own_flags_->run(sample), generated);
     if (wrapped_) compare_wrapper(k, sample, generated);
@@ -205,9 +271,9 @@ private:
     bool const is_same = same(original, generated, banner_.mode, options_.tolerance);
     if (!is_same && banner_.mode == FloatingPoint::fast &&
         exact_.accepts(slot, original, generated, options_.tolerance))
-      output.add_same(k, original, generated);
+      is_named_ |= output.add_same(k, original, generated);
     else
-      output.add(k, original, generated, banner_.mode, options_.tolerance);
+      is_named_ |= output.add(k, original, generated, banner_.mode, options_.tolerance);
   }
 
   static void keep_worst(std::vector<std::uint64_t> &worst, std::vector<double> const &one,
@@ -239,7 +305,7 @@ private:
   void compare_wrapper(std::size_t k, Sample const &sample, std::vector<double> const &generated) {
     std::vector<double> const wrapped = wrapped_->run(sample);
     for (std::size_t slot = 0; slot < wrapped.size(); ++slot)
-      result_.wrapped[slot].add(k, generated[slot], wrapped[slot], FloatingPoint::strict, 0);
+      is_named_ |= result_.wrapped[slot].add(k, generated[slot], wrapped[slot], FloatingPoint::strict, 0);
     for (replay::LeftBehind const &left : wrapped_->left_behind())
       if (!is_left_by_generated(left)) add_left(result_.left_by_wrapper, describe(left));
   }
@@ -263,6 +329,12 @@ private:
   std::optional<SingleRuns> single_; // of the sample that is tried, where the code is in single precision
   std::unique_ptr<Replay> original_, rewritten_, own_flags_, wrapped_;
   std::vector<replay::LeftBehind> left_by_generated_;
+  std::vector<symreal::Decision> decisions_;
+  std::vector<double> values_; // of the recorded graph, at the sample that is tried
+  static constexpr std::size_t least_named = 1000;
+  static constexpr double least_apart = 0x1p-20; // of samples on both sides of a boundary that rounding moves
+  std::size_t most_named_ = least_named;
+  bool is_named_ = false; // something names the sample that is tried
   Verification result_;
 };
 

@@ -6,15 +6,26 @@
 #include "program/generated_code.h"
 #include "program/thread_verification.h"
 #include "verify/compare.h"
+#include "verify/decisions.h"
 #include "verify/samples.h"
 
+#include <map>
+
 namespace symreal::program {
+
+// The samples whose number, from 0, is `index` modulo `count`: so many runs try all of them together.
+struct Shard {
+  std::size_t index = 0, count = 1;
+  bool has(std::size_t sample) const { return sample % count == index; }
+};
 
 struct VerificationOptions {
   std::size_t samples = 1000, min_samples = 100;
   std::uint64_t seed = 1;
-  double tolerance = 1e-9; // mode fast, and single precision
-  bool wrapper = false;    // also what its wrapper does
+  Shard shard = {};
+  std::vector<Sample> replayed = {}; // in place of those that are drawn, if there are any
+  double tolerance = 1e-9;           // mode fast, and single precision
+  bool wrapper = false;              // also what its wrapper does
 };
 
 inline constexpr double single_tolerance = 1e-3; // of single precision, unless another is asked for
@@ -29,6 +40,13 @@ struct GuardCheck {
 struct GuardMismatch {
   std::size_t sample;
   std::string expected, found;
+};
+
+// How often a decision of the recorded graph was met on the samples inside, and on those that a guard refuses.
+struct DecisionCoverage {
+  std::string place;
+  bool is_guards = false;
+  DecisionCounts counts;
 };
 
 // An object that outlives the kernel, that the original leaves changed, and that is no output.
@@ -54,7 +72,11 @@ struct Verification {
   // per slot, that were because it loses too much.
   std::size_t decided_otherwise = 0;
   std::vector<std::size_t> lost;
-  std::vector<Sample> samples;             // all that were drawn
+  std::size_t tried = 0;                   // samples
+  std::size_t around = 0;                  // of these, at the boundaries of decisions
+  std::map<std::size_t, Sample> named;     // those that other members name by their number
+  std::vector<DecisionCoverage> decisions; // of the recorded graph, but of one that calls functions of the program
+  std::size_t crossed = 0;                 // of these, that samples stand on both sides of
   std::vector<OutputComparison> rewritten; // per slot, the rewritten text against the original: equal to the last bit
   std::vector<OutputComparison> called_again; // per slot, over the second and third of three calls in a row
   std::vector<OutputComparison> wrapped; // per slot, the generated code behind its wrapper against itself; or empty
@@ -67,6 +89,9 @@ struct Verification {
   std::optional<ThreadResult> threads;         // of code whose threads share an evaluation
   ExactJudgement exact;                        // of mode fast, beyond the tolerance
 };
+
+// Adds what other samples of the same kernel and file have shown.
+void join(Verification &verification, Verification const &other);
 
 // Outputs that differ on some sample.
 std::size_t count_different(std::vector<OutputComparison> const &outputs);

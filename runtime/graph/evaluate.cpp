@@ -203,7 +203,10 @@ Premises check_premises(Graph const &graph, std::span<double const> values) {
 
 Evaluation evaluate_sample(Graph const &graph, std::span<double const> inputs, std::span<double const> parameters,
                            CallExternal const &call, Rounding rounding) {
-  std::vector<double> const values = evaluate(graph, inputs, parameters, call, rounding);
+  return evaluation_of(graph, evaluate(graph, inputs, parameters, call, rounding));
+}
+
+Evaluation evaluation_of(Graph const &graph, std::span<double const> values) {
   Evaluation result{{}, check_premises(graph, values), first_failing_guard(graph, values)};
   for (NodeId output : graph.results) result.outputs.push_back(values[output]);
   return result;

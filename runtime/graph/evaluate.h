@@ -52,5 +52,7 @@ struct Evaluation {
 };
 Evaluation evaluate_sample(Graph const &graph, std::span<double const> inputs, std::span<double const> parameters,
                            CallExternal const &call = {}, Rounding rounding = Rounding::none);
+// The same of values that are there.
+Evaluation evaluation_of(Graph const &graph, std::span<double const> values);
 
 } // namespace symreal

@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace symreal {
 
@@ -50,31 +51,42 @@ bool is_as_near(double error, double original_error, double tolerance) {
   return error <= most_times_as_far * original_error + tolerance;
 }
 
-void OutputComparison::add_same(std::size_t sample, double original_value, double generated_value) {
-  add(sample, original_value, generated_value, true, ulp_distance(original_value, generated_value));
+bool OutputComparison::add_same(std::size_t sample, double original_value, double generated_value) {
+  return add(sample, original_value, generated_value, true, ulp_distance(original_value, generated_value));
 }
 
-void OutputComparison::add(std::size_t sample, double original_value, double generated_value, FloatingPoint mode,
+bool OutputComparison::add(std::size_t sample, double original_value, double generated_value, FloatingPoint mode,
                            double tolerance) {
-  add(sample, original_value, generated_value, same(original_value, generated_value, mode, tolerance),
-      ulp_distance(original_value, generated_value));
+  return add(sample, original_value, generated_value, same(original_value, generated_value, mode, tolerance),
+             ulp_distance(original_value, generated_value));
 }
 
-void OutputComparison::add_single(std::size_t sample, double original_value, double generated_value, double tolerance) {
-  add(sample, original_value, generated_value, same(original_value, generated_value, FloatingPoint::fast, tolerance),
-      ulp_distance(static_cast<float>(original_value), static_cast<float>(generated_value)));
+bool OutputComparison::add_single(std::size_t sample, double original_value, double generated_value, double tolerance) {
+  return add(sample, original_value, generated_value,
+             same(original_value, generated_value, FloatingPoint::fast, tolerance),
+             ulp_distance(static_cast<float>(original_value), static_cast<float>(generated_value)));
 }
 
-void OutputComparison::add(std::size_t sample, double original_value, double generated_value, bool is_same,
+bool OutputComparison::add(std::size_t sample, double original_value, double generated_value, bool is_same,
                            std::uint64_t distance) {
   bool first_difference = !is_same && different == 0;
   if (!is_same) ++different;
   // A difference that counts is shown before a larger one that does not.
-  if (!first_difference && (distance <= worst_ulp || (is_same && different != 0))) return;
+  if (!first_difference && (distance <= worst_ulp || (is_same && different != 0))) return false;
   worst_ulp = distance;
   worst_sample = sample;
   original = original_value;
   generated = generated_value;
+  return true;
+}
+
+void OutputComparison::join(OutputComparison const &other) {
+  std::size_t const all = different + other.different;
+  auto const key = [](OutputComparison const &one) { return std::pair(one.different != 0, one.worst_ulp); };
+  bool const is_worse =
+      key(other) > key(*this) || (key(other) == key(*this) && other.has_worst() && other.worst_sample < worst_sample);
+  if (is_worse) *this = other;
+  different = all;
 }
 
 } // namespace symreal

@@ -31,14 +31,20 @@ struct OutputComparison {
   std::size_t worst_sample = 0;
   double original = 0, generated = 0; // at the worst sample
 
-  void add(std::size_t sample, double original_value, double generated_value, FloatingPoint mode, double tolerance);
+  // Whether this sample is the worst now.
+  bool add(std::size_t sample, double original_value, double generated_value, FloatingPoint mode, double tolerance);
   // Of what is the same in another way.
-  void add_same(std::size_t sample, double original_value, double generated_value);
+  bool add_same(std::size_t sample, double original_value, double generated_value);
   // Of code in single precision: within `tolerance`, and distances are those of floats.
-  void add_single(std::size_t sample, double original_value, double generated_value, double tolerance);
+  bool add_single(std::size_t sample, double original_value, double generated_value, double tolerance);
+  // What is known of the same output after other samples.
+  void join(OutputComparison const &other);
+
+  // Whether a worst sample is known: one that is not equal.
+  bool has_worst() const { return worst_ulp != 0 || different != 0; }
 
 private:
-  void add(std::size_t sample, double original_value, double generated_value, bool is_same, std::uint64_t distance);
+  bool add(std::size_t sample, double original_value, double generated_value, bool is_same, std::uint64_t distance);
 };
 
 } // namespace symreal

@@ -12,6 +12,7 @@ namespace symreal {
 
 struct Sample {
   std::vector<double> inputs, parameters;
+  bool operator==(Sample const &) const = default;
 };
 
 class SampleSource {
