@@ -1,13 +1,21 @@
+#include "emit/origins/origins.h"
+#include "graph/names.h"
+#include "program/bisection.h"
 #include "program/verification.h"
 #include "program/wrapped_original.h"
 #include "support/files.h"
+#include "support/number.h"
 #include "tool/calls/driver_program.h"
 #include "tool/commands/subcommands.h"
+#include "tool/commands/verify_merge.h"
 #include "tool/commands/verify_numeric.h"
+#include "tool/report/certificate.h"
 #include "tool/report/console.h"
 #include "tool/report/verify_report.h"
 
+#include <algorithm>
 #include <filesystem>
+#include <fmt/format.h>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -24,8 +32,36 @@ struct Options {
   program::VerificationOptions verification;
   CLI::Option *tolerance = nullptr;
   NumericOptions numeric;
-  bool json = false;
+  std::string shard, replay, certificate, check;
+  bool json = false, bisect = false, merge = false;
 };
+
+// "K/N", from 1.
+program::Shard parse_shard(std::string const &text) {
+  std::size_t const slash = text.find('/');
+  auto const number = [&](std::string const &digits) -> std::size_t {
+    bool const is_number =
+        !digits.empty() && digits.size() < 10 && digits.find_first_not_of("0123456789") == digits.npos;
+    return is_number ? std::stoul(digits) : 0;
+  };
+  std::size_t const k = number(text.substr(0, slash)), n = slash == text.npos ? 0 : number(text.substr(slash + 1));
+  if (k == 0 || k > n)
+    fail(DiagnosticId::bad_option, {}, "--shard takes K/N with K from 1 to N, such as 2/8, and not '" + text + "'");
+  return {k - 1, n};
+}
+
+void require_sense(CLI::App const &command) {
+  auto const excludes = [&](char const *one, char const *other, char const *why) {
+    if (command.get_option(one)->count() != 0 && command.get_option(other)->count() != 0)
+      fail(DiagnosticId::option_without_effect, {}, std::string(other) + " has no effect with " + one + ", " + why);
+  };
+  for (char const *drawing : {"--samples", "--seed", "--min-samples", "--shard", "--certificate"})
+    excludes("--replay", drawing, "which tries the samples of a file");
+  for (char const *certified :
+       {"--samples", "--seed", "--min-samples", "--tol", "--shard", "--replay", "--certificate"})
+    excludes("--check", certified, "which does what the certificate says");
+  excludes("--shard", "--certificate", "which tries a share of the samples");
+}
 
 int run_numeric(CLI::App &command, Options &options, Session &session) {
   ProjectOptions &project = options.source.project;
@@ -54,6 +90,7 @@ std::optional<program::Front> make_front(Options const &options, Session &sessio
   request.replay = true;
   request.run.decisions = banner.decisions;
   request.run.floating_point = to_string(banner.mode);
+  request.run.places = true;
   run = request.run;
   std::optional<program::Front> front;
   with_driver(request, options.source.project.calls, console.talk(), console,
@@ -76,7 +113,60 @@ bool has_wrapper(std::string const &generated, program::Recorded const &recorded
   return false;
 }
 
+// Which pass makes the difference, for the user.
+std::string bisected(program::Recorded const &recorded, program::Banner const &banner,
+                     program::Verification const &verification, program::VerificationOptions const &options) {
+  auto const output = std::ranges::find_if(verification.outputs, [](auto const &one) { return one.different != 0; });
+  if (output == verification.outputs.end()) return "bisection: no output differs in a single call";
+  Graph const &graph = recorded.graph;
+  if (!graph.externals.empty() || banner.is_single)
+    return "bisection: a graph of code in single precision, or that calls functions, cannot be evaluated pass by pass";
+  std::optional<program::Culprit> const culprit =
+      program::find_culprit(graph, program::default_pipeline(), PassSettings(banner.mode), options.tolerance,
+                            verification.named.at(output->worst_sample));
+  if (!culprit)
+    return "bisection: no pass of the usual ones changes an output there: the difference comes with the recording, "
+           "with "
+           "the emitted code or with its compilation";
+  std::vector<std::string> const names = identifiers(graph.outputs);
+  std::string text;
+  for (std::size_t i = 0; i < graph.outputs.size(); ++i)
+    if (Object const &object = graph.outputs[i]; culprit->output - object.first < object.count)
+      text = fmt::format("bisection: pass {} is the first to change an output: {} from {} to {}", culprit->pass,
+                         element_name(names[i], object, static_cast<std::uint32_t>(culprit->output - object.first)),
+                         shortest(culprit->before), shortest(culprit->after));
+  if (culprit->rewrites == 0) return text;
+  text += fmt::format("; its rewrite number {} does it: {}", culprit->rewrites, culprit->rule);
+  std::string const place = culprit->location == no_location ? "" : describe_locations(graph, {culprit->location});
+  return place.empty() ? text : text + ", of what stands at " + place;
+}
+
+// Whether the run confirms the certificate.
+bool confirms(std::string const &path, nlohmann::ordered_json const &wanted, nlohmann::ordered_json const &run,
+              Console &console) {
+  std::vector<std::string> const found = differences(wanted, run);
+  if (found.empty()) {
+    console.note("certificate " + path + " holds");
+    return true;
+  }
+  Diagnostic refused{DiagnosticId::certificate_refused, {path}, "this certificate does not hold: " + found.front()};
+  for (std::size_t k = 1; k < found.size(); ++k) refused.notes.push_back({{}, found[k]});
+  console.report(refused);
+  return false;
+}
+
 int run(CLI::App &command, Options &options, Session &session) {
+  require_sense(command);
+  if (!options.shard.empty()) options.verification.shard = parse_shard(options.shard);
+  std::optional<nlohmann::ordered_json> wanted;
+  if (!options.check.empty()) {
+    wanted = read_certificate(options.check);
+    program::VerificationOptions const certified = options_of(*wanted, options.check);
+    options.verification.samples = certified.samples;
+    options.verification.min_samples = certified.min_samples;
+    options.verification.seed = certified.seed;
+    options.verification.tolerance = certified.tolerance;
+  }
   std::vector<std::string> sources = options.files;
   std::vector<std::string> const generated = take_generated(sources);
   if (!sources.empty()) options.source.project.request.sources = sources;
@@ -97,6 +187,7 @@ int run(CLI::App &command, Options &options, Session &session) {
   program::RunOptions as;
   int status = clean;
   nlohmann::ordered_json json = nlohmann::ordered_json::array();
+  std::vector<VerificationRecord> records;
   for (std::size_t k = 0; k < generated.size(); ++k) {
     program::Banner const &banner = banners[k];
     if (!front || banner.decisions != as.decisions || to_string(banner.mode) != as.floating_point) {
@@ -108,18 +199,28 @@ int run(CLI::App &command, Options &options, Session &session) {
     program::Recorded const &recorded = program::require_match(front->kernels, banner, generated[k]);
     program::VerificationOptions asked = options.verification;
     asked.wrapper = !banner.is_single && has_wrapper(generated[k], recorded);
-    if (banner.is_single && options.tolerance->count() == 0) asked.tolerance = program::single_tolerance;
+    if (banner.is_single && options.tolerance->count() == 0 && !wanted) asked.tolerance = program::single_tolerance;
+    if (!options.replay.empty()) asked.replayed = read_samples(options.replay, recorded.graph);
     program::Verification const verification = program::verify(*front, as, recorded, generated[k], banner, asked);
     console.clear();
     print_verification(std::cerr, recorded.graph, verification);
-    if (options.json) json.push_back(to_json(recorded.graph, verification));
-    if (auto failure = verification_failure(recorded.graph, verification, options.verification, generated[k])) {
+    records.push_back(record_of(recorded.graph, generated[k], verification, asked));
+    if (options.json) json.push_back(to_json(records.back()));
+    if (auto failure = verification_failure(recorded.graph, verification, asked, generated[k])) {
+      if (options.bisect) failure->notes.push_back({{}, bisected(recorded, banner, verification, asked)});
       console.report(*failure);
       status = verification_failed;
     }
   }
   if (options.json)
     std::cout << (json.size() == 1 ? json.front() : nlohmann::ordered_json{{"kernels", json}}).dump(2) << "\n";
+  if (!wanted && (options.certificate.empty() || status != clean)) return status;
+  nlohmann::ordered_json const made = certificate({&*front, session.flags, generated}, records);
+  if (wanted && !confirms(options.check, *wanted, made, console)) return verification_failed;
+  if (!options.certificate.empty()) {
+    write_if_changed(options.certificate, made.dump(2) + "\n");
+    console.note("wrote " + options.certificate);
+  }
   return status;
 }
 
@@ -145,9 +246,23 @@ void add_verify(CLI::App &app, Session &session) {
                                         "Largest relative error in mode fast; in single precision 0.001 unless given")
                            ->capture_default_str();
   command->add_flag("--json", options->json, "Print the result as JSON to standard output");
+  command->add_option("--shard", options->shard, "Try only each Nth sample, from the Kth on")->type_name("K/N");
+  command->add_flag("--merge", options->merge, "Instead join the results of all shards, as --json printed them");
+  command
+      ->add_option("--replay", options->replay,
+                   "Try the samples that a result of --json names as the worst, or one of your own")
+      ->type_name("FILE");
+  command->add_flag("--bisect", options->bisect, "If an output differs, find the pass and the rewrite that do it");
+  command->add_option("--certificate", options->certificate, "Write what was verified, and of which files")
+      ->type_name("FILE");
+  command->add_option("--check", options->check, "Verify as a certificate says, and compare with it")
+      ->type_name("FILE");
   command->callback([options, command, &session] {
-    session.status =
-        options->numeric.enabled ? run_numeric(*command, *options, session) : run(*command, *options, session);
+    if (options->merge)
+      session.status = verify_merge(*command, options->files, options->json, session);
+    else
+      session.status =
+          options->numeric.enabled ? run_numeric(*command, *options, session) : run(*command, *options, session);
   });
 }
 

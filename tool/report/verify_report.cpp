@@ -9,15 +9,12 @@
 #include <fmt/format.h>
 #include <fmt/ostream.h>
 #include <limits>
-#include <nlohmann/json.hpp>
 #include <numeric>
 #include <string>
 #include <vector>
 
 namespace symreal::tool {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 std::string ulp_text(std::uint64_t distance) {
   return distance == std::numeric_limits<std::uint64_t>::max() ? "NaN" : std::to_string(distance);
@@ -66,7 +63,7 @@ std::string first_difference(Graph const &graph, program::Verification const &ve
     OutputComparison const &worst = outputs[object.first + element];
     return fmt::format("{}: original {}, {} {}, {} ULP apart, inputs {}", element_name(names[i], object, element),
                        shortest(worst.original), what, shortest(worst.generated), ulp_text(worst.worst_ulp),
-                       list(verification.samples[worst.worst_sample].inputs));
+                       list(verification.named.at(worst.worst_sample).inputs));
   }
   return {};
 }
@@ -126,6 +123,30 @@ void print_guards(std::ostream &out, program::Verification const &verification) 
     fmt::print(out, "  rounding changes the decisions of {} samples\n", verification.guards_different);
 }
 
+// Which decisions gave one answer only. That of a guard's other side is refused, and stands in the table of guards.
+void print_decisions(std::ostream &out, program::Verification const &verification) {
+  std::size_t const both = static_cast<std::size_t>(
+      std::ranges::count_if(verification.decisions, [](program::DecisionCoverage const &decision) {
+        return decision.counts.yes != 0 && decision.counts.no != 0;
+      }));
+  fmt::print(out, "  decisions: {} of {} went both ways", both, verification.decisions.size());
+  if (verification.around != 0)
+    fmt::print(out, "; samples stand on both sides of the boundaries of {}", verification.crossed);
+  fmt::print(out, "\n");
+  constexpr std::size_t most = 16;
+  std::size_t told = 0;
+  for (program::DecisionCoverage const &decision : verification.decisions) {
+    auto const &[yes, no] = decision.counts;
+    if (yes != 0 && no != 0) continue;
+    if (++told > most) continue;
+    fmt::print(out, "    {}: {}\n", decision.place,
+               yes + no == 0 ? "never met"
+                             : fmt::format("always {}, in {} sample{}", yes == 0 ? "false" : "true", yes + no,
+                                           yes + no == 1 ? "" : "s"));
+  }
+  if (told > most) fmt::print(out, "    and {} more\n", told - most);
+}
+
 // What single precision cannot tell is left out, and said.
 void print_single(std::ostream &out, program::Verification const &verification) {
   fmt::print(out, "  single precision: compared to {} of the larger of the original's magnitude and 1\n",
@@ -158,24 +179,6 @@ void print_exact(std::ostream &out, Graph const &graph, program::ExactJudgement 
   }
 }
 
-Json to_json(Graph const &graph, program::ExactJudgement const &exact) {
-  Json json = {{"bits", extended_bits},
-               {"times_as_far", most_times_as_far},
-               {"calls", exact.calls},
-               {"untold", exact.untold},
-               {"outputs", Json::array()}};
-  if (!exact.obstacle.empty()) json["obstacle"] = exact.obstacle;
-  for (Object const &object : graph.outputs)
-    for (std::uint32_t element = 0; element < object.count; ++element)
-      if (program::OutputErrors const &errors = exact.outputs[object.first + element]; errors.calls != 0)
-        json["outputs"].push_back({{"label", object.label},
-                                   {"element", element},
-                                   {"calls", errors.calls},
-                                   {"error", errors.generated},
-                                   {"original_error", errors.original}});
-  return json;
-}
-
 // What extended precision tells of a difference, or why it does not.
 void add_exact_notes(Diagnostic &diagnostic, program::ExactJudgement const &exact) {
   auto const add = [&](std::string note) { diagnostic.notes.push_back({{}, std::move(note)}); };
@@ -197,14 +200,22 @@ std::string guard_difference(program::Verification const &verification) {
   return fmt::format("the original {}, the code returned {}, inputs {}",
                      mismatch.expected.empty() ? "decides as it did while it was recorded"
                                                : "does not satisfy the guard " + mismatch.expected,
-                     mismatch.found, list(verification.samples[mismatch.sample].inputs));
+                     mismatch.found, list(verification.named.at(mismatch.sample).inputs));
+}
+
+// How many must lie inside. What a shard lacks others may have, and who asks for certain samples knows them.
+std::size_t wanted_samples(program::Verification const &verification, program::VerificationOptions const &options) {
+  bool const is_whole = options.shard.count == 1 && options.replayed.empty();
+  return is_whole ? std::min({options.min_samples, options.samples, verification.tried}) : 0;
 }
 
 } // namespace
 
 void print_verification(std::ostream &out, Graph const &graph, program::Verification const &verification) {
-  fmt::print(out, "kernel {}, mode {}{}: {} samples, {} within the premises\n", graph.kernel,
-             to_string(verification.mode), verification.is_single ? ", float" : "", verification.samples.size(),
+  fmt::print(out, "kernel {}, mode {}{}: {} sample{}{}, {} within the premises\n", graph.kernel,
+             to_string(verification.mode), verification.is_single ? ", float" : "",
+             verification.tried - verification.around, verification.tried - verification.around == 1 ? "" : "s",
+             verification.around == 0 ? "" : fmt::format(" and {} around decisions", verification.around),
              verification.inside);
   if (verification.undefined != 0)
     fmt::print(out,
@@ -218,6 +229,7 @@ void print_verification(std::ostream &out, Graph const &graph, program::Verifica
                verification.not_finite, verification.zero_sign, verification.outside_different);
   if (verification.is_single) print_single(out, verification);
   if (!verification.guards.empty()) print_guards(out, verification);
+  if (!verification.decisions.empty()) print_decisions(out, verification);
   if (verification.threads) print_threads(out, *verification.threads);
   print_exact(out, graph, verification.exact);
   if (!verification.wrapped.empty()) fmt::print(out, "  the wrapper was tried as well\n");
@@ -235,48 +247,6 @@ void print_verification(std::ostream &out, Graph const &graph, program::Verifica
                different_elements(object, verification.outputs), ulp_column(object, verification.own_flags_ulp),
                ulp_column(object, verification.own_code_ulp));
   }
-}
-
-Json to_json(Graph const &graph, program::Verification const &verification) {
-  Json json = {{"kernel", graph.kernel},
-               {"mode", to_string(verification.mode)},
-               {"samples", verification.samples.size()},
-               {"inside", verification.inside},
-               {"not_finite", verification.not_finite},
-               {"zero_sign", verification.zero_sign},
-               {"undefined", verification.undefined},
-               {"outputs", Json::array()}};
-  for (Object const &object : graph.outputs)
-    for (std::uint32_t element = 0; element < object.count; ++element) {
-      OutputComparison const &output = verification.outputs[object.first + element];
-      json["outputs"].push_back({{"label", object.label},
-                                 {"element", element},
-                                 {"worst_ulp", output.worst_ulp},
-                                 {"different", output.different}});
-      if (!verification.own_flags_ulp.empty())
-        json["outputs"].back()["own_flags_ulp"] = verification.own_flags_ulp[object.first + element];
-      if (!verification.own_code_ulp.empty())
-        json["outputs"].back()["own_code_ulp"] = verification.own_code_ulp[object.first + element];
-    }
-  if (verification.is_single) {
-    json["real"] = "float";
-    json["decided_otherwise"] = verification.decided_otherwise;
-    json["lost"] = verification.lost;
-  }
-  if (verification.threads) json["parallel"] = to_json(*verification.threads);
-  if (verification.exact.calls != 0) json["extended"] = to_json(graph, verification.exact);
-  if (!verification.guards.empty()) json["refused"] = verification.refused;
-  json["rewritten_different"] = program::count_different(verification.rewritten);
-  json["called_again_different"] = program::count_different(verification.called_again);
-  json["left_behind"] = Json::array();
-  for (program::LeftState const &left : verification.left)
-    json["left_behind"].push_back({{"name", left.name}, {"samples", left.samples}});
-  std::size_t evaluated = verification.inside + verification.refused; // a guard is where those before it hold
-  for (program::GuardCheck const &guard : verification.guards) {
-    json["guards"].push_back({{"text", guard.text}, {"evaluated", evaluated}, {"failed", guard.failed}});
-    evaluated -= std::min(guard.failed, evaluated);
-  }
-  return json;
 }
 
 std::optional<Diagnostic> verification_failure(Graph const &graph, program::Verification const &verification,
@@ -319,18 +289,19 @@ std::optional<Diagnostic> verification_failure(Graph const &graph, program::Veri
                                   verification.outputs.size()),
                       {{{}, first_difference(graph, verification, verification.wrapped, "wrapper's")}}};
   if (auto failure = state_failure(graph, verification.left_by_wrapper, "wrapper")) return failure;
-  if (verification.inside < std::min(options.min_samples, options.samples))
+  std::size_t const wanted = wanted_samples(verification, options);
+  if (verification.inside < wanted)
     return Diagnostic{DiagnosticId::too_few_samples,
                       {file},
                       fmt::format("only {} samples lie within the premises of mode {}, and {} are required",
-                                  verification.inside, to_string(verification.mode), options.min_samples)};
+                                  verification.inside, to_string(verification.mode), wanted)};
   std::size_t const lost = verification.is_single ? *std::ranges::max_element(verification.lost) : 0;
-  if (verification.inside - lost < std::min(options.min_samples, options.samples))
+  if (verification.inside - lost < wanted)
     return Diagnostic{DiagnosticId::too_few_samples,
                       {file},
                       fmt::format("only {} samples can be compared in single precision, and {} are required: --tol {} "
                                   "asks for more than float holds of the others",
-                                  verification.inside - lost, options.min_samples, verification.tolerance)};
+                                  verification.inside - lost, wanted, verification.tolerance)};
   return {};
 }
 

@@ -3,8 +3,6 @@
 
 #include "program/verification.h"
 
-#include <nlohmann/json_fwd.hpp>
-
 #include <optional>
 #include <ostream>
 
@@ -12,7 +10,6 @@ namespace symreal::tool {
 
 // The worst distance per output.
 void print_verification(std::ostream &out, Graph const &graph, program::Verification const &verification);
-nlohmann::ordered_json to_json(Graph const &graph, program::Verification const &verification);
 
 // Why the verification has failed, if it has.
 std::optional<Diagnostic> verification_failure(Graph const &graph, program::Verification const &verification,

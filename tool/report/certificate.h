@@ -1,0 +1,34 @@
+// A certificate: what was verified, of which files, and what came out, in a JSON file that others can check against
+// their own run.
+#pragma once
+
+#include "tool/report/verification_record.h"
+
+#include <nlohmann/json.hpp>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace symreal::tool {
+
+// What a verification is of: the files of the program within its roots, the generated files, and the graphs between
+// them, each by the SHA-256 of its text.
+struct Verified {
+  program::Front const *front;
+  std::vector<std::string> flags, generated;
+};
+
+// Its last member is the hash of all before it, so that a certificate that was edited is none.
+nlohmann::ordered_json certificate(Verified const &verified, std::vector<VerificationRecord> const &records);
+
+// Throws verification_file for a file that is no certificate of this version of Symreal, or was edited.
+nlohmann::ordered_json read_certificate(std::string const &path);
+
+// The options under which it was made. Throws verification_file.
+program::VerificationOptions options_of(nlohmann::ordered_json const &certificate, std::string const &path);
+
+// What the run shows otherwise than the certificate says; empty if nothing. What depends on the clock is not compared.
+std::vector<std::string> differences(nlohmann::ordered_json const &certificate, nlohmann::ordered_json const &run);
+
+} // namespace symreal::tool

@@ -1,0 +1,49 @@
+#include "tool/report/verification_record.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace symreal::tool {
+
+VerificationRecord record_of(Graph const &graph, std::string const &file, program::Verification verification,
+                             program::VerificationOptions const &options) {
+  VerificationRecord record{{}, file, std::move(verification), options, {options.shard.index}};
+  record.graph.kernel = graph.kernel;
+  record.graph.outputs = graph.outputs;
+  record.options.replayed.clear();
+  return record;
+}
+
+// Of what must be the same in all shards, the first that is not.
+static std::string difference(VerificationRecord const &one, VerificationRecord const &other) {
+  program::Verification const &a = one.verification, &b = other.verification;
+  if (one.graph.kernel != other.graph.kernel) return "it is of kernel '" + other.graph.kernel + "'";
+  if (one.file != other.file) return "it is of '" + other.file + "'";
+  if (a.mode != b.mode || a.is_single != b.is_single || a.tolerance != b.tolerance)
+    return "it is of another mode or tolerance";
+  if (a.outputs.size() != b.outputs.size() || a.guards.size() != b.guards.size() ||
+      a.decisions.size() != b.decisions.size() || a.wrapped.size() != b.wrapped.size() ||
+      a.own_flags_ulp.size() != b.own_flags_ulp.size() || a.own_code_ulp.size() != b.own_code_ulp.size())
+    return "its kernel has another shape";
+  if (one.options.samples != other.options.samples || one.options.seed != other.options.seed)
+    return "it has other samples or another seed";
+  if (one.options.shard.count != other.options.shard.count)
+    return fmt::format("it is a shard of {}, and not of {}", other.options.shard.count, one.options.shard.count);
+  return {};
+}
+
+void join(VerificationRecord &record, VerificationRecord const &other, std::string const &path) {
+  if (std::string const text = difference(record, other); !text.empty())
+    fail(DiagnosticId::verification_file, {path}, "this file cannot be joined with those before it: " + text);
+  for (std::size_t shard : other.shards) {
+    if (std::ranges::find(record.shards, shard) != record.shards.end())
+      fail(DiagnosticId::verification_file, {path},
+           fmt::format("this file cannot be joined with those before it: both are of shard {}", shard + 1));
+    record.shards.push_back(shard);
+  }
+  std::ranges::sort(record.shards);
+  program::join(record.verification, other.verification);
+}
+
+} // namespace symreal::tool
