@@ -3,6 +3,7 @@
 
 #include "algebra/recovery.h"
 #include "graph/graph.h"
+#include "ops/cost_model.h"
 #include "ops/floating_point.h"
 
 #include <span>
@@ -14,12 +15,17 @@ namespace symreal {
 
 struct RewriteLimit;
 
-// What a pass may do, and how long it may search for more. Of a mode alone it has the usual effort.
+// What a pass may do, how long it may search for more, and what is the cheaper of two ways. Of a mode alone it has the
+// usual effort and costs.
 struct PassSettings {
-  PassSettings(FloatingPoint mode, int effort = algebra::usual_effort) : mode(mode), effort(effort) {}
+  PassSettings(FloatingPoint mode, int effort = algebra::usual_effort, CostModel const &costs = usual_costs())
+      : mode(mode),
+        effort(effort),
+        costs(costs) {}
 
   FloatingPoint mode;
-  int effort;                    // of pass `recover`: algebra/recovery.h
+  int effort; // of pass `recover`: algebra/recovery.h
+  CostModel costs;
   RewriteLimit *limit = nullptr; // of passes that rewrite node by node: sweep.h
 };
 

@@ -27,7 +27,8 @@ bool holds_for_value(Condition condition, double k) {
   switch (condition) {
   case Condition::always:
   case Condition::x_newer:
-  case Condition::x_truth: return true;
+  case Condition::x_truth:
+  case Condition::x_variable: return true;
   case Condition::k_negative: return k < 0;
   case Condition::k_zero: return k == 0;
   case Condition::k_nonzero: return k != 0;
@@ -44,13 +45,21 @@ static bool match_number(double wanted, double value, FloatingPoint mode) {
   return wanted == value;
 }
 
+static bool may_stand_for(char letter, Node const &node) {
+  switch (letter) {
+  case 'k': return node.is_constant();
+  case 'p': return node.attribute == Attribute::parametric;
+  default: return true;
+  }
+}
+
 // Patterns are at most two operations deep, so the recursion is bounded by the table, not by the graph.
 static bool match_term(Term const &term, FloatingPoint mode, NodeId id, NodeTable const &table, Bindings &bindings) {
   Node const &node = table[id];
   switch (term.kind) {
   case Term::Kind::number: return node.is_constant() && match_number(term.number, node.value(), mode);
   case Term::Kind::variable:
-    if (term.variable == 'k' && !node.is_constant()) return false;
+    if (!may_stand_for(term.variable, node)) return false;
     if (bindings[term.variable] == no_node) bindings[term.variable] = id;
     return bindings[term.variable] == id;
   case Term::Kind::operation: break;
@@ -65,7 +74,7 @@ static bool match_term(Term const &term, FloatingPoint mode, NodeId id, NodeTabl
 static bool may_match(Term const &term, Node const &node) {
   switch (term.kind) {
   case Term::Kind::number: return node.is_constant();
-  case Term::Kind::variable: return term.variable != 'k' || node.is_constant();
+  case Term::Kind::variable: return may_stand_for(term.variable, node);
   case Term::Kind::operation: break;
   }
   return node.op == term.op;
@@ -88,6 +97,7 @@ bool match(Rule const &rule, Node const &node, NodeTable const &table, Bindings 
     if (!matched) continue;
     if (rule.condition == Condition::x_newer && !is_newer(bindings['x'], bindings['y'], table)) continue;
     if (rule.condition == Condition::x_truth && !is_truth(table[bindings['x']])) continue;
+    if (rule.condition == Condition::x_variable && table[bindings['x']].attribute != Attribute::variable) continue;
     double k = bindings['k'] == no_node ? 0 : table[bindings['k']].value();
     if (holds_for_value(rule.condition, k)) return true;
   }

@@ -12,7 +12,7 @@
 namespace symreal {
 
 enum class Topic : unsigned { identities = 1, signs = 2, algebra = 4 };
-enum class Condition { always, k_negative, k_zero, k_nonzero, k_has_exact_inverse, x_newer, x_truth };
+enum class Condition { always, k_negative, k_zero, k_nonzero, k_has_exact_inverse, x_newer, x_truth, x_variable };
 
 struct Rule {
   Topic topic;

@@ -9,14 +9,15 @@
 namespace symreal {
 namespace {
 
-bool is_constant(Term const &term) {
-  if (term.kind == Term::Kind::variable) return term.variable == 'k';
-  return std::ranges::all_of(term.operands, is_constant);
+bool is_free(Term const &term) {
+  if (term.kind == Term::Kind::variable) return term.variable == 'k' || term.variable == 'p';
+  return std::ranges::all_of(term.operands, is_free);
 }
 
-// What a term has to compute, by the costs of its operations. Those on constants alone are folded.
+// What a term has to compute, by the costs of its operations. Those on constants alone are folded, those on parameters
+// are done by preprocess.
 int cost(Term const &term) {
-  if (is_constant(term) || term.kind == Term::Kind::variable) return 0;
+  if (is_free(term) || term.kind == Term::Kind::variable) return 0;
   int sum = info(term.op).cost;
   for (Term const &operand : term.operands) sum += cost(operand);
   return sum;
@@ -43,10 +44,12 @@ public:
   // back, is told; the text is empty where there is none.
   std::string follow(Rule const &rule) {
     std::string const letters = letters_of(rule.pattern);
-    std::vector<NodeId> const any = some_nodes(), constants = some_constants(), truths = some_truths();
+    std::vector<NodeId> const any = some_nodes(), constants = some_constants(), truths = some_truths(),
+                              parametric = some_parametric();
     std::vector<std::vector<NodeId> const *> choices;
     for (char letter : letters)
       choices.push_back(letter == 'k'                                           ? &constants
+                        : letter == 'p'                                         ? &parametric
                         : letter == 'x' && rule.condition == Condition::x_truth ? &truths
                                                                                 : &any);
     for (std::vector<std::size_t> at(letters.size(), 0);;) {
@@ -84,6 +87,10 @@ private:
     nodes.push_back(make(Op::mul, {nodes[0], nodes[1], no_node}));
     for (double value : {0.0, 1.0, -2.0}) nodes.push_back(table_.constant(value));
     return nodes;
+  }
+  std::vector<NodeId> some_parametric() {
+    NodeId const first = table_.intern(Node::parameter(0)), second = table_.intern(Node::parameter(1));
+    return {first, make(Op::neg, {first, no_node, no_node}), make(Op::div, {first, second, no_node})};
   }
   std::vector<NodeId> some_truths() {
     NodeId const first = table_.intern(Node::input(0)), second = table_.intern(Node::input(1));
