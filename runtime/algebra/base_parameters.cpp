@@ -140,7 +140,7 @@ public:
   Substitution(Network const &network, ParameterColumns const &columns)
       : network_(network),
         columns_(columns),
-        result_(network.hazards()),
+        result_(network.context()),
         as_it_was_(network.size()),
         now_(network.size()) {}
 

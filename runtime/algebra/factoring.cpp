@@ -17,7 +17,7 @@ public:
         expression_(expansion.atoms, no_index),
         now_(expansion.atoms),
         is_done_(expansion.atoms, 0),
-        result_(old.hazards()) {
+        result_(old.context()) {
     for (Index i = 0; i < expansion.expressions.size(); ++i) expression_[expansion.expressions[i].atom] = i;
     for (auto const &[atom, integer] : expansion.integers) {
       now_[atom] = result_.constant(static_cast<double>(integer));

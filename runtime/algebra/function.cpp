@@ -1,5 +1,5 @@
-// What algebra knows of functions: of sine and cosine that their squares add up to 1, of others whether they are odd or
-// even, and where they are defined.
+// What algebra knows of functions: of sine and cosine what it is at points of the unit circle, of others whether they
+// are odd or even, and where they are defined.
 #include "algebra/network.h"
 
 #include <algorithm>
@@ -60,23 +60,23 @@ Literal Network::function(Function made) {
   }
   // What it is of constants is not known here.
   Attribute attribute = info(made.op).has(flag::EFFECT) ? Attribute::variable : Attribute::parametric;
-  HazardSet hazards = no_hazard;
+  HazardSet rests_on = no_hazard;
   for (std::size_t i = 0; i < made.arity; ++i) {
     NetworkNode const &operand = (*this)[made.operands[i]];
     attribute = std::max(attribute, operand.attribute);
-    hazards = hazards_->unite(hazards, operand.hazards);
+    rests_on = hazards().unite(rests_on, operand.hazards);
   }
-  NetworkNode node = {Kind::function, attribute, hazards, {static_cast<std::uint32_t>(functions_.size())}, {}, {}};
-  if (made.op == Op::sin)
-    node.value = sine(value(made.operands[0]));
-  else if (made.op == Op::cos)
-    node.value = cosine(value(made.operands[0]));
+  NetworkNode node = {Kind::function, attribute, rests_on, {static_cast<std::uint32_t>(functions_.size())}, {}, {}};
+  if (made.op == Op::sin && made.origin == 0)
+    node.value = context_->angles.sine(value(made.operands[0]));
+  else if (made.op == Op::cos && made.origin == 0)
+    node.value = context_->angles.cosine(value(made.operands[0]));
   else
     node.value = opaque_value(made, *this);
   if (!is_total(made.op)) {
     // Of what its operands rest on, it shields all but the inputs.
-    HazardSet const itself = hazards_->of_operation(node.value.key() << 1 | 1);
-    node.hazards = hazards_->unite(hazards_->inputs_in(hazards), itself);
+    HazardSet const itself = hazards().of_operation(node.value.key() << 1 | 1);
+    node.hazards = hazards().unite(hazards().inputs_in(rests_on), itself);
   }
   functions_.push_back(made);
   return intern(node, 0).negated_if(negative);

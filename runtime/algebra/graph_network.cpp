@@ -45,7 +45,9 @@ private:
       }
     }
     Function function{node.op, arity(node.op), {}};
-    if (info(node.op).has(flag::EFFECT)) function.origin = id + 1;
+    bool const is_exact = !graph_.node_exact.empty() && graph_.node_exact[id];
+    bool const is_known = node.op == Op::sin || node.op == Op::cos;
+    if (info(node.op).has(flag::EFFECT) || (is_exact && is_known)) function.origin = id + 1;
     for (std::size_t i = 0; i < function.arity; ++i) {
       NodeId const from = node.operand[i];
       function.operands[i] = graph_.nodes[from].is_constant() ? exact(from) : operand(i);
@@ -56,7 +58,7 @@ private:
   Literal leaf(NodeId id) {
     Node const &node = graph_.nodes[id];
     if (node.op == Op::input) {
-      HazardSet const itself = network_.hazards()->of_input(node.slot());
+      HazardSet const itself = network_.hazards().of_input(node.slot());
       return network_.leaf(id, node.attribute, itself, random_value(node.slot()));
     }
     if (node.op == Op::parameter) return network_.leaf(id, node.attribute, no_hazard, random_parameter(node.slot()));
@@ -162,7 +164,7 @@ private:
 } // namespace
 
 Network network_of(Graph const &graph) {
-  Network network(std::make_shared<HazardSets>());
+  Network network(std::make_shared<Context>());
   Import(graph, network).run();
   return network;
 }
@@ -172,7 +174,7 @@ std::optional<Graph> graph_of(Network const &network, Graph const &graph) {
   if (!made.run()) return std::nullopt;
   // What the old nodes were called and where they stood, and that they are exact, is that of the new ones with the same
   // value.
-  Network values(network.hazards());
+  Network values(network.context());
   Import old(graph, values);
   std::vector<NodeId> now(graph.nodes.size(), no_node);
   if (!graph.node_location.empty() || !graph.node_name.empty() || !graph.node_exact.empty()) {

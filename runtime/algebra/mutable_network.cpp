@@ -114,7 +114,7 @@ Literal MutableNetwork::make(Kind kind, Literal a, Literal b) {
   Value const made = kind == Kind::sum ? value(a) + value(b) : value(a) * value(b);
   NetworkNode const &x = nodes_[a.node()], &y = nodes_[b.node()];
   NetworkNode const node = {
-      kind, std::max(x.attribute, y.attribute), source_.hazards()->unite(x.hazards, y.hazards), a, b, made};
+      kind, std::max(x.attribute, y.attribute), source_.hazards().unite(x.hazards, y.hazards), a, b, made};
   Index const id = append(node);
   add_user(a, id);
   add_user(b, id);
@@ -137,7 +137,7 @@ void MutableNetwork::replace(Index node, Kind kind, Literal a, Literal b) {
 
 // Its operands first, in whatever order they now have.
 Network MutableNetwork::finished() const {
-  Network result(source_.hazards());
+  Network result(source_.context());
   std::vector<Literal> now(nodes_.size());
   std::vector<char> is_done(nodes_.size(), 0);
   auto map = [&](Literal old) { return now[old.node()].negated_if(old.is_negative()); };

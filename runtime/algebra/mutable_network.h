@@ -15,7 +15,7 @@ public:
   Value value(Literal literal) const;
   bool is_alive(Index node) const { return references_[node] > 0; }
   std::span<Index const> users(Index node) const { return users_[node]; }
-  HazardSets const &hazards() const { return *source_.hazards(); }
+  HazardSets const &hazards() const { return source_.hazards(); }
   template <class Visit> void for_each_operand(Index node, Visit const &visit) const {
     source_.for_each_operand(nodes_[node], visit);
   }

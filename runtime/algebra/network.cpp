@@ -5,7 +5,7 @@
 
 namespace symreal::algebra {
 
-Network::Network(std::shared_ptr<HazardSets> hazards) : places_(64, no_index), hazards_(std::move(hazards)) {
+Network::Network(std::shared_ptr<Context> context) : places_(64, no_index), context_(std::move(context)) {
   constant(0.0);
   constant(1.0);
 }
@@ -54,10 +54,10 @@ Literal Network::intern(NetworkNode const &node, long double scale) {
   for (bool negative : {false, true}) {
     Value const value = negative ? -old.value : old.value;
     if (!equal_in_field(value, node.value) || !confirmed(value, node.value, scale)) continue;
-    if (old.attribute <= node.attribute && hazards_->is_subset(old.hazards, node.hazards))
+    if (old.attribute <= node.attribute && hazards().is_subset(old.hazards, node.hazards))
       return Literal::of(known, negative);
     // The cheaper one, or the one that rests on less, is the one to be found from now on.
-    if (node.attribute <= old.attribute && hazards_->is_subset(node.hazards, old.hazards)) known = made;
+    if (node.attribute <= old.attribute && hazards().is_subset(node.hazards, old.hazards)) known = made;
     break;
   }
   nodes_.push_back(node);
@@ -89,7 +89,7 @@ Literal Network::sum(Literal a, Literal b) {
   a = a.negated_if(negative), b = b.negated_if(negative);
   NetworkNode const &x = (*this)[a], &y = (*this)[b];
   NetworkNode const node = {
-      Kind::sum, std::max(x.attribute, y.attribute), hazards_->unite(x.hazards, y.hazards), a, b, value(a) + value(b)};
+      Kind::sum, std::max(x.attribute, y.attribute), hazards().unite(x.hazards, y.hazards), a, b, value(a) + value(b)};
   long double const scale = std::fmax(scale_of(x.value), scale_of(y.value));
   if (node.value.is_zero() && confirmed(node.value, value(zero()), scale)) return zero();
   if (node.attribute != Attribute::constant && is_number(node.value)) return constant(node.value).negated_if(negative);
@@ -105,7 +105,7 @@ Literal Network::product(Literal a, Literal b) {
   if (a.bits > b.bits) std::swap(a, b);
   NetworkNode const &x = (*this)[a], &y = (*this)[b];
   NetworkNode const node = {
-      Kind::product,    std::max(x.attribute, y.attribute), hazards_->unite(x.hazards, y.hazards), a, b,
+      Kind::product,    std::max(x.attribute, y.attribute), hazards().unite(x.hazards, y.hazards), a, b,
       x.value * y.value};
   if (node.attribute != Attribute::constant && is_number(node.value)) return constant(node.value).negated_if(negative);
   return intern(node, 0).negated_if(negative);
@@ -120,10 +120,10 @@ Literal Network::quotient(Literal a, Literal b) {
   NetworkNode const &x = (*this)[a], &y = (*this)[b];
   // What divides by a number or a parameter multiplies by its inverse, which costs nothing.
   if (y.is_free() && a != one()) return product(a, quotient(one(), b)).negated_if(negative);
-  HazardSet const division = y.kind == Kind::constant ? no_hazard : hazards_->of_operation(y.value.key() << 1);
+  HazardSet const division = y.kind == Kind::constant ? no_hazard : hazards().of_operation(y.value.key() << 1);
   NetworkNode const node = {Kind::quotient,
                             std::max(x.attribute, y.attribute),
-                            hazards_->unite(hazards_->unite(x.hazards, y.hazards), division),
+                            hazards().unite(hazards().unite(x.hazards, y.hazards), division),
                             a,
                             b,
                             x.value * inverse(y.value)};
@@ -150,7 +150,7 @@ Network rebuilt(Network const &network) {
   std::vector<char> const live = live_nodes(network);
   std::vector<Literal> now(network.size());
   auto literal = [&](Literal old) { return now[old.node()].negated_if(old.is_negative()); };
-  Network result(network.hazards());
+  Network result(network.context());
   for (Index node = 0; node < network.size(); ++node)
     if (live[node]) now[node] = result.copy(network, network[node], literal);
   for (Literal root : network.roots) result.roots.push_back(literal(root));

@@ -6,7 +6,7 @@
 // and s^2 + c^2 are found at once.
 #pragma once
 
-#include "algebra/hazards.h"
+#include "algebra/context.h"
 #include "algebra/value.h"
 #include "graph/node.h"
 
@@ -46,7 +46,8 @@ struct NetworkNode {
   int cost() const { return !is_arithmetic() || is_free() ? 0 : kind == Kind::quotient ? info(Op::div).cost : 1; }
 };
 
-// An operation that algebra does not look into. `origin` is not 0 where it is equal to no other.
+// An operation that algebra does not look into. `origin` is not 0 where it is equal to no other, and nothing is known
+// of its value.
 struct Function {
   Op op;
   std::uint32_t arity;
@@ -56,7 +57,7 @@ struct Function {
 
 class Network {
 public:
-  explicit Network(std::shared_ptr<HazardSets> hazards);
+  explicit Network(std::shared_ptr<Context> context);
 
   Literal zero() const { return Literal::of(0); }
   Literal one() const { return Literal::of(1); }
@@ -77,7 +78,8 @@ public:
   Value value(Literal literal) const;
   // The node with this value or its negative.
   std::optional<Literal> find(Value const &value) const;
-  std::shared_ptr<HazardSets> const &hazards() const { return hazards_; }
+  std::shared_ptr<Context> const &context() const { return context_; }
+  HazardSets &hazards() const { return context_->hazards; }
 
   template <class Visit> void for_each_operand(NetworkNode const &node, Visit const &visit) const {
     if (node.is_arithmetic()) {
@@ -99,7 +101,7 @@ private:
   std::vector<Function> functions_;
   std::vector<Index> places_; // open addressing by Value::key
   std::size_t used_ = 0;
-  std::shared_ptr<HazardSets> hazards_;
+  std::shared_ptr<Context> context_;
 };
 
 // Which nodes the roots need.

@@ -13,7 +13,7 @@ Network with_common_reciprocals(Network const &network) {
 
   std::vector<Literal> now(network.size());
   auto literal = [&](Literal old) { return now[old.node()].negated_if(old.is_negative()); };
-  Network result(network.hazards());
+  Network result(network.context());
   for (Index node = 0; node < network.size(); ++node) {
     if (!live[node]) continue;
     Literal const a = network[node].a, b = network[node].b;

@@ -1,5 +1,6 @@
 #include "algebra/recovery.h"
 
+#include "algebra/angle_sums.h"
 #include "algebra/base_parameters.h"
 #include "algebra/graph_network.h"
 #include "algebra/reciprocals.h"
@@ -12,13 +13,13 @@ namespace symreal::algebra {
 
 namespace {
 
-// By the costs in the table of operations; what is free counts nothing.
-std::size_t cost_of(Graph const &graph) {
+// What is free counts nothing.
+double cost_of(Graph const &graph, CostModel const &costs) {
   std::vector<char> const live = symreal::live_nodes(graph);
-  std::size_t sum = 0;
+  double sum = 0;
   for (NodeId id = 0; id < graph.nodes.size(); ++id) {
     Node const &node = graph.nodes[id];
-    if (live[id] && !is_leaf(node.op) && node.attribute == Attribute::variable) sum += info(node.op).cost;
+    if (live[id] && !is_leaf(node.op) && node.attribute == Attribute::variable) sum += costs[node.op];
   }
   return sum;
 }
@@ -91,8 +92,9 @@ Network searched(Network const &network, int effort) {
 }
 
 // Where the search begins.
-Network start_of(Graph const &graph) {
-  Network network = rebuilt(with_common_reciprocals(rebuilt(network_of(graph))));
+Network start_of(Graph const &graph, CostModel const &costs) {
+  Network const related = with_calls_of_angle_sums(with_angle_sums(rebuilt(network_of(graph)), costs), costs);
+  Network network = rebuilt(with_common_reciprocals(rebuilt(related)));
   if (std::optional<Network> base = with_base_parameters(network); base && cost_of(*base) < cost_of(network))
     return rebuilt(*base);
   return network;
@@ -100,11 +102,11 @@ Network start_of(Graph const &graph) {
 
 } // namespace
 
-Graph recover_structure(Graph const &graph, int effort) {
+Graph recover_structure(Graph const &graph, int effort, CostModel const &costs) {
   if (effort == 0) return graph;
-  Network const network = start_of(graph);
+  Network const network = start_of(graph, costs);
   std::optional<Graph> result = graph_of(rebuilt(searched(network, effort)), graph);
-  if (!result || cost_of(*result) >= cost_of(graph)) return graph;
+  if (!result || cost_of(*result, costs) >= cost_of(graph, costs)) return graph;
   return std::move(*result);
 }
 

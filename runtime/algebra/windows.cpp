@@ -63,7 +63,7 @@ public:
         search_(search),
         now_(network.size()),
         window_of_(network.size(), 0),
-        result_(network.hazards()) {}
+        result_(network.context()) {}
 
   Network run() {
     cut(RandomOrder(network_, search_.random).order);
@@ -111,7 +111,7 @@ private:
   void improve(std::vector<Index> const &window) {
     // The tags of its leaves are places in `outside`.
     std::vector<Index> outside;
-    Network part(network_.hazards());
+    Network part(network_.context());
     for (Index node : window) {
       auto operand = [&](Literal old) {
         Index const from = old.node();

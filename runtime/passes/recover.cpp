@@ -6,7 +6,7 @@ namespace symreal {
 // `preprocess` has split stays as it is.
 Graph pass_recover(Graph const &graph, PassSettings const &settings) {
   if (settings.mode != FloatingPoint::fast || settings.effort == 0 || !graph.precomputed.empty()) return graph;
-  return algebra::recover_structure(pass_simplify(graph, settings), settings.effort);
+  return algebra::recover_structure(pass_simplify(graph, settings), settings.effort, settings.costs);
 }
 
 } // namespace symreal

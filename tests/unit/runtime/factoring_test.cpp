@@ -10,7 +10,7 @@ namespace {
 
 class Factoring : public ::testing::Test {
 protected:
-  Network network{std::make_shared<HazardSets>()};
+  Network network{std::make_shared<Context>()};
   Search search{1};
 
   Literal input(std::uint32_t slot) { return network.leaf(slot, Attribute::variable, no_hazard, random_value(slot)); }

@@ -10,7 +10,7 @@ namespace symreal::algebra {
 namespace {
 
 struct Fixture : ::testing::Test {
-  Network network{std::make_shared<HazardSets>()};
+  Network network{std::make_shared<Context>()};
   Literal x = input(0), y = input(1), z = input(2);
 
   Literal input(std::uint32_t slot) { return network.leaf(slot, Attribute::variable, no_hazard, random_value(slot)); }
@@ -60,33 +60,33 @@ TEST_F(NetworkTest, NothingComesToRestOnADivision) {
   Literal const bare = network.sum(z, y);
   Literal const guarded = network.sum(network.product(network.quotient(z, x), x), y);
   EXPECT_EQ(guarded, bare) << "this way round it may be";
-  EXPECT_FALSE(network.hazards()->is_subset(network[there].hazards, network[bare].hazards));
+  EXPECT_FALSE(network.hazards().is_subset(network[there].hazards, network[bare].hazards));
 }
 
 TEST_F(NetworkTest, WhatRestsOnLessIsFoundLater) {
-  Network other(std::make_shared<HazardSets>());
+  Network other(std::make_shared<Context>());
   Literal const a = other.leaf(0, Attribute::variable, no_hazard, random_value(0));
   Literal const b = other.leaf(1, Attribute::variable, no_hazard, random_value(1));
   Literal const root = other.function({Op::sqrt, 1, {a}});
   // a + b, once by way of the root, which the second must not rest on.
   Literal const first = other.sum(other.sum(a, root), other.sum(b, -root));
   Literal const second = other.sum(a, b);
-  EXPECT_TRUE(other.hazards()->is_subset(other[second].hazards, no_hazard));
+  EXPECT_TRUE(other.hazards().is_subset(other[second].hazards, no_hazard));
   (void)first;
 }
 
 // x + y - y with y in it would be lost in rounding where y is large.
 TEST_F(NetworkTest, NothingComesToRestOnAnotherInput) {
-  Network other(std::make_shared<HazardSets>());
+  Network other(std::make_shared<Context>());
   auto leaf = [&](std::uint32_t slot) {
-    return other.leaf(slot, Attribute::variable, other.hazards()->of_input(slot), random_value(slot));
+    return other.leaf(slot, Attribute::variable, other.hazards().of_input(slot), random_value(slot));
   };
   Literal const a = leaf(0), b = leaf(1);
   Literal const square = other.product(a, a);
   Literal const long_way = other.sum(other.product(other.sum(a, b), other.sum(a, -b)), other.product(b, b));
   EXPECT_EQ(long_way, square) << "this way round it may be";
-  EXPECT_FALSE(other.hazards()->is_subset(other[b].hazards, other[square].hazards));
-  EXPECT_EQ(other.hazards()->inputs_in(other[other.quotient(a, b)].hazards), other[other.sum(a, b)].hazards);
+  EXPECT_FALSE(other.hazards().is_subset(other[b].hazards, other[square].hazards));
+  EXPECT_EQ(other.hazards().inputs_in(other[other.quotient(a, b)].hazards), other[other.sum(a, b)].hazards);
 }
 
 TEST_F(NetworkTest, CommonDenominatorsDivideOnce) {
