@@ -31,12 +31,14 @@ static PassInfo const &find_pass(std::string_view name) {
 }
 
 std::vector<std::string> parse_passes(std::string_view text) {
-  if (text == "default") return default_passes();
   std::vector<std::string> names;
   if (text == "none") return names;
   while (true) {
-    std::size_t comma = std::min(text.find(','), text.size());
-    names.emplace_back(find_pass(text.substr(0, comma)).name);
+    std::size_t const comma = std::min(text.find(','), text.size());
+    if (std::string_view const name = text.substr(0, comma); name == "default")
+      std::ranges::move(default_passes(), std::back_inserter(names));
+    else
+      names.emplace_back(find_pass(name).name);
     if (comma == text.size()) return names;
     text.remove_prefix(comma + 1);
   }

@@ -43,7 +43,7 @@ std::span<PassInfo const> pass_table();
 
 std::vector<std::string> default_passes();
 
-// "a,b,c", "default" or "none". Throws unknown_pass.
+// "a,b,c", where "default" stands for those that run by default; or "none". Throws unknown_pass.
 std::vector<std::string> parse_passes(std::string_view text);
 
 // Runs the passes one after the other and validates the graph after each. Throws unknown_pass.
