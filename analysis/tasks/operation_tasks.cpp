@@ -16,12 +16,13 @@ OperationCosts table_costs() {
 
 OperationTasks operation_tasks(Graph const &graph, OperationCosts const &costs) {
   std::vector<char> const live = live_nodes(graph);
+  std::vector<char> const recomputed = recomputed_nodes(graph);
   bool const split = !graph.precomputed.empty();
   std::vector<TaskId> task_of(graph.nodes.size(), no_node);
   OperationTasks result;
   for (NodeId id = 0; id < graph.nodes.size(); ++id) {
     Node const &node = graph.nodes[id];
-    if (!live[id] || is_leaf(node.op) || (split && node.attribute != Attribute::variable)) continue;
+    if (!live[id] || is_leaf(node.op) || (split && node.attribute != Attribute::variable && !recomputed[id])) continue;
     std::array<TaskId, 3> before;
     std::size_t count = 0;
     for (NodeId operand : node.operand)

@@ -56,6 +56,25 @@ void carry_over(Graph const &graph, std::vector<NodeId> const &now, Graph &resul
   }
 }
 
+std::vector<char> recomputed_nodes(Graph const &graph) {
+  std::vector<char> needed(graph.nodes.size(), 0), stored(graph.nodes.size(), 0);
+  if (graph.precomputed.empty()) return needed;
+  for_each_root(graph, [&](NodeId root) { needed[root] = 1; });
+  for (NodeId id : graph.precomputed) stored[id] = 1;
+  for (std::size_t id = graph.nodes.size(); id-- > 0;) {
+    Node const &node = graph.nodes[id];
+    if (!needed[id] || stored[id] || is_leaf(node.op)) continue;
+    for (NodeId operand : node.operand)
+      if (operand != no_node) needed[operand] = 1;
+  }
+  for (std::size_t id = 0; id < needed.size(); ++id) {
+    Node const &node = graph.nodes[id];
+    needed[id] = needed[id] && !stored[id] && !is_leaf(node.op) && !info(node.op).has(flag::STRUCTURE) &&
+                 node.attribute == Attribute::parametric;
+  }
+  return needed;
+}
+
 std::vector<char> live_nodes(Graph const &graph) {
   std::vector<char> live(graph.nodes.size(), 0);
   for_each_root(graph, [&](NodeId root) { live[root] = 1; });

@@ -7,6 +7,7 @@ namespace symreal {
 
 struct CostModel {
   std::array<double, static_cast<std::size_t>(Op::count)> costs{}; // leaves are free
+  double load = 1;                                                 // of a number that function `preprocess` has stored
 
   double operator[](Op op) const { return costs[static_cast<std::size_t>(op)]; }
 };
