@@ -50,11 +50,26 @@ Costs read_costs(std::string_view text, std::string const &file_name) {
     nlohmann::json const json = nlohmann::json::parse(text);
     if (json.at("symreal-costs").get<int>() != 1) throw std::out_of_range("its version is not 1");
     read_operations(json.at("nanoseconds"), costs);
+    if (json.contains("load")) costs.load = nanoseconds(json, "load");
     if (json.contains("threads")) costs.threads = thread_costs(json.at("threads"));
   } catch (std::exception const &problem) {
     fail(DiagnosticId::cost_file, {file_name}, fmt::format("this file has no costs of operations: {}", problem.what()));
   }
   return costs;
+}
+
+CostModel cost_model(Costs const &costs) {
+  CostModel model;
+  for (OperationInfo const &row : operations()) {
+    auto const at = static_cast<std::size_t>(row.op);
+    if (!costs.is_known[at])
+      fail(DiagnosticId::cost_file, {costs.name},
+           fmt::format("this file has no cost of the operation '{}', and passes may use any", row.name));
+    model.work[at] = costs.throughput[at];
+    model.latency[at] = costs.in_unit(costs.latency[at]);
+  }
+  model.load = costs.load.value_or(model[Op::add]);
+  return model;
 }
 
 void require_costs(Costs const &costs, Graph const &graph) {

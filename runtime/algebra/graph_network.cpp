@@ -163,8 +163,8 @@ private:
 
 } // namespace
 
-Network network_of(Graph const &graph) {
-  Network network(std::make_shared<Context>());
+Network network_of(Graph const &graph, CostModel const &costs) {
+  Network network(std::make_shared<Context>(costs));
   Import(graph, network).run();
   return network;
 }

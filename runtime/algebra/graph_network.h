@@ -3,6 +3,7 @@
 
 #include "algebra/network.h"
 #include "graph/graph.h"
+#include "ops/cost_model.h"
 
 #include <optional>
 
@@ -10,7 +11,7 @@ namespace symreal::algebra {
 
 // Sums, differences, products, quotients and changes of sign are algebra, but for operations that are exact, which stay
 // as they are written. All else is opaque. The roots are those of the graph, in its order.
-Network network_of(Graph const &graph);
+Network network_of(Graph const &graph, CostModel const &costs = usual_costs());
 
 // The graph that computes what `graph` did, as the network does. Nothing where a number in it is beyond those of
 // doubles.

@@ -46,7 +46,7 @@ int MutableNetwork::release_operands(Index node) {
     open_.pop_back();
     for_each_operand(at, [&](Literal operand) {
       if (--references_[operand.node()] != 0) return;
-      freed += nodes_[operand.node()].cost();
+      freed += cost(operand.node());
       open_.push_back(operand.node());
     });
   }
@@ -61,14 +61,14 @@ int MutableNetwork::retain_operands(Index node) {
     open_.pop_back();
     for_each_operand(at, [&](Literal operand) {
       if (references_[operand.node()]++ != 0) return;
-      needed += nodes_[operand.node()].cost();
+      needed += cost(operand.node());
       open_.push_back(operand.node());
     });
   }
   return needed;
 }
 
-int MutableNetwork::cone_cost(Index node) { return freed(node, {}) + nodes_[node].cost(); }
+int MutableNetwork::cone_cost(Index node) { return freed(node, {}) + cost(node); }
 
 int MutableNetwork::freed(Index node, std::span<Literal const> kept) {
   for (Literal literal : kept) ++references_[literal.node()];

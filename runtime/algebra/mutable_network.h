@@ -23,6 +23,7 @@ public:
   // The node that is alive and has this value at the first point of the field, or the negative; or no_index.
   Index find(Residue first) const;
 
+  int cost(Index node) const { return source_.cost(nodes_[node]); }
   // The cost of what is needed for this node alone.
   int cone_cost(Index node);
   // The cost of what is freed when the node no longer needs its operands, while `kept` are needed anew.

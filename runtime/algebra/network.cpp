@@ -142,7 +142,7 @@ std::size_t cost_of(Network const &network) {
   std::vector<char> const live = live_nodes(network);
   std::size_t cost = 0;
   for (Index node = 0; node < network.size(); ++node)
-    if (live[node]) cost += static_cast<std::size_t>(network[node].cost());
+    if (live[node]) cost += static_cast<std::size_t>(network.cost(network[node]));
   return cost;
 }
 

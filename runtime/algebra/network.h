@@ -42,8 +42,6 @@ struct NetworkNode {
 
   bool is_free() const { return attribute != Attribute::variable; }
   bool is_arithmetic() const { return kind == Kind::sum || kind == Kind::product || kind == Kind::quotient; }
-  // By the costs in the table of operations.
-  int cost() const { return !is_arithmetic() || is_free() ? 0 : kind == Kind::quotient ? info(Op::div).cost : 1; }
 };
 
 // An operation that algebra does not look into. `origin` is not 0 where it is equal to no other, and nothing is known
@@ -80,6 +78,10 @@ public:
   std::optional<Literal> find(Value const &value) const;
   std::shared_ptr<Context> const &context() const { return context_; }
   HazardSets &hazards() const { return context_->hazards; }
+  // Functions are not searched for, so they cost nothing here.
+  int cost(NetworkNode const &node) const {
+    return !node.is_arithmetic() || node.is_free() ? 0 : node.kind == Kind::quotient ? context_->division : 1;
+  }
 
   template <class Visit> void for_each_operand(NetworkNode const &node, Visit const &visit) const {
     if (node.is_arithmetic()) {

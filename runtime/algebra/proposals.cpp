@@ -208,7 +208,7 @@ void Proposals::consider(Proposal proposal) {
         !network_.hazards().is_subset(network_[operand.node()].hazards, network_[target_].hazards))
       return;
   ++search_.work;
-  int const gain = network_.freed(target_, used) + network_[target_].cost() - proposal.operations;
+  int const gain = network_.freed(target_, used) + network_.cost(target_) - proposal.operations;
   if (gain < 0 || gain < best_.gain || (gain == best_.gain && search_.random() % 2 == 0)) return;
   proposal.gain = gain;
   best_ = proposal;

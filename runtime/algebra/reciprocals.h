@@ -5,7 +5,7 @@
 
 namespace symreal::algebra {
 
-// a / d and b / d as a * (1 / d) and b * (1 / d). What divides did so before.
+// a / d and b / d as a * (1 / d) and b * (1 / d), where that costs less. What divides did so before.
 Network with_common_reciprocals(Network const &network);
 
 } // namespace symreal::algebra

@@ -93,7 +93,7 @@ Network searched(Network const &network, int effort) {
 
 // Where the search begins.
 Network start_of(Graph const &graph, CostModel const &costs) {
-  Network const related = with_calls_of_angle_sums(with_angle_sums(rebuilt(network_of(graph)), costs), costs);
+  Network const related = with_calls_of_angle_sums(with_angle_sums(rebuilt(network_of(graph, costs)), costs), costs);
   Network network = rebuilt(with_common_reciprocals(rebuilt(related)));
   if (std::optional<Network> base = with_base_parameters(network); base && cost_of(*base) < cost_of(network))
     return rebuilt(*base);

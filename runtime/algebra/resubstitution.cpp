@@ -31,7 +31,7 @@ private:
   std::vector<Index> order() {
     std::vector<Index> nodes;
     for (Index node = 0; node < network_.size(); ++node)
-      if (network_.is_alive(node) && network_[node].cost() != 0) nodes.push_back(node);
+      if (network_.is_alive(node) && network_.cost(node) != 0) nodes.push_back(node);
     for (std::size_t i = nodes.size(); i > 1; --i) std::swap(nodes[i - 1], nodes[search_.random() % i]);
     if (settings_.largest_first) {
       std::vector<int> size(network_.size());

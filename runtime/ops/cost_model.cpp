@@ -5,7 +5,8 @@ namespace symreal {
 CostModel const &usual_costs() {
   static CostModel const model = [] {
     CostModel made;
-    for (OperationInfo const &row : operations()) made.costs[static_cast<std::size_t>(row.op)] = row.cost;
+    for (OperationInfo const &row : operations()) made.work[static_cast<std::size_t>(row.op)] = row.cost;
+    made.latency = made.work;
     return made;
   }();
   return model;

@@ -5,14 +5,19 @@
 
 namespace symreal {
 
+// Leaves are free.
 struct CostModel {
-  std::array<double, static_cast<std::size_t>(Op::count)> costs{}; // leaves are free
-  double load = 1;                                                 // of a number that function `preprocess` has stored
+  using Costs = std::array<double, static_cast<std::size_t>(Op::count)>;
 
-  double operator[](Op op) const { return costs[static_cast<std::size_t>(op)]; }
+  Costs work{};    // what each of many operations costs that need not wait for one another
+  Costs latency{}; // from the operands to the result
+  double load = 1; // work of reading a number that function `preprocess` has stored
+
+  double operator[](Op op) const { return work[static_cast<std::size_t>(op)]; }
+  double latency_of(Op op) const { return latency[static_cast<std::size_t>(op)]; }
 };
 
-// Column `cost` of the table of operations, in additions.
+// Column `cost` of the table of operations, in additions; a load costs as much as an addition.
 CostModel const &usual_costs();
 
 } // namespace symreal

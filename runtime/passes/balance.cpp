@@ -35,7 +35,7 @@ public:
       open.pop();
       bool const in_order = a.place < b.place;
       SignedNode const made = combined(group.op, in_order ? a.term : b.term, in_order ? b.term : a.term, table);
-      open.push({b.time + costs_[group.op], place++, made});
+      open.push({b.time + costs_.latency_of(group.op), place++, made});
     }
   }
 
@@ -48,7 +48,7 @@ private:
       if (!is_leaf(node.op) && node.attribute == Attribute::variable) {
         for (NodeId operand : node.operand)
           if (operand != no_node) time = std::max(time, times_[operand]);
-        time += costs_[node.op];
+        time += costs_.latency_of(node.op);
       }
       times_.push_back(time);
     }

@@ -1,7 +1,5 @@
 #include "tool/analysis/analysis_options.h"
 
-#include "support/files.h"
-
 #include <cmath>
 
 namespace symreal::tool {
@@ -12,12 +10,6 @@ void add_cost_option(CLI::App &app, std::string &cost) {
          "What an operation costs: unit (1), table (the table of operations), or a file of symreal measure-costs")
       ->type_name("unit|table|FILE")
       ->capture_default_str();
-}
-
-Costs costs_named(std::string const &cost) {
-  if (cost == "unit") return unit_cost_model();
-  if (cost == "table") return table_cost_model();
-  return read_costs(read_file(cost), cost);
 }
 
 void AnalysisOptions::add_to(CLI::App &app) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "analysis/figures/figures.h"
+#include "tool/options/cost_option.h"
 
 #include <CLI/CLI.hpp>
 
@@ -10,8 +11,6 @@
 namespace symreal::tool {
 
 void add_cost_option(CLI::App &app, std::string &cost);
-// Throws cost_file, unreadable_file.
-Costs costs_named(std::string const &cost);
 
 struct AnalysisOptions {
   std::string cost = "unit";

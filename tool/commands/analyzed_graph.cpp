@@ -13,7 +13,7 @@ void add_passes_before_analysis(CLI::App &command, PassOptions &passes) {
 }
 
 Graph analyzed_graph(CLI::App const &command, PassOptions const &passes, std::string const &file) {
-  for (char const *const option : {"--fp", "--effort", "--snap", "--tol"})
+  for (char const *const option : {"--fp", "--effort", "--target-cost", "--snap", "--tol"})
     if (command.count(option) != 0 && !passes.is_given())
       fail(DiagnosticId::option_without_effect, {},
            std::string(option) + " is for passes: without --passes a graph is analyzed as it stands");

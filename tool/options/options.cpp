@@ -6,6 +6,7 @@
 #include "program/object_cache.h"
 #include "program/process.h"
 #include "support/number.h"
+#include "tool/options/cost_option.h"
 
 namespace symreal::tool {
 
@@ -48,6 +49,12 @@ void PassOptions::add_to(CLI::App &app) {
   effort_option = app.add_option("--effort", effort,
                                  "With --fp=fast: how long to look for structure, 0 (not at all) to 3 (minutes)")
                       ->capture_default_str();
+  app.add_option(
+         "--target-cost", target_cost,
+         "What operations cost where the code will run, for passes to choose the cheaper way: unit (1), table (the "
+         "table of operations), or a file of symreal measure-costs")
+      ->type_name("unit|table|FILE")
+      ->capture_default_str();
   app.add_flag("--snap{" + shortest(usual_snap) + "}", snap,
                "With --fp=fast: constants that arithmetic has left so near to 0, 1, -1, 1/2 or -1/2 are these numbers");
   tolerance_option = app.add_option("--tol", tolerance, "With --snap: largest relative change of an output by it")
@@ -73,7 +80,7 @@ PassSettings PassOptions::settings() const {
   if (effort_option && effort_option->count() != 0 && floating_point() != FloatingPoint::fast)
     fail(DiagnosticId::option_without_effect, {}, "--effort has no effect without --fp=fast");
   (void)snap_distance();
-  return {floating_point(), effort};
+  return {floating_point(), effort, cost_model(costs_named(target_cost))};
 }
 
 FloatingPoint PassOptions::floating_point() const {

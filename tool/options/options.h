@@ -28,7 +28,7 @@ struct SourceOptions {
 
 // Which passes run, in which floating-point mode.
 struct PassOptions {
-  std::string mode = "finite", passes = "default", snap;
+  std::string mode = "finite", passes = "default", snap, target_cost = "table";
   int effort = algebra::usual_effort;
   double tolerance = 1e-9; // of --snap
   CLI::Option *passes_option = nullptr, *effort_option = nullptr, *tolerance_option = nullptr;
@@ -36,7 +36,8 @@ struct PassOptions {
   void add_to(CLI::App &app);
   bool is_given() const { return passes_option && passes_option->count() != 0; } // which passes
   FloatingPoint floating_point() const;
-  // Throws bad_option for what is out of range, option_without_effect for what is of another mode than fast.
+  // Throws bad_option for what is out of range, option_without_effect for what is of another mode than fast, cost_file,
+  // unreadable_file.
   PassSettings settings() const;
   // How near a constant is to the number that --snap takes it for; nothing without --snap.
   std::optional<double> snap_distance() const;

@@ -148,7 +148,7 @@ TEST(AngleSums, MultiplesKeepTheirBound) {
 // Where calls are cheap, they stay.
 TEST(AngleSums, TheCostsDecide) {
   CostModel cheap = usual_costs();
-  cheap.costs[static_cast<std::size_t>(Op::sin)] = cheap.costs[static_cast<std::size_t>(Op::cos)] = 1;
+  cheap.work[static_cast<std::size_t>(Op::sin)] = cheap.work[static_cast<std::size_t>(Op::cos)] = 1;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     Graph const graph = random_angles(seed), made = recover_structure(graph, 1, cheap);
     OperationCounts const before = statistics(graph).compute, after = statistics(made).compute;

@@ -115,7 +115,7 @@ TEST(Powers, AreNeverDearerAndShareWhatTheyCan) {
 // Where a call costs as much as an addition there is nothing to gain.
 TEST(Powers, StayCallsWhereTheseAreCheaper) {
   CostModel costs = usual_costs();
-  costs.costs[static_cast<std::size_t>(Op::pow)] = 2;
+  costs.work[static_cast<std::size_t>(Op::pow)] = 2;
   Graph const graph = powers_of_one({3});
   EXPECT_EQ(run_passes(graph, pass, {FloatingPoint::fast, 1, costs}).nodes.size(), graph.nodes.size());
   EXPECT_EQ(run_passes(powers_of_one({2}), pass, {FloatingPoint::fast, 1, costs}).nodes.back().op, Op::mul);

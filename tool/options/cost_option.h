@@ -1,0 +1,13 @@
+// The costs of operations, by the words of an option.
+#pragma once
+
+#include "analysis/costs/costs.h"
+
+#include <string>
+
+namespace symreal::tool {
+
+// unit, table, or a file of `symreal measure-costs`. Throws cost_file, unreadable_file.
+Costs costs_named(std::string const &cost);
+
+} // namespace symreal::tool
