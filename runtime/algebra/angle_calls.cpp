@@ -26,34 +26,48 @@ double total_cost(Network const &network, CostModel const &costs) {
   return sum;
 }
 
-// Two angles whose sum or difference the network has the sine or cosine of.
+// Two angles whose sum or difference the network has the sine or cosine of, and its point.
 struct Candidate {
   Index a, b;
   bool is_minus;
-  std::optional<Literal> sine, cosine;
+  Value angle, sine_value, cosine_value;
+  std::optional<Literal> sine = {}, cosine = {};
 };
 
 class Candidates {
 public:
   explicit Candidates(Network const &network) : network_(network), live_(live_nodes(network)) {
     constexpr std::size_t most_angles = 64;
-    std::vector<Angle> const angles = angles_of(network);
-    if (angles.size() > most_angles) return;
-    for (std::size_t i = 0; i < angles.size(); ++i)
-      for (std::size_t j = i; j < angles.size(); ++j)
+    for (Angle const &angle : angles_of(network)) {
+      Value const value = network[angle.node].value;
+      Angles const &angles = network.context()->angles;
+      points_.push_back({angle.node, value, angles.sine(value), angles.cosine(value)});
+    }
+    if (points_.size() > most_angles) return;
+    for (std::size_t i = 0; i < points_.size(); ++i)
+      for (std::size_t j = i; j < points_.size(); ++j)
         for (bool is_minus : {false, true})
-          if (i != j || !is_minus) look_at(angles[i].node, angles[j].node, is_minus);
+          if (i != j || !is_minus) look_at(points_[i], points_[j], is_minus);
   }
 
   std::vector<Candidate> found;
 
 private:
-  void look_at(Index a, Index b, bool is_minus) {
-    Angles const &angles = network_.context()->angles;
-    Value const x = network_[a].value, y = is_minus ? -network_[b].value : network_[b].value;
-    Value const sine = angles.sine(x) * angles.cosine(y) + angles.cosine(x) * angles.sine(y);
-    Value const cosine = angles.cosine(x) * angles.cosine(y) + -(angles.sine(x) * angles.sine(y));
-    Candidate const candidate = {a, b, is_minus, find(sine, a, b), find(cosine, a, b)};
+  struct Point {
+    Index node;
+    Value angle, sine, cosine;
+  };
+
+  void look_at(Point const &a, Point const &b, bool is_minus) {
+    Value const angle = is_minus ? -b.angle : b.angle, sine = is_minus ? -b.sine : b.sine;
+    Candidate candidate = {a.node,
+                           b.node,
+                           is_minus,
+                           a.angle + angle,
+                           a.sine * b.cosine + a.cosine * sine,
+                           a.cosine * b.cosine + -(a.sine * sine)};
+    candidate.sine = find(candidate.sine_value, a.node, b.node);
+    candidate.cosine = find(candidate.cosine_value, a.node, b.node);
     if (candidate.sine || candidate.cosine) found.push_back(candidate);
   }
 
@@ -71,6 +85,7 @@ private:
 
   Network const &network_;
   std::vector<char> live_;
+  std::vector<Point> points_;
 };
 
 Network with_call(Network const &network, Candidate const &candidate) {
@@ -82,10 +97,11 @@ Network with_call(Network const &network, Candidate const &candidate) {
     if (!live[node]) continue;
     auto is = [&](std::optional<Literal> const &found) { return found && found->node() == node; };
     if (is(candidate.sine) || is(candidate.cosine)) {
-      Op const op = is(candidate.sine) ? Op::sin : Op::cos;
+      bool const is_sine = is(candidate.sine);
+      std::optional<Literal> const &found = is_sine ? candidate.sine : candidate.cosine;
       Literal const angle = result.sum(now[candidate.a], now[candidate.b].negated_if(candidate.is_minus));
-      Literal const call = result.function({op, 1, {angle}});
-      now[node] = call.negated_if((op == Op::sin ? candidate.sine : candidate.cosine)->is_negative());
+      Literal const call = result.function({is_sine ? Op::sin : Op::cos, 1, {angle}});
+      now[node] = call.negated_if(found && found->is_negative());
     } else {
       now[node] = result.copy(network, network[node], literal);
     }
@@ -104,11 +120,7 @@ Network with_calls_of_angle_sums(Network network, CostModel const &costs) {
     bool is_better = false;
     for (Candidate const &candidate : Candidates(network).found) {
       if (tries-- == 0 || is_better) break;
-      Angles &angles = network.context()->angles;
-      Value const x = network[candidate.a].value;
-      Value const y = candidate.is_minus ? -network[candidate.b].value : network[candidate.b].value;
-      angles.set(x + y, angles.sine(x) * angles.cosine(y) + angles.cosine(x) * angles.sine(y),
-                 angles.cosine(x) * angles.cosine(y) + -(angles.sine(x) * angles.sine(y)));
+      network.context()->angles.set(candidate.angle, candidate.sine_value, candidate.cosine_value);
       Network next = with_call(network, candidate);
       if (double const next_cost = total_cost(next, costs); next_cost < cost) {
         network = std::move(next);

@@ -242,7 +242,7 @@ void relate(std::vector<Angle> const &angles, Network const &network) {
 
 Network with_angle_sums(Network const &network, CostModel const &costs) {
   std::vector<Angle> const angles = angles_of(network);
-  constexpr std::size_t most_angles = 500; // any two of them are tried
+  constexpr std::size_t most_angles = 200; // any two of them are tried
   if (angles.size() > most_angles || !are_related(angles, network)) return network;
   relate(angles, network);
   Planning const planning(network, costs);
