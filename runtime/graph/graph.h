@@ -126,8 +126,8 @@ template <class Visit> void for_each_root(Graph const &graph, Visit const &visit
 // Which nodes some root needs. Iterative, linear.
 std::vector<char> live_nodes(Graph const &graph);
 
-// Which operations function `compute` does on what `preprocess` has stored alone: they depend on no input, and cost less
-// than a load. None as long as the graph is not split.
+// Which operations function `compute` does on what `preprocess` has stored alone: they depend on no input, and cost
+// less than a load. None as long as the graph is not split.
 std::vector<char> recomputed_nodes(Graph const &graph);
 
 } // namespace symreal
