@@ -1,73 +1,14 @@
 #include "reroll/check.h"
 
-#include <bit>
-#include <cmath>
+#include "schedule/numbering.h"
+
 #include <fmt/format.h>
-#include <unordered_map>
 
 namespace symreal::reroll {
 
 namespace {
 
-// The number of a value and whether its sign is the other one.
-struct Value {
-  std::uint32_t number = ~std::uint32_t{0};
-  bool negated = false;
-
-  Value operator-() const { return {number, !negated}; }
-  bool operator==(Value const &) const = default;
-  bool is_known() const { return number != ~std::uint32_t{0}; }
-  std::uint64_t word() const { return std::uint64_t{number} << 1 | (negated ? 1 : 0); }
-};
-
-class Numbering {
-public:
-  Value constant(double value) {
-    std::uint64_t const bits = std::bit_cast<std::uint64_t>(std::fabs(value));
-    return {number({word(Op::constant), bits, 0, 0}), std::signbit(value)};
-  }
-  // Of an element of an array.
-  Value element(Leaf::Kind array, std::size_t index) {
-    return {number({word(Op::input), static_cast<std::uint64_t>(array), index, 0}), false};
-  }
-  Value operation(Op op, std::array<Value, 3> operands) {
-    auto &[x, y, z] = operands;
-    switch (op) {
-    case Op::neg: return -x;
-    case Op::sub: return operation(Op::add, {x, -y, {}});
-    case Op::add: order(x, y); return {number({word(op), x.word(), y.word(), 0}), false};
-    case Op::mul:
-    case Op::div: {
-      bool const negated = x.negated != y.negated;
-      x.negated = y.negated = false;
-      if (op == Op::mul && x == constant(1)) return {y.number, negated};
-      if (op == Op::mul && y == constant(1)) return {x.number, negated};
-      if (op == Op::mul) order(x, y);
-      return {number({word(op), x.word(), y.word(), 0}), negated};
-    }
-    default: return {number({word(op), x.word(), y.word(), z.word()}), false};
-    }
-  }
-
-private:
-  using Key = std::array<std::uint64_t, 4>;
-  struct Hash {
-    std::size_t operator()(Key const &key) const {
-      std::uint64_t hash = 0;
-      for (std::uint64_t part : key) hash = (std::rotl(hash, 23) ^ part) * 0x9E3779B97F4A7C15;
-      return hash ^ hash >> 32;
-    }
-  };
-  static std::uint64_t word(Op op) { return static_cast<std::uint64_t>(op); }
-  static void order(Value &x, Value &y) {
-    if (y.word() < x.word()) std::swap(x, y);
-  }
-  std::uint32_t number(Key const &key) {
-    return numbers_.try_emplace(key, static_cast<std::uint32_t>(numbers_.size())).first->second;
-  }
-
-  std::unordered_map<Key, std::uint32_t, Hash> numbers_;
-};
+using Value = NumberedValue;
 
 class Run {
 public:
@@ -123,7 +64,7 @@ private:
     case Leaf::Kind::given:
     case Leaf::Kind::read:
       if (has_results_) difference_ = "an input is read after a result is stored";
-      return numbering_.element(leaf.kind, leaf.access.at(k));
+      return numbering_.element(static_cast<std::uint32_t>(leaf.kind), leaf.access.at(k));
     case Leaf::Kind::memory: return memory_.at(leaf.access.at(k));
     case Leaf::Kind::values: return numbering_.constant(leaf.values[k % leaf.values.size()]);
     case Leaf::Kind::carried: return k == 0 ? memory_.at(leaf.access.at(0)) : carried;
@@ -143,11 +84,11 @@ private:
     for (std::size_t id = 0; id < graph.nodes.size(); ++id) {
       Node const &node = graph.nodes[id];
       if (sequence_.slot[id] != no_slot)
-        values[id] = numbering_.element(Leaf::Kind::read, sequence_.slot[id]);
+        values[id] = numbering_.element(static_cast<std::uint32_t>(Leaf::Kind::read), sequence_.slot[id]);
       else if (node.is_constant())
         values[id] = numbering_.constant(node.value());
       else if (is_leaf(node.op))
-        values[id] = numbering_.element(Leaf::Kind::given, node.slot());
+        values[id] = numbering_.element(static_cast<std::uint32_t>(Leaf::Kind::given), node.slot());
       else if (sequence_.position[id] != no_position)
         values[id] = operation(node, values);
     }
