@@ -21,6 +21,7 @@ struct Banner {
   std::string decisions = "error"; // the policy under which the kernel was recorded
   bool is_single = false;          // its numbers are float
   unsigned threads = 1;            // that share an evaluation
+  unsigned vector = 1;             // numbers that are computed side by side, where the processor can
 };
 // Does the file begin as a generated one?
 bool is_generated(std::string const &path);

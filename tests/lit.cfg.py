@@ -21,6 +21,9 @@ config.test_exec_root = os.path.join(config.binary_dir, "tests")
 if platform.system() == "Linux" and platform.machine() == "x86_64":
     config.available_features.add("x86_64-linux")
 
+    if any(line.startswith("flags") and " avx2 " in line and " fma " in line for line in open("/proc/cpuinfo")):
+        config.available_features.add("avx2")
+
 # The Python packages of tests/requirements.txt.
 venv = os.path.join(config.source_dir, "build", "venv", "bin")
 # What a language needs that not every machine has; a test that requires it is reported as unsupported without.

@@ -7,8 +7,8 @@
 namespace symreal {
 
 static std::vector<EmittedFile> print(Schedule const &plan, Language const &language, EmitOptions const &options,
-                                      Rerolled const *loops) {
-  Emission emission{plan, language, options, loops};
+                                      Rerolled const *loops, Laned const *lanes) {
+  Emission emission{plan, language, options, loops, lanes};
   std::vector<EmittedFile> files = {print_source(emission)};
   for (Companion const &companion : language.files.companions)
     if (companion.option.empty() || options.extras.contains(companion.option))
@@ -17,15 +17,18 @@ static std::vector<EmittedFile> print(Schedule const &plan, Language const &lang
 }
 
 std::vector<EmittedFile> emit(Schedule const &plan, Language const &language, EmitOptions const &options,
-                              Rerolled const *loops) {
+                              Rerolled const *loops, Laned const *lanes) {
   require_expressible(plan, language, options);
   if (loops && !language.loops.is_given())
     fail(DiagnosticId::bad_option, {},
          "--reroll needs loops, which --lang=" + std::string(language.name) + " does not have");
+  if (lanes && !language.vectors.is_given())
+    fail(DiagnosticId::bad_option, {},
+         "--vector needs vectors, which --lang=" + std::string(language.name) + " does not have");
   if (options.is_single) require_single(*plan.graph, language, options);
   Language const wanted = options.is_single ? in_single_precision(language) : language;
-  if (wanted.has_blocks) return print(plan, wanted, options, loops);
-  return print(schedule(*plan.graph, Nesting::bounded, Arms::computed), wanted, options, nullptr);
+  if (wanted.has_blocks) return print(plan, wanted, options, loops, lanes);
+  return print(schedule(*plan.graph, Nesting::bounded, Arms::computed), wanted, options, nullptr, nullptr);
 }
 
 } // namespace symreal

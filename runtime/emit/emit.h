@@ -3,6 +3,7 @@
 
 #include "emit/language/emitted.h"
 #include "emit/languages/languages.h"
+#include "lanes/lanes.h"
 #include "reroll/reroll.h"
 #include "schedule/schedule.h"
 
@@ -21,7 +22,8 @@ namespace symreal {
 //   char const *guard_text(int guard);
 // Throws bad_option where the language cannot say what the graph needs.
 // With `loops`, these are printed in place of the statements of the schedule that they were found in.
+// With `lanes`, function compute has them where compiler and processor do, and is that of the schedule elsewhere.
 std::vector<EmittedFile> emit(Schedule const &plan, Language const &language, EmitOptions const &options,
-                              Rerolled const *loops = nullptr);
+                              Rerolled const *loops = nullptr, Laned const *lanes = nullptr);
 
 } // namespace symreal

@@ -7,6 +7,7 @@
 #include "tool/commands/products.h"
 #include "tool/commands/subcommands.h"
 #include "tool/options/reroll_option.h"
+#include "tool/options/vector_option.h"
 #include "tool/output/outputs.h"
 #include "tool/output/wrapper.h"
 #include "tool/output/write_config.h"
@@ -33,6 +34,7 @@ struct Options {
   BundleOption bundle;
   ParallelOption parallel;
   RerollOption reroll;
+  VectorOption vector;
   std::string output, graph_file, decisions = "error";
   FrozenOption frozen;
   std::string depfile;
@@ -60,6 +62,7 @@ void require_sense(Options const &options) {
   if (options.wrapper && options.emitter.is_single())
     fail(DiagnosticId::bad_option, {}, "--wrapper hands on doubles: leave --real=float out");
   (void)options.emitter.is_single();
+  options.vector.require_sense(options.emitter, options.parallel.is_given(), options.reroll.is_given);
   options.parallel.require_sense(options.emitter);
   options.reroll.require_sense(options.emitter, options.parallel.is_given());
   options.frozen.require_sense();
@@ -91,8 +94,9 @@ void emit_sources(program::Recorded const &recorded, Schedule const &plan, Optio
   std::vector<Language const *> const languages = options.language.languages(), any = all_languages();
   require_source_name(path, options.output == path ? languages : any);
   std::optional<Rerolled> const loops = options.reroll.loops(plan, product.warnings, product.loops);
-  product.files =
-      emitted_files(plan, options.emitter, options.passes.floating_point(), languages, path, loops ? &*loops : nullptr);
+  std::optional<Laned> const lanes = options.vector.lanes(plan, product.warnings, product.lanes);
+  product.files = emitted_files(plan, options.emitter, options.passes.floating_point(), languages, path,
+                                loops ? &*loops : nullptr, lanes ? &*lanes : nullptr);
   if (options.wrapper)
     product.files.push_back(wrapper_file(recorded.kernel, product.optimised.graph, options.emitter,
                                          fs::path(path).replace_extension(".c"), product.warnings));
@@ -213,6 +217,7 @@ void add_generate(CLI::App &app, Session &session) {
   options->emitter.add_to(*command);
   options->parallel.add_to(*command);
   options->reroll.add_to(*command);
+  options->vector.add_to(*command);
   command->add_flag("--wrapper", options->wrapper,
                     "Also emit a file that defines the function in place of the original");
   command

@@ -6,6 +6,7 @@
 #include "tool/commands/optimise.h"
 #include "tool/commands/subcommands.h"
 #include "tool/options/reroll_option.h"
+#include "tool/options/vector_option.h"
 #include "tool/output/outputs.h"
 
 #include <iostream>
@@ -25,6 +26,7 @@ struct Options {
   EmitterOptions emitter;
   ParallelOption parallel;
   RerollOption reroll;
+  VectorOption vector;
   bool statistics = false, json = false;
 };
 
@@ -38,8 +40,11 @@ void require_sense(Options const &options) {
          "--prefix, --real, --mainline, --mex, --simulink, --trace-comments, --map and --check-values shape generated "
          "code: use "
          "--lang=c");
+  options.vector.require_sense(emitter, options.parallel.is_given(), options.reroll.is_given);
   options.parallel.require_sense(emitter);
   options.reroll.require_sense(emitter, options.parallel.is_given());
+  if (options.vector.is_given() && !emits_code(options))
+    fail(DiagnosticId::option_without_effect, {}, "--vector makes vectors of operations: use --lang=c");
   if (options.reroll.is_given && !emits_code(options))
     fail(DiagnosticId::option_without_effect, {}, "--reroll makes loops of statements: use --lang=c");
   if (options.parallel.is_given() && options.language.text == "graph")
@@ -98,9 +103,10 @@ std::vector<OutputFile> result_files(Graph const &graph, Schedule const *read, O
   require_source_name(path, languages);
   std::vector<Diagnostic> remarks;
   std::optional<Rerolled> const loops = options.reroll.loops(plan, remarks, remark);
+  std::optional<Laned> const lanes = options.vector.lanes(plan, remarks, remark);
   for (Diagnostic const &diagnostic : remarks) print(std::cerr, diagnostic);
   return emitted_files(plan, options.emitter, options.passes.floating_point(), languages, path,
-                       loops ? &*loops : nullptr);
+                       loops ? &*loops : nullptr, lanes ? &*lanes : nullptr);
 }
 
 std::vector<std::string> write_bundle(Graph const &graph, Schedule const *read, Options const &options) {
@@ -154,6 +160,7 @@ void add_opt(CLI::App &app, Session &session) {
   options->emitter.add_to(*command);
   options->parallel.add_to(*command);
   options->reroll.add_to(*command);
+  options->vector.add_to(*command);
   command->add_flag("--stats", options->statistics, "Print the table of operations to standard error");
   command->add_flag("--json", options->json, "Print the table as JSON to standard output");
   command->callback([options, command, &session] {

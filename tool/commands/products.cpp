@@ -57,7 +57,7 @@ void show_products(std::vector<Product> const &products, program::Front const &f
                       {"run", front.run_seconds},
                       {"optimise and emit", product.seconds}};
     print_table(std::cerr, report, details);
-    for (std::string const &remark : {product.sharing, product.loops})
+    for (std::string const &remark : {product.sharing, product.loops, product.lanes})
       if (!remark.empty()) fmt::print(std::cerr, "  {}\n", remark);
     if (as_json) json.push_back(to_json(report));
   }

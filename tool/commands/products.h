@@ -18,6 +18,7 @@ struct Product {
   std::vector<Diagnostic> warnings = {};
   std::string sharing = {}; // what threads that share an evaluation give, in words
   std::string loops = {};   // how much of it loops hold, in words
+  std::string lanes = {};   // how much of it vectors hold, in words
   double seconds = 0;
 };
 

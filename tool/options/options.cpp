@@ -115,7 +115,7 @@ bool EmitterOptions::is_single() const {
 
 void require_no_source_options(CLI::App &command, std::string const &instead) {
   for (char const *const name : {"-o", "--lang", "--wrapper", "--mainline", "--mex", "--simulink", "--real", "--map",
-                                 "--parallel", "--reroll"}) {
+                                 "--parallel", "--reroll", "--vector"}) {
     CLI::Option const *const option = command.get_option_no_throw(name);
     if (option && option->count() != 0)
       fail(DiagnosticId::option_without_effect, {},

@@ -20,13 +20,13 @@ namespace fs = std::filesystem;
 
 std::vector<OutputFile> emitted_files(Schedule const &plan, EmitterOptions const &options, FloatingPoint mode,
                                       std::vector<Language const *> const &languages, std::string const &path,
-                                      Rerolled const *loops) {
+                                      Rerolled const *loops, Laned const *lanes) {
   EmitOptions const emit{
       fs::path(path).stem().string(), options.prefix,     mode, options.extras, options.trace_comments,
       options.check_values,           options.is_single()};
   std::vector<OutputFile> files;
   for (Language const *language : languages)
-    for (EmittedFile const &file : symreal::emit(plan, *language, emit, loops)) {
+    for (EmittedFile const &file : symreal::emit(plan, *language, emit, loops, lanes)) {
       files.push_back({(fs::path(path).parent_path() / file.name).string(), file.text});
       if (!options.map_file.empty() && files.size() == 1)
         files.push_back({options.map_file, line_map(file, *plan.graph)});

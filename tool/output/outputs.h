@@ -1,6 +1,7 @@
 // The files that a run leaves: all of them or none.
 #pragma once
 
+#include "lanes/lanes.h"
 #include "reroll/reroll.h"
 #include "schedule/schedule.h"
 #include "tool/options/language_option.h"
@@ -19,7 +20,7 @@ struct OutputFile {
 // mainline.
 std::vector<OutputFile> emitted_files(Schedule const &plan, EmitterOptions const &options, FloatingPoint mode,
                                       std::vector<Language const *> const &languages, std::string const &path,
-                                      Rerolled const *loops = nullptr);
+                                      Rerolled const *loops = nullptr, Laned const *lanes = nullptr);
 
 // Fails when a file of this name cannot be written; before the work is done, so that it is not done in vain.
 void require_writable(std::string const &path);

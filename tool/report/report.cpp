@@ -72,7 +72,7 @@ void print_gain(std::ostream &out, Graph const &recorded, Graph const &optimised
   fmt::print(
       out,
       "  the generated code has as many operations as the original ({} of {}): where a compiler makes vector code "
-      "of the original's loops, the original may win; measure both\n",
+      "of the original's loops, the original may win; measure both, and --vector\n",
       after, before);
 }
 

@@ -30,6 +30,36 @@ std::string c_no_fusion(Emission const &emission) {
          "#endif\n";
 }
 
+// Vectors, where the compiler has them and processors with them are asked for: otherwise numbers alone are faster.
+std::string c_vectors(Emission const &emission) {
+  if (!emission.lanes) return {};
+  lanes::LaneFunction const &function = *emission.lanes->compute;
+  std::size_t const width = function.width, bytes = width * (emission.language.is_single ? 4 : 8);
+  bool const loads = std::ranges::any_of(
+      function.vectors, [](lanes::Vector const &vector) { return vector.form == lanes::Vector::Form::load; });
+  std::string_view const processor = bytes <= 16   ? ""
+                                     : bytes <= 32 ? " && defined(__AVX__)"
+                                                   : " && defined(__AVX512F__)";
+  std::string_view const real = emission.language.number.name;
+  std::string const type = fmt::format("{}_{}", real, width);
+  std::string text = fmt::format("#if defined(__has_builtin){}\n"
+                                 "#if __has_builtin(__builtin_shufflevector)\n"
+                                 "#define SYMREAL_VECTORS\n"
+                                 "typedef {} {} __attribute__((vector_size({})));\n",
+                                 processor, real, type, bytes);
+  if (loads)
+    text += fmt::format("static inline {0} load_{1}({2} const *from) {{\n"
+                        "  {0} x;\n"
+                        "  __builtin_memcpy(&x, from, sizeof x);\n"
+                        "  return x;\n"
+                        "}}\n",
+                        type, width, real);
+  if (!function.stores.empty())
+    text += fmt::format("static inline void store_{1}({2} *to, {0} x) {{ __builtin_memcpy(to, &x, sizeof x); }}\n",
+                        type, width, real);
+  return text + "#endif\n#endif\n";
+}
+
 // Joined to one function again, its parts would take the compiler more than linear time.
 std::string c_apart(Emission const &emission) {
   if (!emission.uses.apart) return {};
@@ -75,10 +105,10 @@ std::string c_quiet_pragmas(Emission const &emission) {
 }
 
 std::string c_begin(Emission const &emission) {
-  return fmt::format("#include \"{}.h\"\n\n#include <math.h>\n{}{}{}{}{}{}{}\n", emission.options.base_name,
+  return fmt::format("#include \"{}.h\"\n\n#include <math.h>\n{}{}{}{}{}{}{}{}\n", emission.options.base_name,
                      emission.uses.truths ? "#include <stdbool.h>\n" : "", c_integer_includes(emission),
                      c_sine_and_cosine(emission), c_value_checks(emission), c_no_fusion(emission), c_apart(emission),
-                     c_quiet_pragmas(emission));
+                     c_quiet_pragmas(emission), c_vectors(emission));
 }
 
 } // namespace symreal

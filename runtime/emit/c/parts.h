@@ -35,6 +35,8 @@ std::string c_no_fusion(Emission const &emission);
 std::string c_quiet_pragmas(Emission const &emission);
 // That sine and cosine only compute, where there are both of one angle.
 std::string c_sine_and_cosine(Emission const &emission);
+// With vectors: their type, and how they are loaded and stored.
+std::string c_vectors(Emission const &emission);
 // A word for functions that compilers must not inline, where there are such.
 std::string c_apart(Emission const &emission);
 

@@ -17,9 +17,9 @@ std::string cpp_namespace(std::string const &kernel, std::string const &prefix) 
 }
 
 std::string cpp_begin(Emission const &emission) {
-  return fmt::format("#include \"{}.hpp\"\n\n#include <cmath>\n{}{}{}{}{}{}\n", emission.options.base_name,
+  return fmt::format("#include \"{}.hpp\"\n\n#include <cmath>\n{}{}{}{}{}{}{}\n", emission.options.base_name,
                      c_integer_includes(emission), c_sine_and_cosine(emission), c_value_checks(emission),
-                     c_no_fusion(emission), c_apart(emission), c_quiet_pragmas(emission));
+                     c_no_fusion(emission), c_apart(emission), c_quiet_pragmas(emission), c_vectors(emission));
 }
 
 std::string cpp_external_declarations(Emission const &emission) {

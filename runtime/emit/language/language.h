@@ -123,6 +123,19 @@ struct LoopSyntax {
   bool is_given() const { return !begin.empty(); }
 };
 
+// Vectors of $width numbers that --vector computes with. Operators work on them lane by lane, and on a vector and a
+// number.
+struct VectorSyntax {
+  std::string_view begin = {}, otherwise = {}, end = {}; // lines around a function with vectors and one without
+  std::string_view type = {};
+  std::string_view load = {}, store = {}; // $place; $value
+  std::string_view build = {};            // $values
+  std::string_view shuffle = {};          // $x $y $lanes
+  std::string_view lane = {};             // $name $lane
+
+  bool is_given() const { return !begin.empty(); }
+};
+
 // A table of constants: `begin`, lines of numbers, `end`.
 struct TableSyntax {
   std::string_view begin = {}, end = {}; // $name $count
@@ -193,6 +206,7 @@ struct Language {
   FunctionSyntax functions;
   ParallelSyntax parallel;
   LoopSyntax loops;
+  VectorSyntax vectors;
   TableSyntax tables;
   ExternalSyntax externals;
   FileSyntax files;

@@ -74,6 +74,17 @@ Language language_c() {
       .element_table = "static unsigned const $name[$count] = {",
       .table_end = "};",
   };
+  c.vectors = {
+      .begin = "#if defined(SYMREAL_VECTORS)\n",
+      .otherwise = "#else\n",
+      .end = "#endif\n",
+      .type = "${real}_$width",
+      .load = "load_$width($place)",
+      .store = "store_$width($place, $value);",
+      .build = "(${real}_$width){$values}",
+      .shuffle = "__builtin_shufflevector($x, $y, $lanes)",
+      .lane = "$name[$lane]",
+  };
   c.tables = {
       .begin = "static $real const $name[$count] = {",
       .end = "};",

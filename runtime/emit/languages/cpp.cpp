@@ -12,6 +12,7 @@ Language language_cpp() {
   cpp.expressions.call_prefix = "std::";
   cpp.single.call_suffix = ""; // they are overloaded
   cpp.statements.value_check = "if (!std::isfinite($name)) report_value($name, \"$text\");";
+  cpp.vectors.build = "${real}_$width{$values}";
   cpp.externals.declarations = cpp_external_declarations;
   cpp.files.extension = ".cpp";
   cpp.files.begin = cpp_begin;

@@ -60,6 +60,7 @@ std::string banner(Emission const &emission) {
   if (emission.language.is_single) more += "\"real\":\"float\",";
   if (!graph.guards.empty()) more += fmt::format("\"guards\":{},", graph.guards.size());
   if (emission.plan.threads > 1) more += fmt::format("\"threads\":{},", emission.plan.threads);
+  if (emission.lanes) more += fmt::format("\"vector\":{},", emission.lanes->compute->width);
   if (graph.decisions != "error") more += fmt::format("\"decisions\":{},", json_string(graph.decisions));
   std::vector<std::string> lines = {
       fmt::format("symreal {{\"kernel\":{},\"mode\":\"{}\",\"prefix\":{},\"inputs\":{},\"parameters\":{},"
@@ -77,6 +78,11 @@ std::string banner(Emission const &emission) {
     lines.push_back(
         fmt::format("With -fopenmp {} threads share an evaluation, without it one thread computes the same numbers.",
                     emission.plan.threads));
+  if (emission.lanes)
+    lines.push_back(
+        fmt::format("Where compiler and processor have vectors of {} numbers, these are computed side by side, "
+                    "elsewhere the same numbers one by one.",
+                    emission.lanes->compute->width));
   return comment(emission.language, lines) + "\n";
 }
 

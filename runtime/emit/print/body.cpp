@@ -126,6 +126,7 @@ void BodyPrinter::declare(std::size_t statement, std::size_t indent, CodeText &o
 void BodyPrinter::set(std::size_t statement, bool declares, std::size_t indent, CodeText &out) {
   StatementSyntax const &syntax = language_.statements;
   NodeId const id = body_.variables[statement];
+  if (before_) before_(statement, out);
   context_.spelled_out.clear();
   std::string const value = context_.is_gate(id) ? print_gate(context_, id) : print_expression(context_, id),
                     name = context_.spelling(statement);

@@ -5,6 +5,7 @@
 #include "emit/print/expression.h"
 #include "schedule/blocks.h"
 
+#include <functional>
 #include <utility>
 
 namespace symreal {
@@ -30,6 +31,8 @@ public:
 
   // How the inputs are spelled, where they are no elements of `input`, and which compilers may know to be constant.
   void spell_inputs(std::vector<std::string> leaves, std::vector<char> const &constant);
+  // Is called before each statement, while statements() prints.
+  void set_before(std::function<void(std::size_t, CodeText &)> print) { before_ = std::move(print); }
   // A node, once the statements are printed.
   std::string use(NodeId node) { return print_use(context_, node); }
 
@@ -67,6 +70,7 @@ private:
   FunctionContext context_;
   CodeText declarations_;
   std::vector<std::string> variables_;
+  std::function<void(std::size_t, CodeText &)> before_ = nullptr;
 };
 
 } // namespace symreal

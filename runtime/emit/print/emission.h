@@ -6,6 +6,7 @@
 #include "emit/language/words.h"
 #include "emit/print/bridge_names.h"
 #include "emit/print/spellings.h"
+#include "lanes/lanes.h"
 #include "reroll/reroll.h"
 #include "schedule/schedule.h"
 
@@ -37,6 +38,7 @@ struct Emission {
   Language const &language;
   EmitOptions const &options;
   Rerolled const *loops = nullptr;        // in place of the statements of the functions that have some
+  Laned const *lanes = nullptr;           // function compute with vectors, beside that without
   std::set<std::string> local_names = {}; // that the functions have besides those of their variables
   Spellings spellings{language};
   std::vector<std::string> bridges = bridge_names(*plan.graph, language); // by function of the graph

@@ -3,6 +3,7 @@
 #include "emit/language/pattern.h"
 #include "emit/print/body.h"
 #include "emit/print/function_head.h"
+#include "emit/print/lanes.h"
 #include "emit/print/loops.h"
 
 #include <algorithm>
@@ -194,7 +195,15 @@ CodeText print_function(Emission &emission, bool is_compute) {
   if (emission.loops)
     if (auto const &loops = is_compute ? emission.loops->compute : emission.loops->preprocess)
       return print_loops(emission, *loops, is_compute);
-  return FunctionPrinter(emission, is_compute).print();
+  CodeText out(emission.language);
+  if (!is_compute || !emission.lanes) return FunctionPrinter(emission, is_compute).print();
+  VectorSyntax const &vectors = emission.language.vectors;
+  out.lines(vectors.begin);
+  out.append(print_lanes(emission, *emission.lanes->compute));
+  out.lines(vectors.otherwise);
+  out.append(FunctionPrinter(emission, is_compute).print());
+  out.lines(vectors.end);
+  return out;
 }
 
 } // namespace symreal

@@ -36,7 +36,7 @@ public:
     Language whole = language_; // the body is not cut
     whole.functions.most_statements = std::string::npos;
     Schedule const plan = schedule(step_.body);
-    Emission inner{plan, whole, emission_.options, nullptr, names_};
+    Emission inner{plan, whole, emission_.options, nullptr, nullptr, names_};
     BodyPrinter printer(inner, plan.compute, true, arrays_.filled);
     printer.spell_inputs(leaves, constant_leaves());
     CodeText statements(language_);

@@ -1,0 +1,45 @@
+// What operations are packed of: those of one function.
+#pragma once
+
+#include "lanes/lane_program.h"
+#include "schedule/schedule.h"
+
+namespace symreal::lanes {
+
+struct Element {
+  Array array;
+  std::size_t index;
+};
+
+class Function {
+public:
+  // `plan` must outlive it.
+  Function(Schedule const &plan, std::size_t width);
+
+  Graph const &graph() const { return *plan_.graph; }
+  Node const &node(NodeId id) const { return graph().nodes[id]; }
+  std::size_t width() const { return width_; }
+  std::vector<NodeId> const &results() const { return plan_.compute.results; }
+  std::vector<NodeId> const &conditions() const { return conditions_; } // of guards
+
+  bool is_constant(NodeId id) const { return node(id).is_constant(); }
+  bool is_element(NodeId id) const { return node(id).op == Op::input || slot(id) != no_slot; }
+  Element element(NodeId id) const {
+    if (slot(id) != no_slot) return {Array::constants, slot(id)};
+    return {Array::input, node(id).slot()};
+  }
+  std::size_t extent(Array array) const { return array == Array::input ? graph().input_count() : plan_.constant_count; }
+  // An operation of this function.
+  bool is_computed(NodeId id) const { return !is_constant(id) && !is_element(id); }
+  // One that vectors have: exact or correctly rounded, lane by lane.
+  bool can_be_packed(NodeId id) const;
+
+private:
+  std::uint32_t slot(NodeId id) const { return plan_.constant_slot[id]; }
+
+  Schedule const &plan_;
+  std::size_t width_;
+  std::vector<NodeId> conditions_;
+};
+
+} // namespace symreal::lanes
