@@ -2,6 +2,7 @@
 
 #include "graph/graph_binary.h"
 #include "program/explain_met.h"
+#include "program/memory_file.h"
 #include "program/name_nodes.h"
 #include "program/symbolize.h"
 
@@ -115,6 +116,7 @@ Diagnostic explain_missing(rewrite::Kernel const &kernel, bool begun, Outcome co
     diagnostic.id = DiagnosticId::program_crashed;
     diagnostic.message = fmt::format("signal {} ({}) ended the program before it reached {}", outcome.status,
                                      strsignal(outcome.status), waited_for);
+    if (outcome.status == SIGKILL) diagnostic.message += "; the system does that when memory runs out";
     break;
   case Ending::exited:
     diagnostic.message =
@@ -200,6 +202,9 @@ Recording record(std::string const &executable, RunOptions const &options, rewri
                          options.places ? "SYMREAL_PLACES=1" : "SYMREAL_PLACES=0"};
   if (!options.run_on && !wanted.empty())
     program.environment.push_back("SYMREAL_KERNELS=" + std::to_string(wanted.size()));
+  std::vector<MemoryFile> files; // as the program will name them
+  for (std::size_t k = 0; k < std::max<std::size_t>(wanted.size(), 1); ++k)
+    files.emplace_back(directory + "/" + std::to_string(k) + ".graph");
   Outcome outcome = run(program, sink);
 
   Recording recording;
@@ -222,6 +227,7 @@ Recording record(std::string const &executable, RunOptions const &options, rewri
                               [&](RecordedKernel const &recorded) { return is_recording_of(recorded, kernel); });
     if (found != events.kernels.end()) {
       Graph graph = read_binary_graph(directory + "/" + found->graph_file);
+      if (kernels.size() == 1) files.clear(); // what follows needs the memory
       resolve(graph, symbolizer);
       say_in_words_of_source(graph, texts);
       graph.decisions = options.decisions;

@@ -38,6 +38,8 @@ static int run(int argc, char **argv) {
     print(std::cerr, {DiagnosticId::bad_option, {}, explained.empty() ? problem.what() : explained});
   } catch (DiagnosticError const &problem) {
     print(std::cerr, located(problem.diagnostic(), session.configured));
+  } catch (std::bad_alloc const &) {
+    print(std::cerr, {DiagnosticId::out_of_memory, {}, "the system gives no more memory to work on the graph"});
   }
   return error;
 }

@@ -2,6 +2,14 @@
 
 namespace symreal {
 
+// Here, since code that is compiled without optimisation copies and destroys graphs too.
+Graph::Graph() = default;
+Graph::Graph(Graph const &) = default;
+Graph::Graph(Graph &&) noexcept = default;
+Graph &Graph::operator=(Graph const &) = default;
+Graph &Graph::operator=(Graph &&) noexcept = default;
+Graph::~Graph() = default;
+
 std::size_t number_count(std::vector<std::size_t> const &extents, std::vector<Member> const &members) {
   std::size_t count = 1, each = 0;
   for (std::size_t extent : extents) count *= extent;
@@ -29,12 +37,19 @@ Graph without_nodes(Graph const &graph) {
 }
 
 // A column whose node `id` has become `now[id]`; the oldest of several that became one gives its entry.
-template <class Id>
-static std::vector<Id> moved(std::vector<Id> const &column, std::vector<NodeId> const &now, std::size_t size, Id none) {
-  std::vector<Id> result(size, none);
+template <class Column> static Column moved(Column const &column, std::vector<NodeId> const &now, std::size_t size,
+                                            typename Column::value_type none) {
+  Column result(size, none);
   for (std::size_t id = 0; id < now.size(); ++id)
     if (now[id] != no_node && result[now[id]] == none) result[now[id]] = column[id];
   return result;
+}
+
+// A node that a pass made on the way to another has that one's location.
+static void locate_others(Graph &graph) {
+  LongArray<LocationId> &locations = graph.node_location;
+  for (std::size_t id = locations.size(); id-- > 1;)
+    if (locations[id - 1] == no_location && !is_leaf(graph.nodes[id - 1].op)) locations[id - 1] = locations[id];
 }
 
 void carry_over(Graph const &graph, std::vector<NodeId> const &now, Graph &result) {
@@ -43,10 +58,8 @@ void carry_over(Graph const &graph, std::vector<NodeId> const &now, Graph &resul
   for (Guard const &guard : graph.guards) result.guards.push_back({now[guard.condition], guard.location, guard.text});
   if (graph.last_effect != no_node) result.last_effect = now[graph.last_effect];
   if (!graph.node_location.empty()) {
-    std::vector<LocationId> &locations = result.node_location;
-    locations = moved(graph.node_location, now, result.nodes.size(), no_location);
-    for (std::size_t id = locations.size(); id-- > 1;)
-      if (locations[id - 1] == no_location && !is_leaf(result.nodes[id - 1].op)) locations[id - 1] = locations[id];
+    result.node_location = moved(graph.node_location, now, result.nodes.size(), no_location);
+    locate_others(result);
   }
   if (!graph.node_name.empty()) result.node_name = moved(graph.node_name, now, result.nodes.size(), no_name);
   if (!graph.node_exact.empty()) {
@@ -73,6 +86,35 @@ std::vector<char> recomputed_nodes(Graph const &graph) {
                  node.attribute == Attribute::parametric;
   }
   return needed;
+}
+
+void keep_nodes(Graph &graph, std::vector<char> const &kept) {
+  std::vector<NodeId> now(graph.nodes.size(), no_node);
+  NodeId count = 0;
+  for (std::size_t id = 0; id < graph.nodes.size(); ++id) {
+    if (!kept[id]) continue;
+    Node node = graph.nodes[id];
+    if (!is_leaf(node.op))
+      for (NodeId &operand : node.operand)
+        if (operand != no_node) operand = now[operand];
+    now[id] = count;
+    graph.nodes[count++] = node;
+  }
+  auto const keep = [&](auto &column) {
+    if (column.empty()) return;
+    for (std::size_t id = 0; id < kept.size(); ++id)
+      if (kept[id]) column[now[id]] = column[id];
+    column.resize(count);
+  };
+  graph.nodes.resize(count);
+  keep(graph.node_location);
+  keep(graph.node_name);
+  keep(graph.node_exact);
+  locate_others(graph);
+  for (NodeId &root : graph.results) root = now[root];
+  for (NodeId &root : graph.precomputed) root = now[root];
+  for (Guard &guard : graph.guards) guard.condition = now[guard.condition];
+  if (graph.last_effect != no_node) graph.last_effect = now[graph.last_effect];
 }
 
 std::vector<char> live_nodes(Graph const &graph) {

@@ -75,6 +75,13 @@ struct Guard {
 };
 
 struct Graph {
+  Graph();
+  Graph(Graph const &);
+  Graph(Graph &&) noexcept;
+  Graph &operator=(Graph const &);
+  Graph &operator=(Graph &&) noexcept;
+  ~Graph();
+
   std::string kernel;
   std::vector<Object> inputs, parameters, outputs;
   std::vector<StatePair> states;
@@ -88,11 +95,11 @@ struct Graph {
   std::vector<External> externals; // what calls call, by number
   NodeId last_effect = no_node;    // of the calls in order, each of which names the one before it
   std::vector<Location> locations;
-  std::vector<LocationId> node_location; // per node, or empty: places were not asked for
-  std::vector<std::string> names;        // what the source calls its numbers
-  std::vector<NameId> node_name;         // per node, or empty
-  std::vector<char> node_exact;          // per node, or empty: 1 where even mode fast keeps it as it is written
-  std::vector<double> input_values;      // per input slot: the value it had while recording
+  LongArray<LocationId> node_location; // per node, or empty: places were not asked for
+  std::vector<std::string> names;      // what the source calls its numbers
+  LongArray<NameId> node_name;         // per node, or empty
+  std::vector<char> node_exact;        // per node, or empty: 1 where even mode fast keeps it as it is written
+  std::vector<double> input_values;    // per input slot: the value it had while recording
   std::vector<double> parameter_values;
   std::vector<Frozen> frozen;
   OperationCounts executed; // by the program while it was recorded, repetitions and work on constants included
@@ -114,6 +121,9 @@ Graph without_nodes(Graph const &graph);
 // precomputed, guards, effects, locations, names, and what is exact. A node that a pass made on the way to another has
 // that one's location.
 void carry_over(Graph const &graph, std::vector<NodeId> const &now, Graph &result);
+
+// Drops the nodes that are not kept, in place. What a kept node or a root needs must be kept.
+void keep_nodes(Graph &graph, std::vector<char> const &kept);
 
 // Calls `visit` with every node that a function of the program must compute: results, precomputed, guards, effects.
 template <class Visit> void for_each_root(Graph const &graph, Visit const &visit) {

@@ -60,6 +60,8 @@ void write_binary_graph(std::string const &path, Graph const &graph) {
     cereal::BinaryOutputArchive archive(file);
     archive(graph);
     file.close();
+  } catch (std::bad_alloc const &) {
+    throw;
   } catch (std::exception const &) { // of the stream or of the archive
     fail(DiagnosticId::unwritable_output, {path}, "cannot write '" + path + "': " + std::strerror(errno));
   }
@@ -77,6 +79,8 @@ Graph read_binary_graph(std::string const &path) {
   try {
     cereal::BinaryInputArchive archive(file);
     archive(graph);
+  } catch (std::bad_alloc const &) {
+    throw;
   } catch (std::exception const &error) {
     fail(DiagnosticId::graph_syntax, {path}, "the recording is not whole: " + std::string(error.what()));
   }

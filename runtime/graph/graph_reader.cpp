@@ -216,8 +216,8 @@ private:
   Graph graph_;
   NodeTable table_;
   std::vector<NodeId> named_; // the node behind %k
-  std::vector<LocationId> locations_;
-  std::vector<NameId> names_;
+  LongArray<LocationId> locations_;
+  LongArray<NameId> names_;
   std::map<std::string, NameId> name_ids_;
   bool located_ = false, named_nodes_ = false;
   bool headed_ = false;

@@ -15,14 +15,6 @@ static std::size_t hash(Node const &node) {
   return static_cast<std::size_t>(mix * odd >> 7);
 }
 
-NodeId NodeTable::append(Node const &node) {
-  auto id = static_cast<NodeId>(nodes_.size());
-  nodes_.push_back(node);
-  first_user_.push_back(no_node);
-  next_user_.push_back(no_node);
-  return id;
-}
-
 NodeId NodeTable::intern_in_hash(Node const &node) {
   if (2 * (hashed_ + 1) > hash_.size()) grow_hash();
   std::size_t mask = hash_.size() - 1, place = hash(node) & mask;
@@ -46,21 +38,22 @@ void NodeTable::grow_hash() {
 
 void NodeTable::reserve(std::size_t count) {
   nodes_.reserve(count);
-  first_user_.reserve(count);
-  next_user_.reserve(count);
+  links_.reserve(count);
+  attributes_.reserve(count);
 }
 
 Nodes NodeTable::release() {
   bool const uses_little = nodes_.size() < nodes_.capacity() / 16; // of what was reserved: that stays
   Nodes nodes = uses_little ? nodes_ : std::move(nodes_);
+  if (!uses_little) *this = {}; // the links are as long
   clear();
   return nodes;
 }
 
 void NodeTable::clear() {
   nodes_.clear();
-  first_user_.clear();
-  next_user_.clear();
+  links_.clear();
+  attributes_.clear();
   hash_.clear();
   hashed_ = 0;
 }

@@ -9,6 +9,7 @@
 #include "graph/node.h"
 
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace symreal {
@@ -18,28 +19,30 @@ public:
   // The node with this key, new or old. `operand` entries beyond the arity are no_node.
   NodeId intern(Node const &node) {
     if (is_leaf(node.op)) return intern_in_hash(node);
-    NodeId &newest = first_user_[newest_operand(node)];
+    NodeId &newest = links_[newest_operand(node)].first_user;
     int steps = 0;
-    for (NodeId user = newest; user != no_node; user = next_user_[user]) {
+    for (NodeId user = newest; user != no_node; user = links_[user].next) {
       if (nodes_[user] == node) return user;
       if (++steps == longest_list) return intern_in_hash(node);
     }
-    next_user_.push_back(newest);
-    newest = static_cast<NodeId>(nodes_.size());
-    nodes_.push_back(node);
-    first_user_.push_back(no_node);
-    return newest_node();
+    NodeId const next = std::exchange(newest, static_cast<NodeId>(nodes_.size()));
+    return append(node, next);
   }
   // Always a new node: how a graph is read that may hold duplicates. Interning may or may not find it later.
-  NodeId append(Node const &node);
+  NodeId append(Node const &node) { return append(node, no_node); }
 
   NodeId constant(double value) { return intern(Node::constant(value)); }
   // An operation on nodes of this table; its attribute follows from its operands.
   Node operation(Op op, NodeId a, NodeId b = no_node, NodeId c = no_node) const {
-    Attribute attribute = nodes_[a].attribute;
-    if (b != no_node) attribute = std::max(attribute, nodes_[b].attribute);
-    if (c != no_node) attribute = std::max(attribute, nodes_[c].attribute);
+    Attribute attribute = attributes_[a];
+    if (b != no_node) attribute = std::max(attribute, attributes_[b]);
+    if (c != no_node) attribute = std::max(attribute, attributes_[c]);
     return {op, attribute_of(op, attribute), {a, b, c}};
+  }
+
+  // The same of + - * /.
+  Node arithmetic(Op op, NodeId a, NodeId b) const {
+    return {op, std::max(attributes_[a], attributes_[b]), {a, b, no_node}};
   }
 
   Nodes const &nodes() const { return nodes_; }
@@ -60,14 +63,24 @@ private:
     if (node.operand[2] != no_node) newest = std::max(newest, node.operand[2]);
     return newest;
   }
-  NodeId newest_node() const { return static_cast<NodeId>(nodes_.size() - 1); }
+  NodeId append(Node const &node, NodeId next) {
+    nodes_.push_back(node);
+    links_.push_back({no_node, next});
+    attributes_.push_back(node.attribute);
+    return static_cast<NodeId>(nodes_.size() - 1);
+  }
   NodeId intern_in_hash(Node const &node);
   void grow_hash();
 
+  struct Links {
+    NodeId first_user; // newest entry of the node's list of users
+    NodeId next;       // next entry of the list that the node is in
+  };
+
   Nodes nodes_;
-  LongArray<NodeId> first_user_; // per node: newest entry of its list of users
-  LongArray<NodeId> next_user_;  // per node: the next entry of the list it is in
-  std::vector<NodeId> hash_;     // open addressing: leaves, and users of hubs
+  LongArray<Links> links_;          // per node
+  LongArray<Attribute> attributes_; // per node once more: those of old operands stay in the cache like this
+  std::vector<NodeId> hash_;        // open addressing: leaves, and users of hubs
   std::size_t hashed_ = 0;
 };
 

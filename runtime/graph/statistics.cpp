@@ -31,4 +31,22 @@ Statistics statistics(Graph const &graph) {
   return result;
 }
 
+OperationCounts live_operations(Graph const &graph) {
+  OperationCounts counts;
+  std::vector<char> const live = live_nodes(graph);
+  for (std::size_t id = 0; id < graph.nodes.size(); ++id)
+    if (live[id]) ++counts[graph.nodes[id].op];
+  return counts;
+}
+
+std::vector<std::size_t> operations_by_location(Graph const &graph, bool live_only) {
+  std::vector<std::size_t> counts(graph.locations.size(), 0);
+  std::vector<char> const live = live_only ? live_nodes(graph) : std::vector<char>();
+  for (std::size_t id = 0; id < graph.node_location.size(); ++id)
+    if (LocationId const location = graph.node_location[id];
+        location != no_location && !is_leaf(graph.nodes[id].op) && (!live_only || live[id]))
+      ++counts[location];
+  return counts;
+}
+
 } // namespace symreal

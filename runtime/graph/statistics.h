@@ -12,4 +12,10 @@ struct Statistics {
 };
 Statistics statistics(Graph const &graph);
 
+// Those that some root needs.
+OperationCounts live_operations(Graph const &graph);
+
+// Per location of the graph: the operations that come from there, all or those that some root needs.
+std::vector<std::size_t> operations_by_location(Graph const &graph, bool live_only);
+
 } // namespace symreal

@@ -24,17 +24,22 @@ static char const *find_node_violation(Graph const &graph, NodeId id) {
   if (node.op == Op::parameter)
     return node.slot() < graph.parameter_count() ? nullptr : "names a parameter that does not exist";
   if (is_leaf(node.op)) return nullptr;
+  OperationInfo const &operation = info(node.op);
   Attribute attribute = Attribute::constant;
-  std::size_t const operands = arity(node.op);
+  unsigned flags = operation.flags; // and those of the operands
   for (std::size_t i = 0; i < node.operand.size(); ++i) {
-    if ((i < operands) != (node.operand[i] != no_node)) return "has the wrong number of operands";
-    if (i >= operands) continue;
+    if ((i < operation.arity) != (node.operand[i] != no_node)) return "has the wrong number of operands";
+    if (i >= operation.arity) continue;
     if (node.operand[i] >= id) return "is older than its operand";
-    if (is_wide(graph.nodes[node.operand[i]].op) != takes_wide(node.op, i))
-      return takes_wide(node.op, i) ? "takes integers of 64 bits" : "takes no integers of 64 bits";
-    attribute = std::max(attribute, graph.nodes[node.operand[i]].attribute);
+    Node const &operand = graph.nodes[node.operand[i]];
+    if (!is_leaf(operand.op)) flags |= info(operand.op).flags;
+    attribute = std::max(attribute, operand.attribute);
   }
   if (node.attribute != attribute_of(node.op, attribute)) return "has the wrong attribute";
+  if (!(flags & (flag::WIDE | flag::TAKES_WIDE | flag::STRUCTURE | flag::OPAQUE))) return nullptr;
+  for (std::size_t i = 0; i < operation.arity; ++i)
+    if (is_wide(graph.nodes[node.operand[i]].op) != takes_wide(node.op, i))
+      return takes_wide(node.op, i) ? "takes integers of 64 bits" : "takes no integers of 64 bits";
   return find_opaque_violation(graph, id);
 }
 

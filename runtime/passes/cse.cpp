@@ -3,7 +3,7 @@
 
 namespace symreal {
 
-Graph pass_cse(Graph const &graph, PassSettings const &settings) {
+Graph pass_cse(Graph graph, PassSettings const &settings) {
   return sweep(graph, {.mode = settings.mode, .canonical_order = true});
 }
 

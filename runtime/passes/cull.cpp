@@ -1,8 +1,10 @@
-#include "passes/compact.h"
 #include "passes/pass.h"
 
 namespace symreal {
 
-Graph pass_cull(Graph const &graph, PassSettings const &) { return compact(graph, live_nodes(graph)); }
+Graph pass_cull(Graph graph, PassSettings const &) {
+  keep_nodes(graph, live_nodes(graph));
+  return graph;
+}
 
 } // namespace symreal

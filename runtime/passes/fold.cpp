@@ -3,7 +3,7 @@
 
 namespace symreal {
 
-Graph pass_fold(Graph const &graph, PassSettings const &settings) {
+Graph pass_fold(Graph graph, PassSettings const &settings) {
   return sweep(graph, {.mode = settings.mode, .fold = true, .limit = settings.limit});
 }
 

@@ -1,6 +1,5 @@
 #include "passes/groups.h"
 
-#include "passes/compact.h"
 
 namespace symreal {
 
@@ -108,7 +107,8 @@ Graph regrouped(Graph const &graph, BuildGroup const &build) {
   Graph result = without_nodes(graph);
   result.nodes = table.release();
   carry_over(graph, now, result);
-  return compact(result, live_nodes(result));
+  keep_nodes(result, live_nodes(result));
+  return result;
 }
 
 } // namespace symreal

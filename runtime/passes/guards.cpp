@@ -4,7 +4,6 @@
 // What is known after some guards: for a pair of operands which outcomes of comparing them are possible; for an operand
 // that is compared with constants also an interval; for any other condition its truth. A conjunction is two facts. What
 // an operand can be at all counts too: an index that was clamped needs no guard.
-#include "passes/compact.h"
 #include "passes/pass.h"
 #include "passes/value_range.h"
 
@@ -180,21 +179,21 @@ bool adds(Graph const &graph, Guard const &guard, FloatingPoint mode, Knowledge 
 
 } // namespace
 
-Graph pass_guards(Graph const &graph, PassSettings const &settings) {
+Graph pass_guards(Graph graph, PassSettings const &settings) {
   FloatingPoint const mode = settings.mode;
   if (graph.guards.empty()) return graph;
-  Graph result = graph;
   Knowledge knowledge(graph, mode);
-  std::erase_if(result.guards, [&](Guard const &guard) { return !adds(graph, guard, mode, knowledge); });
+  std::erase_if(graph.guards, [&](Guard const &guard) { return !adds(graph, guard, mode, knowledge); });
   // A call stands behind the guards before it, which therefore stay.
   if (graph.externals.empty()) {
     Knowledge later(graph, mode);
     std::vector<Guard> kept;
-    for (auto guard = result.guards.rbegin(); guard != result.guards.rend(); ++guard)
+    for (auto guard = graph.guards.rbegin(); guard != graph.guards.rend(); ++guard)
       if (adds(graph, *guard, mode, later)) kept.push_back(*guard);
-    result.guards.assign(kept.rbegin(), kept.rend());
+    graph.guards.assign(kept.rbegin(), kept.rend());
   }
-  return compact(result, live_nodes(result));
+  keep_nodes(graph, live_nodes(graph));
+  return graph;
 }
 
 } // namespace symreal

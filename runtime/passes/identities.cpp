@@ -3,7 +3,7 @@
 
 namespace symreal {
 
-Graph pass_identities(Graph const &graph, PassSettings const &settings) {
+Graph pass_identities(Graph graph, PassSettings const &settings) {
   return sweep(graph,
                {.mode = settings.mode, .topics = static_cast<unsigned>(Topic::identities), .limit = settings.limit});
 }

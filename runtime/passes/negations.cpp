@@ -1,5 +1,4 @@
 #include "graph/node_table.h"
-#include "passes/compact.h"
 #include "passes/pass.h"
 
 namespace symreal {
@@ -7,7 +6,7 @@ namespace symreal {
 // Pass `signs` leaves one canonical node for a value and its negative, and a `neg` where the negative is wanted. Where
 // nobody wants the canonical one, the negative is made directly: -(a - b) is b - a, -(a * k) is a * -k. This is the
 // reverse of the rules in signs, so it runs once, at the end, and only where every use of the node is that `neg`.
-Graph pass_negations(Graph const &graph, PassSettings const &settings) {
+Graph pass_negations(Graph graph, PassSettings const &settings) {
   std::vector<std::uint32_t> uses(graph.nodes.size(), 0);
   std::vector<char> live = live_nodes(graph);
   for (std::size_t id = 0; id < graph.nodes.size(); ++id) {
@@ -20,6 +19,7 @@ Graph pass_negations(Graph const &graph, PassSettings const &settings) {
 
   // The negative of `node` as one operation, or nothing. b - a for -(a - b) differs in the sign of zero.
   NodeTable table;
+  table.reserve(graph.nodes.size());
   auto negative = [&](Node node) -> std::optional<Node> {
     auto constant = [&](int i) { return table[node.operand[i]].is_constant(); };
     auto negate = [&](int i) { node.operand[i] = table.constant(-table[node.operand[i]].value()); };
@@ -60,7 +60,8 @@ Graph pass_negations(Graph const &graph, PassSettings const &settings) {
       if (graph.nodes[id].op == Op::neg && graph.node_exact[graph.nodes[id].operand[0]]) result.node_exact[now[id]] = 1;
   }
   carry_over(graph, now, result);
-  return compact(result, live_nodes(result));
+  keep_nodes(result, live_nodes(result));
+  return result;
 }
 
 } // namespace symreal

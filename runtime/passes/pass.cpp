@@ -46,7 +46,7 @@ std::vector<std::string> parse_passes(std::string_view text) {
 
 Graph run_passes(Graph graph, std::span<std::string const> names, PassSettings const &settings) {
   for (std::string const &name : names) {
-    graph = find_pass(name).run(graph, settings);
+    graph = find_pass(name).run(std::move(graph), settings);
     if (std::string violation = find_violation(graph); !violation.empty()) {
       std::fprintf(stderr, "symreal: after pass %s: %s\n", name.c_str(), violation.c_str());
       internal_check(false && "a pass left the graph invalid");

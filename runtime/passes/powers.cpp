@@ -89,7 +89,7 @@ int halves_of(Graph const &graph, NodeId id) {
 } // namespace
 
 // Powers of one base share their products: x^2, x^3 and x^6 take three multiplications.
-Graph pass_powers(Graph const &graph, PassSettings const &settings) {
+Graph pass_powers(Graph graph, PassSettings const &settings) {
   if (settings.mode != FloatingPoint::fast) return graph;
   std::vector<char> const live = live_nodes(graph);
   std::map<NodeId, std::map<int, std::vector<NodeId>>> bases; // exponents and nodes

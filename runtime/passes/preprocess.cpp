@@ -94,14 +94,13 @@ private:
 // The boundary between the two functions: what crosses it gets a slot of `constants`, as few nodes as possible. What
 // lies behind the boundary is parametric by definition of the attribute and so runs in `preprocess`; what lies before
 // it and depends on stored values alone `compute` computes again, where that is cheaper than a load.
-Graph pass_preprocess(Graph const &graph, PassSettings const &settings) {
+Graph pass_preprocess(Graph graph, PassSettings const &settings) {
   std::vector<char> const needed = needed_by_compute(graph);
   std::vector<char> const stored = Recomputation(graph, settings.costs, needed).stored();
-  Graph result = graph;
-  result.precomputed.clear();
+  graph.precomputed.clear();
   for (std::size_t id = 0; id < stored.size(); ++id)
-    if (stored[id]) result.precomputed.push_back(static_cast<NodeId>(id));
-  return result;
+    if (stored[id]) graph.precomputed.push_back(static_cast<NodeId>(id));
+  return graph;
 }
 
 } // namespace symreal

@@ -3,7 +3,7 @@
 
 namespace symreal {
 
-Graph pass_signs(Graph const &graph, PassSettings const &settings) {
+Graph pass_signs(Graph graph, PassSettings const &settings) {
   return sweep(graph, {.mode = settings.mode, .topics = static_cast<unsigned>(Topic::signs), .limit = settings.limit});
 }
 

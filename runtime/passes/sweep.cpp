@@ -6,16 +6,33 @@ namespace symreal {
 
 namespace {
 
+// A set of operations, in which several may stand for each other.
+using OperationSet = std::uint64_t;
+
+OperationSet only(Op op) { return OperationSet{1} << static_cast<unsigned>(op) % 64; }
+
+// What must be among the operands where the rule applies. Most rules are out by this alone.
+OperationSet needs_of(Rule const &rule) {
+  OperationSet needs = 0;
+  for (Term const &term : rule.pattern.operands)
+    if (term.kind == Term::Kind::operation)
+      needs |= only(term.op);
+    else if (term.kind == Term::Kind::number || term.variable == 'k')
+      needs |= only(Op::constant);
+  return needs;
+}
+
 class Sweep {
 public:
   explicit Sweep(SweepOptions const &options) : options_(options) {
     for (Rule const &rule : rules())
       if ((options.topics & static_cast<unsigned>(rule.topic)) && rule.mode <= options.mode)
-        rules_[static_cast<std::size_t>(rule.pattern.op)].push_back(&rule);
+        rules_[static_cast<std::size_t>(rule.pattern.op)].push_back({&rule, needs_of(rule)});
   }
 
   Graph run(Graph const &graph) {
     std::vector<NodeId> now(graph.nodes.size());
+    table_.reserve(graph.nodes.size());
     for (std::size_t id = 0; id < graph.nodes.size(); ++id) {
       Node const &node = graph.nodes[id];
       if (is_leaf(node.op)) {
@@ -55,9 +72,13 @@ private:
     if (info(op).has(flag::OPAQUE)) return intern(node);
     if (options_.fold && node.attribute == Attribute::constant && op != Op::wide)
       return may_rewrite(nullptr) ? fold(node) : intern(node);
+    OperationSet operands = 0;
+    for (NodeId const id : operand)
+      if (id != no_node) operands |= only(table_[id].op);
     Bindings bindings;
-    for (Rule const *rule : rules_[static_cast<std::size_t>(op)])
-      if (!(exact_ && rule->mode == FloatingPoint::fast) && match(*rule, node, table_, bindings))
+    for (auto const &[rule, needs] : rules_[static_cast<std::size_t>(op)])
+      if ((needs & ~operands) == 0 && !(exact_ && rule->mode == FloatingPoint::fast) &&
+          match(*rule, node, table_, bindings))
         return may_rewrite(rule) ? build(rule->replacement, bindings) : intern(node);
     return intern(node);
   }
@@ -107,7 +128,12 @@ private:
   }
 
   SweepOptions options_;
-  std::array<std::vector<Rule const *>, static_cast<std::size_t>(Op::count)> rules_;
+  struct Candidate {
+    Rule const *rule;
+    OperationSet needs;
+  };
+
+  std::array<std::vector<Candidate>, static_cast<std::size_t>(Op::count)> rules_;
   NodeTable table_;
   NodeId node_ = no_node; // of the graph that is swept, whose turn it is
   bool exact_ = false;    // what is made now

@@ -16,6 +16,7 @@ template <class IsVariable, class IsRead, class Visit> void for_each_read(Graph 
                                                                           IsVariable const &is_variable,
                                                                           IsRead const &is_read, Visit const &visit) {
   if (is_variable(use)) return visit(use);
+  if (is_read(use)) return; // most are, and the list below asks for memory
   std::vector<NodeId> nested = {use};
   while (!nested.empty()) {
     NodeId const id = nested.back();

@@ -9,10 +9,27 @@
 #include <fstream>
 #include <optional>
 #include <sstream>
+#include <string_view>
 #include <sys/stat.h>
 #include <unistd.h>
+#include <vector>
 
 namespace symreal {
+
+// Whether the file holds this text; reads it piece by piece.
+static bool holds(std::string const &path, std::string_view text) {
+  std::error_code problem;
+  if (std::filesystem::file_size(path, problem) != text.size() || problem) return false;
+  std::ifstream file(path, std::ios::binary);
+  std::vector<char> piece(std::size_t{1} << 16);
+  while (file && !text.empty()) {
+    file.read(piece.data(), static_cast<std::streamsize>(piece.size()));
+    std::string_view const read(piece.data(), static_cast<std::size_t>(file.gcount()));
+    if (!text.starts_with(read)) return false;
+    text.remove_prefix(read.size());
+  }
+  return text.empty();
+}
 
 static std::optional<std::string> contents(std::string const &path) {
   std::ifstream file(path, std::ios::binary);
@@ -29,7 +46,7 @@ std::string read_file(std::string const &path) {
 }
 
 void write_if_changed(std::string const &path, std::string const &text) {
-  if (contents(path) == text) return;
+  if (holds(path, text)) return;
   std::string temporary = path + ".XXXXXX";
   int descriptor = mkstemp(temporary.data());
   auto give_up = [&](int reason) {

@@ -16,6 +16,11 @@ std::string shortest(double value) { return shortest_of(value); }
 
 std::string shortest(float value) { return shortest_of(value); }
 
+void append_number(std::string &text, std::size_t number) {
+  char buffer[24];
+  text.append(buffer, std::to_chars(buffer, buffer + sizeof buffer, number).ptr);
+}
+
 std::optional<double> parse_number(std::string_view text) {
   bool negative = !text.empty() && text.front() == '-';
   if (negative) text.remove_prefix(1);

@@ -1,6 +1,7 @@
 // Numbers as text that reads back to the same bits.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -15,5 +16,8 @@ std::string shortest(float value);
 
 // The inverse; also hexadecimal floating point ("0x1.8p+1"). The whole text must be a number.
 std::optional<double> parse_number(std::string_view text);
+
+// The decimal text of a count, at the end of `text`.
+void append_number(std::string &text, std::size_t number);
 
 } // namespace symreal

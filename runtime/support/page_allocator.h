@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <new>
+#include <utility>
 #include <vector>
 
 namespace symreal {
@@ -29,6 +30,11 @@ public:
   void deallocate(T *begin, std::size_t count) noexcept {
     if (count > least_mapped) return unmap_pages(begin, count * sizeof(T));
     ::operator delete(begin);
+  }
+  // An element without a value is left as it is, so that an array can be read into.
+  template <class U> void construct(U *place) { ::new (static_cast<void *>(place)) U; }
+  template <class U, class... Arguments> void construct(U *place, Arguments &&...arguments) {
+    ::new (static_cast<void *>(place)) U(std::forward<Arguments>(arguments)...);
   }
   friend bool operator==(PageAllocator, PageAllocator) { return true; }
 

@@ -68,6 +68,11 @@ void deliver(Graph const &graph, std::string const &output_file) {
   } catch (DiagnosticError const &error) {
     report(error.diagnostic());
     give_up();
+  } catch (std::bad_alloc const &) {
+    report({DiagnosticId::out_of_memory,
+            {},
+            "the system gives no more memory to hand kernel '" + graph.kernel + "' over"});
+    give_up();
   }
 }
 

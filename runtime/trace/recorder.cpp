@@ -162,7 +162,7 @@ public:
       if (pool.owns(*number)) *number = pool.final_value(*number);
     Guards::current().end(graph_);
     Externals::current().end(graph_);
-    locate_nodes(pool.places());
+    locate_nodes(pool.take_places());
     graph_.node_exact = pool.exact();
     graph_.nodes = pool.end();
     deliver(graph_, output_file);
@@ -219,19 +219,25 @@ private:
     give_up();
   }
 
-  // Nodes of the same code share a location.
-  void locate_nodes(LongArray<std::uint32_t> const &addresses) {
+  // Nodes of the same code share a location. In place: with a recording of this length the memory counts.
+  void locate_nodes(LongArray<std::uint32_t> addresses) {
+    static_assert(std::is_same_v<std::uint32_t, LocationId>);
     std::unordered_map<std::uint32_t, LocationId> known;
-    graph_.node_location.reserve(addresses.size());
-    for (std::uint32_t address : addresses) {
-      if (address == 0) {
-        graph_.node_location.push_back(no_location);
-        continue;
+    std::uint32_t last_address = 0;
+    LocationId last = no_location;
+    for (std::uint32_t &address : addresses) {
+      if (address != last_address) {
+        last_address = address;
+        auto [found, is_new] = known.try_emplace(address, static_cast<LocationId>(graph_.locations.size()));
+        if (address == 0)
+          found->second = no_location;
+        else if (is_new)
+          graph_.locations.push_back({{}, {address}});
+        last = found->second;
       }
-      auto [found, is_new] = known.try_emplace(address, static_cast<LocationId>(graph_.locations.size()));
-      if (is_new) graph_.locations.push_back({{}, {address}});
-      graph_.node_location.push_back(found->second);
+      address = last;
     }
+    graph_.node_location = std::move(addresses);
   }
 
   void check_modes(Place const &end) {

@@ -18,7 +18,7 @@ Graph analyzed_graph(CLI::App const &command, PassOptions const &passes, std::st
       fail(DiagnosticId::option_without_effect, {},
            std::string(option) + " is for passes: without --passes a graph is analyzed as it stands");
   Graph graph = read_graph(read_file(file), file);
-  return passes.is_given() ? optimise(graph, passes).graph : graph;
+  return passes.is_given() ? optimise(std::move(graph), passes).graph : graph;
 }
 
 } // namespace symreal::tool

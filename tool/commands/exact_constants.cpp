@@ -97,7 +97,7 @@ void require_same_outputs(Graph const &recorded, Snapped const &snapped, double 
 }
 
 std::size_t operations(Graph const &graph, PassSettings const &settings) {
-  Graph const simple = pass_simplify(pass_cull(graph, settings), settings);
+  Graph const simple = pass_simplify(pass_cull(Graph(graph), settings), settings);
   std::vector<char> const live = live_nodes(simple);
   OperationCounts counts; // without those on parameters
   for (std::size_t id = 0; id < simple.nodes.size(); ++id)

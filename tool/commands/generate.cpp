@@ -109,11 +109,6 @@ void emit_files(program::Recorded const &recorded, Schedule const &plan, Options
     product.bundle = options.bundle.bundle(plan, options.emitter, options.passes.floating_point(), several);
   else
     emit_sources(recorded, plan, options, several, product);
-  if (!options.graph_file.empty()) {
-    std::ostringstream text;
-    write_graph(text, product.recorded);
-    product.files.push_back({place_output(options.graph_file, recorded.kernel.name + ".graph", several), text.str()});
-  }
 }
 
 bool accept_frozen(std::vector<program::Recorded> const &kernels, Options const &options, program::Talk const &talk,
@@ -136,12 +131,19 @@ std::optional<std::vector<Product>> generate(program::FrontRequest const &reques
   std::vector<Product> products;
   for (program::Recorded &recorded : front.kernels) {
     auto const start = std::chrono::steady_clock::now();
-    Product product{std::move(recorded.graph)};
-    (void)find_states(product.recorded);
-    product.optimised = optimise(product.recorded, options.passes, [&](auto const &one) { console.report(one); });
+    Product product;
+    (void)find_states(recorded.graph);
+    std::ostringstream graph;
+    if (!options.graph_file.empty()) write_graph(graph, recorded.graph);
+    product.optimised =
+        optimise(std::move(recorded.graph), options.passes, [&](auto const &one) { console.report(one); });
     Schedule const plan =
         options.parallel.shared(schedule(product.optimised.graph, options.emitter.nesting()), product.sharing);
-    emit_files(recorded, plan, options, front.kernels.size() > 1, product);
+    bool const several = front.kernels.size() > 1;
+    emit_files(recorded, plan, options, several, product);
+    if (!options.graph_file.empty())
+      product.files.push_back(
+          {place_output(options.graph_file, recorded.kernel.name + ".graph", several), std::move(graph).str()});
     product.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     products.push_back(std::move(product));
   }

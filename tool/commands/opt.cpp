@@ -80,9 +80,7 @@ Input read_input(Options const &options) {
     fail(DiagnosticId::option_without_effect, {},
          "--parallel shares out a graph, and '" + options.file +
              "' is a schedule, which says itself who computes what");
-  ReadSchedule schedule = read_schedule(text, options.file);
-  Graph graph = *schedule.graph;
-  return {std::move(graph), std::move(schedule)};
+  return {{}, read_schedule(text, options.file)};
 }
 
 std::vector<OutputFile> result_files(Graph const &graph, Schedule const *read, Options const &options,
@@ -122,10 +120,11 @@ std::vector<std::string> write_bundle(Graph const &graph, Schedule const *read, 
 void run(CLI::App &command, Options const &options) {
   options.bundle.require_sense(command);
   require_sense(options);
-  Input const input = read_input(options);
-  Optimised const optimised = input.schedule ? Optimised{input.graph, {}} : optimise(input.graph, options.passes);
+  Input input = read_input(options);
+  Optimised const optimised = input.schedule ? Optimised{*input.schedule->graph, {}, counts_of(*input.schedule->graph)}
+                                             : optimise(std::move(input.graph), options.passes);
   Schedule const *const read = input.schedule ? &input.schedule->plan : nullptr;
-  KernelReport report{&input.graph, &optimised.graph, optimised.stages, {}, {}};
+  KernelReport report{optimised.recorded, &optimised.graph, optimised.stages, {}, {}};
   if (options.bundle.is_given()) {
     report.files = write_bundle(optimised.graph, read, options);
   } else {

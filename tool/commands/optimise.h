@@ -10,8 +10,9 @@ namespace symreal::tool {
 struct Optimised {
   Graph graph;
   std::vector<Stage> stages;
+  RecordedCounts recorded;
 };
 // Remarks go to standard error unless `report` takes them.
-Optimised optimise(Graph const &recorded, PassOptions const &options, Report const &report = {});
+Optimised optimise(Graph recorded, PassOptions const &options, Report const &report = {});
 
 } // namespace symreal::tool

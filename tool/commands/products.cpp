@@ -11,27 +11,28 @@ namespace symreal::tool {
 namespace {
 
 // What is handed on whole comes first.
-std::vector<OutputFile> all_files(Product const &product) {
-  std::vector<OutputFile> all = product.bundle.files();
-  all.insert(all.end(), product.files.begin(), product.files.end());
+std::vector<OutputFile const *> all_files(Product const &product) {
+  std::vector<OutputFile const *> all;
+  for (auto const *list : {&product.bundle.package.files, &product.bundle.units, &product.files})
+    for (OutputFile const &file : *list) all.push_back(&file);
   return all;
 }
 
 // Of all kernels; two of them must not have one name.
-std::vector<OutputFile> single_files(std::vector<Product> const &products) {
-  std::vector<OutputFile> files;
+std::vector<OutputFile const *> single_files(std::vector<Product> const &products) {
+  std::vector<OutputFile const *> files;
   for (Product const &product : products)
     for (auto const *list : {&product.files, &product.bundle.units})
-      files.insert(files.end(), list->begin(), list->end());
+      for (OutputFile const &file : *list) files.push_back(&file);
   return files;
 }
 
 } // namespace
 
 bool check_products(std::vector<Product> const &products) {
-  std::vector<OutputFile> files;
+  std::vector<OutputFile const *> files;
   for (Product const &product : products)
-    for (OutputFile &file : all_files(product)) files.push_back(std::move(file));
+    for (OutputFile const *file : all_files(product)) files.push_back(file);
   return check_files(files);
 }
 
@@ -44,14 +45,14 @@ std::string write_products(std::vector<Product> const &products, std::vector<std
     product.bundle.write();
     write_files(product.files);
   }
-  return all_files(products.front()).front().path;
+  return all_files(products.front()).front()->path;
 }
 
 void show_products(std::vector<Product> const &products, program::Front const &front, bool details, bool as_json) {
   nlohmann::ordered_json json = nlohmann::ordered_json::array();
   for (Product const &product : products) {
-    KernelReport report{&product.recorded, &product.optimised.graph, product.optimised.stages, {}, {}};
-    for (OutputFile const &file : all_files(product)) report.files.push_back(file.path);
+    KernelReport report{product.optimised.recorded, &product.optimised.graph, product.optimised.stages, {}, {}};
+    for (OutputFile const *file : all_files(product)) report.files.push_back(file->path);
     report.seconds = {{"rewrite", front.rewrite_seconds},
                       {"build", front.build_seconds},
                       {"run", front.run_seconds},

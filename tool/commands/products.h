@@ -11,7 +11,6 @@
 namespace symreal::tool {
 
 struct Product {
-  Graph recorded;
   Optimised optimised = {};
   std::vector<OutputFile> files = {};
   Bundle bundle = {};

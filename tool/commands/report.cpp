@@ -30,12 +30,13 @@ void run(Options const &options) {
   if (!options.verification.empty()) verification = read_verification(options.verification, recorded.kernel);
   Optimised const optimised = optimise(recorded, options.passes);
   Sources const sources(recorded);
-  std::string const text = page(recorded.kernel, report_data({{&recorded, &optimised.graph, optimised.stages, {}, {}},
-                                                              costs,
-                                                              options.passes.floating_point(),
-                                                              options.units,
-                                                              std::move(verification)},
-                                                             sources));
+  std::string const text =
+      page(recorded.kernel, report_data({{optimised.recorded, &optimised.graph, optimised.stages, {}, {}},
+                                         costs,
+                                         options.passes.floating_point(),
+                                         options.units,
+                                         std::move(verification)},
+                                        sources));
   for (Diagnostic const &warning : gone_sources(sources)) print(std::cerr, warning);
   write_if_changed(options.output, text);
 }

@@ -23,6 +23,7 @@ Json code_data(Graph const &graph, FloatingPoint mode, Sources const &sources) {
   EmitOptions options;
   options.base_name = graph.kernel;
   options.mode = mode;
+  options.origins = true;
   EmittedFile const file = emit(plan, *find_language("c"), options).front();
   Json origins = Json::array();
   for (LineOrigin const &origin : file.origins)

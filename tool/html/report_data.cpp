@@ -17,7 +17,7 @@ static Json timetable(Graph const &graph, OperationTasks const &operations, std:
 }
 
 Json report_data(ReportRequest const &request, Sources const &sources) {
-  Graph const &graph = *request.kernel.optimised;
+  Graph const &graph = *request.kernel.graph;
   Figures const all = figures(graph, request.costs, {});
   return {{"tool", version},
           {"mode", to_string(request.mode)},

@@ -21,13 +21,18 @@ namespace fs = std::filesystem;
 std::vector<OutputFile> emitted_files(Schedule const &plan, EmitterOptions const &options, FloatingPoint mode,
                                       std::vector<Language const *> const &languages, std::string const &path,
                                       Rerolled const *loops, Laned const *lanes) {
-  EmitOptions const emit{
-      fs::path(path).stem().string(), options.prefix,     mode, options.extras, options.trace_comments,
-      options.check_values,           options.is_single()};
+  EmitOptions const emit{fs::path(path).stem().string(),
+                         options.prefix,
+                         mode,
+                         options.extras,
+                         options.trace_comments,
+                         options.check_values,
+                         options.is_single(),
+                         !options.map_file.empty()};
   std::vector<OutputFile> files;
   for (Language const *language : languages)
-    for (EmittedFile const &file : symreal::emit(plan, *language, emit, loops, lanes)) {
-      files.push_back({(fs::path(path).parent_path() / file.name).string(), file.text});
+    for (EmittedFile &file : symreal::emit(plan, *language, emit, loops, lanes)) {
+      files.push_back({(fs::path(path).parent_path() / file.name).string(), std::move(file.text)});
       if (!options.map_file.empty() && files.size() == 1)
         files.push_back({options.map_file, line_map(file, *plan.graph)});
     }
@@ -47,14 +52,20 @@ void require_writable(std::string const &path) {
     fail(DiagnosticId::unwritable_output, {path}, "'" + path + "' cannot be written: a directory has this name");
 }
 
-void require_writable(std::vector<OutputFile> const &files) {
+void require_writable(std::vector<OutputFile const *> const &files) {
   std::set<fs::path> paths;
-  for (OutputFile const &file : files) {
-    require_writable(file.path);
-    require_ours(file.path, file.text);
-    if (!paths.insert(fs::path(file.path).lexically_normal()).second)
-      fail(DiagnosticId::output_collision, {file.path}, "two results would be written to this file");
+  for (OutputFile const *file : files) {
+    require_writable(file->path);
+    require_ours(file->path, file->text);
+    if (!paths.insert(fs::path(file->path).lexically_normal()).second)
+      fail(DiagnosticId::output_collision, {file->path}, "two results would be written to this file");
   }
+}
+
+void require_writable(std::vector<OutputFile> const &files) {
+  std::vector<OutputFile const *> all;
+  for (OutputFile const &file : files) all.push_back(&file);
+  require_writable(all);
 }
 
 void make_directory(std::string const &path) {
@@ -63,9 +74,10 @@ void make_directory(std::string const &path) {
   if (problem) fail(DiagnosticId::unwritable_output, {path}, "the directory cannot be made: " + problem.message());
 }
 
-bool check_files(std::vector<OutputFile> const &files) {
+bool check_files(std::vector<OutputFile const *> const &files) {
   bool current = true;
-  for (OutputFile const &file : files) {
+  for (OutputFile const *one : files) {
+    OutputFile const &file = *one;
     bool const exists = fs::exists(file.path);
     std::string const there = exists ? read_file(file.path) : "";
     if (exists && there == file.text) continue;

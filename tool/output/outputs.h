@@ -24,13 +24,14 @@ std::vector<OutputFile> emitted_files(Schedule const &plan, EmitterOptions const
 
 // Fails when a file of this name cannot be written; before the work is done, so that it is not done in vain.
 void require_writable(std::string const &path);
+void require_writable(std::vector<OutputFile const *> const &files);
 void require_writable(std::vector<OutputFile> const &files);
 
 // Makes a directory for results where there is none.
 void make_directory(std::string const &path);
 
 // Does the disk hold these files? What differs is reported, and its difference printed to standard output.
-bool check_files(std::vector<OutputFile> const &files);
+bool check_files(std::vector<OutputFile const *> const &files);
 
 // Returns the paths. Files that are up to date are left alone.
 std::vector<std::string> write_files(std::vector<OutputFile> const &files);

@@ -22,9 +22,9 @@ struct Column {
 };
 
 std::vector<Column> columns(KernelReport const &report) {
-  Statistics before = statistics(*report.recorded), after = statistics(*report.optimised);
-  return {{"executed", "by the program", report.recorded->executed},
-          {"recorded", "distinct", before.recorded},
+  Statistics const after = statistics(*report.graph);
+  return {{"executed", "by the program", report.graph->executed},
+          {"recorded", "distinct", report.recorded.operations},
           {"compute", "generated", after.compute},
           {"preprocess", "generated", after.preprocess}};
 }
@@ -66,8 +66,8 @@ void print_objects(std::ostream &out, char const *role, std::vector<Object> cons
 }
 
 // Fewer operations are what makes generated code faster. Where there are as many, the loops of the original may be.
-void print_gain(std::ostream &out, Graph const &recorded, Graph const &optimised) {
-  std::size_t const before = recorded.executed.arithmetic(), after = statistics(optimised).compute.arithmetic();
+void print_gain(std::ostream &out, Graph const &graph) {
+  std::size_t const before = graph.executed.arithmetic(), after = statistics(graph).compute.arithmetic();
   if (after == 0 || 10 * after < 9 * before) return;
   fmt::print(
       out,
@@ -114,23 +114,27 @@ Json to_json(std::vector<Object> const &objects) {
 
 } // namespace
 
+RecordedCounts counts_of(Graph const &recorded) {
+  return {statistics(recorded).recorded, operations_by_location(recorded, false)};
+}
+
 void print_table(std::ostream &out, KernelReport const &report, bool details) {
-  Graph const &recorded = *report.recorded, &optimised = *report.optimised;
-  fmt::print(out, "kernel {}: {} inputs, {} parameters, {} outputs, {} precomputed constants\n", recorded.kernel,
-             recorded.input_count(), recorded.parameter_count(), recorded.output_count(), optimised.precomputed.size());
+  Graph const &graph = *report.graph;
+  fmt::print(out, "kernel {}: {} inputs, {} parameters, {} outputs, {} precomputed constants\n", graph.kernel,
+             graph.input_count(), graph.parameter_count(), graph.output_count(), graph.precomputed.size());
   print_operations(out, columns(report));
   if (details) {
     out << "  live operations after each pass (+ - * /, functions)\n";
     for (Stage const &stage : report.stages)
       fmt::print(out, "    {:<14}{:>12}{:>12}\n", stage.name, stage.live.arithmetic(), stage.live.calls());
-    print_objects(out, "input", recorded.inputs);
-    print_objects(out, "parameter", recorded.parameters);
-    print_objects(out, "output", recorded.outputs);
-    print_lines(out, operations_by_line(recorded, optimised));
-    print_gain(out, recorded, optimised);
+    print_objects(out, "input", graph.inputs);
+    print_objects(out, "parameter", graph.parameters);
+    print_objects(out, "output", graph.outputs);
+    print_lines(out, operations_by_line(report.recorded, graph));
+    print_gain(out, graph);
   }
-  print_guards(out, optimised, details);
-  for (Frozen const &state : recorded.frozen)
+  print_guards(out, graph, details);
+  for (Frozen const &state : graph.frozen)
     fmt::print(out, "  baked in        {} = {}  ({})\n", state.name, value_list(state.values), to_string(state.place));
   std::string times;
   for (auto const &[part, seconds] : report.seconds)
@@ -140,20 +144,20 @@ void print_table(std::ostream &out, KernelReport const &report, bool details) {
 }
 
 Json to_json(KernelReport const &report) {
-  Graph const &recorded = *report.recorded;
-  Json json = {{"kernel", recorded.kernel},
-               {"inputs", to_json(recorded.inputs)},
-               {"parameters", to_json(recorded.parameters)},
-               {"outputs", to_json(recorded.outputs)},
-               {"constants", report.optimised->precomputed.size()}};
-  if (!report.optimised->guards.empty()) json["guards"] = guards_to_json(*report.optimised);
+  Graph const &graph = *report.graph;
+  Json json = {{"kernel", graph.kernel},
+               {"inputs", to_json(graph.inputs)},
+               {"parameters", to_json(graph.parameters)},
+               {"outputs", to_json(graph.outputs)},
+               {"constants", graph.precomputed.size()}};
+  if (!graph.guards.empty()) json["guards"] = guards_to_json(graph);
   for (Column const &column : columns(report)) json["operations"][column.name] = to_json(column.counts);
   json["passes"] = Json::array();
   for (Stage const &stage : report.stages)
     json["passes"].push_back({{"after", stage.name}, {"live", to_json(stage.live)}});
-  if (auto lines = operations_by_line(recorded, *report.optimised); !lines.empty()) json["lines"] = to_json(lines);
+  if (auto lines = operations_by_line(report.recorded, graph); !lines.empty()) json["lines"] = to_json(lines);
   json["frozen"] = Json::array();
-  for (Frozen const &state : recorded.frozen)
+  for (Frozen const &state : graph.frozen)
     json["frozen"].push_back({{"name", state.name}, {"place", to_string(state.place)}, {"values", state.values}});
   for (auto const &[part, seconds] : report.seconds) json["seconds"][part] = seconds;
   json["files"] = report.files;

@@ -18,11 +18,18 @@ struct Stage {
   OperationCounts live;
 };
 
+// Of a recorded graph, before the passes take it.
+struct RecordedCounts {
+  OperationCounts operations;           // distinct ones, live or not
+  std::vector<std::size_t> by_location; // of the graph
+};
+RecordedCounts counts_of(Graph const &recorded);
+
 struct KernelReport {
-  Graph const *recorded;
-  Graph const *optimised;
-  std::vector<Stage> stages;                           // the operations that are live after each pass
-  std::vector<std::string> files;                      // that were written
+  RecordedCounts recorded;
+  Graph const *graph;             // optimised; what it says of its interface and of the run is as recorded
+  std::vector<Stage> stages;      // the operations that are live after each pass
+  std::vector<std::string> files; // that were written
   std::vector<std::pair<std::string, double>> seconds; // by part of the run
 };
 

@@ -1,32 +1,24 @@
 #include "tool/report/source_lines.h"
 
+#include "graph/statistics.h"
+
 #include <algorithm>
 #include <fmt/ostream.h>
 #include <map>
 #include <nlohmann/json.hpp>
 
 namespace symreal::tool {
-namespace {
-
-using Line = std::pair<std::string, unsigned>;
-
-// Counts the operations among `nodes` that `counts` says, by line.
-template <class Counts, class Add> void count(Graph const &graph, Counts const &counts, Add const &add) {
-  for (std::size_t id = 0; id < graph.node_location.size(); ++id) {
-    LocationId location = graph.node_location[id];
-    if (location == no_location || is_leaf(graph.nodes[id].op) || !counts(id)) continue;
-    if (std::vector<Place> const &places = graph.locations[location].places; !places.empty())
-      add(Line(places.front().file, places.front().line));
+std::vector<LineCount> operations_by_line(RecordedCounts const &recorded, Graph const &optimised) {
+  std::map<std::pair<std::string, unsigned>, LineCount> lines;
+  std::vector<std::size_t> const generated = operations_by_location(optimised, true);
+  for (std::size_t location = 0; location < optimised.locations.size(); ++location) {
+    std::vector<Place> const &places = optimised.locations[location].places;
+    std::size_t const before = recorded.by_location[location];
+    if (places.empty() || (before == 0 && generated[location] == 0)) continue;
+    LineCount &line = lines[{places.front().file, places.front().line}];
+    line.recorded += before;
+    line.generated += generated[location];
   }
-}
-
-} // namespace
-
-std::vector<LineCount> operations_by_line(Graph const &recorded, Graph const &optimised) {
-  std::map<Line, LineCount> lines;
-  count(recorded, [](std::size_t) { return true; }, [&](Line const &line) { ++lines[line].recorded; });
-  std::vector<char> const live = live_nodes(optimised);
-  count(optimised, [&](std::size_t id) { return live[id]; }, [&](Line const &line) { ++lines[line].generated; });
   std::vector<LineCount> result;
   for (auto &[line, counts] : lines)
     result.push_back({{line.first, line.second, 0}, counts.recorded, counts.generated});

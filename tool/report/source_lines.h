@@ -1,7 +1,7 @@
 // Operations by the source line that they come from: where the work of a kernel stands.
 #pragma once
 
-#include "graph/graph.h"
+#include "tool/report/report.h"
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -16,7 +16,7 @@ struct LineCount {
 };
 
 // The most generated operations first. Empty where the graph has no places.
-std::vector<LineCount> operations_by_line(Graph const &recorded, Graph const &optimised);
+std::vector<LineCount> operations_by_line(RecordedCounts const &recorded, Graph const &optimised);
 
 void print_lines(std::ostream &out, std::vector<LineCount> const &lines);
 nlohmann::ordered_json to_json(std::vector<LineCount> const &lines);

@@ -18,6 +18,7 @@ struct EmitOptions {
   bool trace_comments = false;                    // every statement says which source lines it comes from
   bool check_values = false; // one operation a statement, and the first NaN or infinity of a call is reported
   bool is_single = false;    // numbers are float
+  bool origins = false;      // where the lines of statements come from is wanted
 };
 
 // Lines of a file that hold one statement, and where its operations come from.
@@ -29,7 +30,7 @@ struct LineOrigin {
 struct EmittedFile {
   std::string name;
   std::string text;
-  std::vector<LineOrigin> origins = {}; // where the graph has places
+  std::vector<LineOrigin> origins = {}; // on request, where the graph has places
 };
 
 } // namespace symreal

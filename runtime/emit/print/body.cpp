@@ -25,6 +25,8 @@ BodyPrinter::BodyPrinter(Emission &emission, FunctionBody const &body, bool is_c
       chunks_(
           cut(emission.plan, body, is_compute, {language_.functions.most_statements, language_.functions.parts_store})),
       context_(emission, body, is_compute),
+      constant_(language_, language_.statements.constant, {"type", "name", "value"}),
+      set_(language_, language_.statements.set, {"type", "name", "value"}),
       declarations_(language_) {}
 
 void BodyPrinter::spell_inputs(std::vector<std::string> leaves, std::vector<char> const &constant) {
@@ -96,13 +98,15 @@ void BodyPrinter::print_step(Step const &step, std::size_t indent, CodeText &out
   case Step::Kind::set_const: return set(step.index, true, indent, out);
   case Step::Kind::keep: {
     NodeId const id = body_.variables[step.index];
-    std::string const element = context_.element("v", chunks_.spill_slot[id]);
-    return out.statement(indent, stored(element, id, print_use(context_, id)));
+    begin_store("v", chunks_.spill_slot[id]);
+    print_use(context_, id, value_);
+    return end_store(id, indent, out);
   }
   case Step::Kind::copy: {
     NodeId const id = chunks_.stores.copied[step.index];
-    std::string const element = context_.element("v", chunks_.copy_slot[id]);
-    return out.statement(indent, stored(element, id, print_expression(context_, id)));
+    begin_store("v", chunks_.copy_slot[id]);
+    print_expression(context_, id, value_);
+    return end_store(id, indent, out);
   }
   case Step::Kind::store: return store_result(step.index, indent, out);
   case Step::Kind::check: {
@@ -117,7 +121,7 @@ void BodyPrinter::declare(std::size_t statement, std::size_t indent, CodeText &o
   StatementSyntax const &syntax = language_.statements;
   auto const &[type_name, zero] = type_syntax(statement);
   std::string const name = context_.spelling(statement);
-  variables_.push_back(name);
+  note_variable(name);
   if (!syntax.first_declaration.empty())
     declarations_.statement(2, fill(language_, syntax.first_declaration, {{"type", type_name}, {"name", name}}));
   out.statement(indent, fill(language_, syntax.variable, {{"type", type_name}, {"name", name}, {"value", zero}}));
@@ -128,16 +132,20 @@ void BodyPrinter::set(std::size_t statement, bool declares, std::size_t indent, 
   NodeId const id = body_.variables[statement];
   if (before_) before_(statement, out);
   context_.spelled_out.clear();
-  std::string const value = context_.is_gate(id) ? print_gate(context_, id) : print_expression(context_, id),
-                    name = context_.spelling(statement);
+  name_.clear();
+  value_.clear();
+  line_.clear();
+  if (context_.is_gate(id))
+    value_ = print_gate(context_, id);
+  else
+    print_expression(context_, id, value_);
+  context_.spelling.append_to(name_, statement);
   std::string_view const type_name = type_syntax(statement).name;
-  if (declares) variables_.push_back(name);
+  if (declares) note_variable(name_);
   if (declares && !syntax.first_declaration.empty())
-    declarations_.statement(2, fill(language_, syntax.first_declaration, {{"type", type_name}, {"name", name}}));
-  out.statement(
-      indent,
-      fill(language_, declares ? syntax.constant : syntax.set, {{"type", type_name}, {"name", name}, {"value", value}}),
-      origin());
+    declarations_.statement(2, fill(language_, syntax.first_declaration, {{"type", type_name}, {"name", name_}}));
+  (declares ? constant_ : set_).append_to(line_, {type_name, name_, value_});
+  out.statement(indent, line_, origin());
   if (emission_.options.check_values && type(statement) == Type::number) check_value(statement, indent, out);
 }
 
@@ -176,12 +184,20 @@ void BodyPrinter::print_call(Step const &step, std::size_t indent, CodeText &out
     out.statement(indent, lines[k], k + 1 == lines.size() ? origin() : Origin());
 }
 
-std::string BodyPrinter::stored(std::string const &element, NodeId id, std::string const &value) const {
-  StatementSyntax const &syntax = language_.statements;
-  if (context_.is_gate(id) || !is_wide(emission_.graph().nodes[id].op))
-    return fill(language_, syntax.set, {{"name", element}, {"value", value}});
+void BodyPrinter::begin_store(std::string_view array, std::size_t index) {
+  name_.clear();
+  value_.clear();
+  context_.append_element(name_, array, index);
+}
+
+void BodyPrinter::end_store(NodeId id, std::size_t indent, CodeText &out) {
+  if (context_.is_gate(id) || !is_wide(emission_.graph().nodes[id].op)) {
+    line_.clear();
+    set_.append_to(line_, {{}, name_, value_});
+    return out.statement(indent, line_);
+  }
   emission_.uses.keep_integer = true;
-  return fill(language_, syntax.keep_integer, {{"element", element}, {"value", value}});
+  out.statement(indent, fill(language_, language_.statements.keep_integer, {{"element", name_}, {"value", value_}}));
 }
 
 void BodyPrinter::checks(CodeText &out) {
@@ -190,8 +206,9 @@ void BodyPrinter::checks(CodeText &out) {
 
 void BodyPrinter::store_result(std::size_t result, std::size_t indent, CodeText &out) {
   NodeId const id = body_.results[result];
-  std::string const element = context_.element(target_, result);
-  out.statement(indent, stored(element, id, print_use(context_, id)));
+  begin_store(target_, result);
+  print_use(context_, id, value_);
+  end_store(id, indent, out);
 }
 
 std::size_t BodyPrinter::result_groups() const {
@@ -207,7 +224,14 @@ void BodyPrinter::results(std::size_t group, CodeText &out) {
     store_result(behind[k], 2, out);
 }
 
+// Where no text lists them, they are not kept.
+void BodyPrinter::note_variable(std::string const &name) {
+  FunctionSyntax const &syntax = language_.functions;
+  if (!syntax.locals.empty() || !syntax.no_locals.empty()) variables_.push_back(name);
+}
+
 Origin BodyPrinter::origin() const {
+  if (!emission_.options.origins && !emission_.options.trace_comments) return {};
   Graph const &graph = emission_.graph();
   Origin origin{locations_of(graph, context_.spelled_out), {}};
   if (emission_.options.trace_comments && !origin.locations.empty())

@@ -58,7 +58,10 @@ private:
   void check_value(std::size_t statement, std::size_t indent, CodeText &out) const;
   void print_call(Step const &step, std::size_t indent, CodeText &out);
   void store_result(std::size_t result, std::size_t indent, CodeText &out);
-  std::string stored(std::string const &element, NodeId id, std::string const &value) const;
+  // What stores a value in an element: `value_` takes it between the two.
+  void begin_store(std::string_view array, std::size_t index);
+  void end_store(NodeId id, std::size_t indent, CodeText &out);
+  void note_variable(std::string const &name);
   Origin origin() const;
 
   Emission &emission_;
@@ -68,6 +71,8 @@ private:
   std::string_view target_;
   Chunks chunks_;
   FunctionContext context_;
+  PreparedPattern constant_, set_;
+  std::string name_, value_, line_; // of the statement that is printed
   CodeText declarations_;
   std::vector<std::string> variables_;
   std::function<void(std::size_t, CodeText &)> before_ = nullptr;

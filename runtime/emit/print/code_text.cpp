@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <utility>
 
 namespace symreal {
 
@@ -47,7 +48,12 @@ void CodeText::lines(std::string_view text) {
 void CodeText::append(CodeText &&other) {
   for (LineOrigin &origin : other.origins_)
     origins_.push_back({origin.first_line + line_ - 1, origin.last_line + line_ - 1, std::move(origin.locations)});
-  text_.append(other.text_);
+  if (other.text_.size() > text_.size()) { // the longer one need not move to another place
+    other.text_.insert(0, text_);
+    std::swap(text_, other.text_);
+  } else {
+    text_.append(other.text_);
+  }
   line_ += other.line_ - 1;
   other = CodeText(*language_);
 }

@@ -6,12 +6,12 @@
 
 namespace symreal {
 
-std::string ExpressionPrinter::print(Item item) {
+void ExpressionPrinter::print(Item item) {
   stack_.push_back(item);
-  return finish();
+  finish();
 }
 
-std::string ExpressionPrinter::print_condition(Literal literal) {
+void ExpressionPrinter::print_condition(Literal literal) {
   auto [id, wanted] = literal;
   while (spelled_out(id) && node(id).op == Op::logical_not) {
     id = node(id).operand[0];
@@ -29,11 +29,11 @@ std::string ExpressionPrinter::print_condition(Literal literal) {
   }
   if (wanted) return print({.node = id});
   push_pattern(Op::logical_not, std::array{Item{.node = id}});
-  return finish();
+  finish();
 }
 
-std::string ExpressionPrinter::finish() {
-  while (!stack_.empty()) {
+void ExpressionPrinter::finish() {
+  while (stack_.size() > others_) {
     Item const item = stack_.back();
     stack_.pop_back();
     if (item.node == no_node)
@@ -41,7 +41,6 @@ std::string ExpressionPrinter::finish() {
     else
       print_node(item);
   }
-  return std::move(text_);
 }
 
 // Neither a variable nor an element of an array.
@@ -77,29 +76,20 @@ void ExpressionPrinter::print_node(Item const &item) {
 
 void ExpressionPrinter::print_itself(Item const &item) {
   NodeId const id = item.node;
-  if (context_.is_gate(id)) {
-    text_ += is_variable(id) ? variable(id) : context_.element("v", context_.kept[id]);
-    return;
-  }
+  if (context_.is_gate(id))
+    return is_variable(id) ? print_variable(id) : context_.append_element(text_, "v", context_.kept[id]);
   Node const &node = this->node(id);
   if (node.is_constant()) return print_constant(node.value(), item.binding);
-  if (!item.spelled_out && is_variable(id)) {
-    text_ += variable(id);
-    return;
-  }
-  if (!item.spelled_out && is_kept(id)) return print_element(node, context_.element("v", context_.kept[id]));
-  if (!context_.copied.empty() && context_.copied[id] != no_slot)
-    return print_element(node, context_.element("v", context_.copied[id]));
-  if (is_precomputed(id))
-    return print_element(node, context_.element("constants", context_.emission.plan.constant_slot[id]));
+  if (!item.spelled_out && is_variable(id)) return print_variable(id);
+  if (!item.spelled_out && is_kept(id)) return print_element(node, "v", context_.kept[id]);
+  if (!context_.copied.empty() && context_.copied[id] != no_slot) return print_element(node, "v", context_.copied[id]);
+  if (is_precomputed(id)) return print_element(node, "constants", context_.emission.plan.constant_slot[id]);
   if (node.op == Op::input && !context_.leaves.empty()) {
     text_ += context_.leaves[node.slot()];
     return;
   }
-  if (is_leaf(node.op)) {
-    text_ += context_.element(node.op == Op::input ? "input" : "parameters", node.slot());
-    return;
-  }
+  if (is_leaf(node.op))
+    return context_.append_element(text_, node.op == Op::input ? "input" : "parameters", node.slot());
   context_.spelled_out.push_back(id);
   context_.emission.uses.operations[static_cast<std::size_t>(node.op)] = true;
   if (is_integer_constant(node))
@@ -115,16 +105,24 @@ void ExpressionPrinter::print_constant(double value, int binding) {
   text_ += parenthesised ? "(" + text + ")" : text;
 }
 
-std::string print_expression(FunctionContext &context, NodeId root) {
-  return ExpressionPrinter(context).print({.node = root, .spelled_out = true});
+void print_expression(FunctionContext &context, NodeId root, std::string &text) {
+  ExpressionPrinter(context, text).print({.node = root, .spelled_out = true});
 }
 
 std::string print_condition(FunctionContext &context, Literal literal) {
-  return ExpressionPrinter(context).print_condition(literal);
+  std::string text;
+  ExpressionPrinter(context, text).print_condition(literal);
+  return text;
+}
+
+void print_use(FunctionContext &context, NodeId node, std::string &text) {
+  ExpressionPrinter(context, text).print({.node = node, .as = ExpressionPrinter::As::number});
 }
 
 std::string print_use(FunctionContext &context, NodeId node) {
-  return ExpressionPrinter(context).print({.node = node, .as = ExpressionPrinter::As::number});
+  std::string text;
+  print_use(context, node, text);
+  return text;
 }
 
 } // namespace symreal

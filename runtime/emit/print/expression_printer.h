@@ -12,28 +12,23 @@ namespace symreal {
 
 class ExpressionPrinter {
 public:
-  // What stands at a place of the text: a number, a truth value, or the node as it is.
-  enum class As : std::uint8_t { number, truth, itself };
+  using Item = ExpressionItem;
+  using As = Item::As;
 
-  // What is still to be printed: text, or a node that needs parentheses unless it binds at least this tightly.
-  struct Item {
-    std::string_view text = {};
-    NodeId node = no_node;
-    int binding = binding::loosest;
-    As as = As::itself;
-    bool spelled_out = false; // even if it has a variable
-  };
-
-  explicit ExpressionPrinter(FunctionContext &context)
+  // Writes at the end of `text`.
+  ExpressionPrinter(FunctionContext &context, std::string &text)
       : context_(context),
         language_(context.emission.language),
-        graph_(context.graph()) {}
+        graph_(context.graph()),
+        stack_(context.items),
+        others_(context.items.size()),
+        text_(text) {}
 
-  std::string print(Item item);
-  std::string print_condition(Literal literal);
+  void print(Item item);
+  void print_condition(Literal literal);
 
 private:
-  std::string finish();
+  void finish();
 
   Node const &node(NodeId id) const { return graph_.nodes[id]; }
   bool is_variable(NodeId id) const { return context_.variable[id] != no_slot; }
@@ -44,11 +39,11 @@ private:
   bool spelled_out(NodeId id) const;
   bool is_truth(NodeId id) const;
   bool is_element(Item const &item) const;
-  std::string variable(NodeId id) const { return context_.spelling(context_.variable[id]); }
+  void print_variable(NodeId id) { context_.spelling.append_to(text_, context_.variable[id]); }
 
   void print_node(Item const &item);
   void print_itself(Item const &item);
-  void print_element(Node const &node, std::string const &element);
+  void print_element(Node const &node, std::string_view array, std::size_t index);
   void print_constant(double value, int binding);
 
   bool is_integer_constant(Node const &node) const;
@@ -65,8 +60,9 @@ private:
   FunctionContext &context_;
   Language const &language_;
   Graph const &graph_;
-  std::vector<Item> stack_; // instead of recursion; items are pushed last first
-  std::string text_;
+  std::vector<Item> &stack_; // instead of recursion; items are pushed last first
+  std::size_t others_;       // items of an expression that this one is part of
+  std::string &text_;
   std::forward_list<std::string> lasting_;
 };
 

@@ -9,12 +9,11 @@
 
 namespace symreal {
 
-void ExpressionPrinter::print_element(Node const &node, std::string const &element) {
-  if (!is_wide(node.op)) {
-    text_ += element;
-    return;
-  }
+void ExpressionPrinter::print_element(Node const &node, std::string_view array, std::size_t index) {
+  if (!is_wide(node.op)) return context_.append_element(text_, array, index);
   context_.emission.uses.kept_integer = true;
+  std::string element;
+  context_.append_element(element, array, index);
   text_ += fill(language_, language_.expressions.kept_integer, {{"element", element}});
 }
 
@@ -96,9 +95,7 @@ void ExpressionPrinter::print_external(Node const &node) {
   std::size_t const number = table_of(graph_, node);
   context_.emission.uses.tables.insert(number);
   std::vector<std::size_t> const &extents = graph_.tables[number].extents;
-  auto const text = [&](std::size_t dimension) {
-    return ExpressionPrinter(context_).print({.node = node.operand[1 + dimension], .as = As::number});
-  };
+  auto const text = [&](std::size_t dimension) { return print_use(context_, node.operand[1 + dimension]); };
   auto const index = [&](std::size_t dimension) {
     return fill(language_, language_.expressions.table_index,
                 {{"index", text(dimension)}, {"extent", std::to_string(extents[dimension])}});

@@ -1,6 +1,7 @@
 #include "emit/print/variable_names.h"
 
 #include "graph/names.h"
+#include "support/number.h"
 
 #include <algorithm>
 #include <cctype>
@@ -79,15 +80,29 @@ VariableNames::VariableNames(Emission const &emission, FunctionBody const &body)
   }
 }
 
-std::string VariableNames::operator()(std::size_t variable) const {
-  std::string const name = this->name(variable);
-  return written_ ? written_(name) : name;
+void VariableNames::append_to(std::string &text, std::size_t variable) const {
+  if (!written_) return append_name(text, variable);
+  std::string name;
+  append_name(name, variable);
+  text += written_(name);
 }
 
-std::string VariableNames::name(std::size_t variable) const {
-  if (entries_.empty() || entries_[variable].name == no_name) return "t" + std::to_string(variable);
+std::string VariableNames::operator()(std::size_t variable) const {
+  std::string text;
+  append_to(text, variable);
+  return text;
+}
+
+void VariableNames::append_name(std::string &text, std::size_t variable) const {
+  if (entries_.empty() || entries_[variable].name == no_name) {
+    text += 't';
+    return append_number(text, variable);
+  }
   Entry const &entry = entries_[variable];
-  return entry.number == 1 ? bases_[entry.name] : bases_[entry.name] + joint(*rules_) + std::to_string(entry.number);
+  text += bases_[entry.name];
+  if (entry.number == 1) return;
+  text += joint(*rules_);
+  append_number(text, entry.number);
 }
 
 } // namespace symreal

@@ -14,6 +14,7 @@ class VariableNames {
 public:
   VariableNames(Emission const &emission, FunctionBody const &body);
 
+  void append_to(std::string &text, std::size_t variable) const;
   std::string operator()(std::size_t variable) const;
 
 private:
@@ -21,7 +22,7 @@ private:
     NameId name;
     std::uint32_t number;
   };
-  std::string name(std::size_t variable) const;
+  void append_name(std::string &text, std::size_t variable) const;
 
   NameRules const *rules_;
   std::string (*written_)(std::string const &);

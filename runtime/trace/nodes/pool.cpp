@@ -63,27 +63,32 @@ void Pool::begin(Columns columns) {
   make_room();
 }
 
-static bool make_room_for(std::size_t count, auto &...arrays) {
+static bool is_room_for(std::size_t bytes) {
   try {
-    (arrays.reserve(count), ...);
+    unmap_pages(map_pages(bytes), bytes);
     return true;
   } catch (std::bad_alloc const &) {
     return false;
   }
 }
 
-// Address space, not memory. Where a limit forbids it, a smaller one; a recording that outgrows it moves.
+// Address space, not memory. Where a limit forbids it, half of what the limit leaves: the program needs some as well. A
+// recording that outgrows it moves.
 void Pool::make_room() {
+  std::size_t const node_size = sizeof(Node) + 2 * sizeof(NodeId) + sizeof(Attribute) +
+                                (columns_.values ? sizeof(double) : 0) + (columns_.places ? sizeof(std::uint32_t) : 0);
   std::size_t count = std::size_t{1} << 28;
-  while (count > 1 << 16 && !(columns_.values ? make_room_for(count, table_, values_) : make_room_for(count, table_)))
-    count /= 2;
-  if (columns_.places) make_room_for(count, places_);
+  while (count > 1 << 16 && !is_room_for(2 * count * node_size)) count /= 2;
+  table_.reserve(count);
+  if (columns_.values) values_.reserve(count);
+  if (columns_.places) places_.reserve(count);
 }
 
 Nodes Pool::end() {
   recording_ = false;
   live[generation_ / 64] &= ~(std::uint64_t{1} << (generation_ % 64));
   generation_ = 0;
+  values_ = {};
   return table_.release();
 }
 
@@ -136,7 +141,23 @@ double Pool::value_of(Node const &node) const {
   return evaluate(node.op, operand[0], operand[1], operand[2]);
 }
 
+// What programs do most, without a look at the table of operations.
+NodeId Pool::record_arithmetic(Op op, RealNumber x, RealNumber y, void const *caller) {
+  NodeId const a = node(x), b = node(y), id = table_.intern(table_.arithmetic(op, a, b));
+  if (id + 1 != table_.size()) return id;
+  double value = missing_value();
+  if (columns_.values && id == values_.size() && !is_missing(values_[a]) && !is_missing(values_[b]))
+    value = evaluate(op, values_[a], values_[b], 0);
+  fill(id, value, caller);
+  return id;
+}
+
 RealNumber Pool::record(Op op, RealNumber x, RealNumber y, RealNumber z, void const *caller) {
+  if (op == Op::add || op == Op::sub || op == Op::mul || op == Op::div) {
+    NodeId const id = record_arithmetic(op, x, y, caller);
+    if (exact_) mark_exact(id);
+    return number(id);
+  }
   unsigned operands = arity(op);
   NodeId a = node(x), b = operands > 1 ? node(y) : no_node, c = operands > 2 ? node(z) : no_node;
   NodeId id = table_.intern(table_.operation(op, a, b, c));
@@ -159,6 +180,17 @@ std::vector<char> Pool::exact() const {
   return result;
 }
 
+void Pool::run_out() {
+  std::size_t const count = table_.size();
+  table_ = {};
+  values_ = {};
+  places_ = {};
+  recording_ = false;
+  report_here(DiagnosticId::out_of_memory, "the recording outgrows the memory: the system gives no more after " +
+                                               std::to_string(count) + " operations");
+  give_up();
+}
+
 double Pool::carried_value(RealNumber number) {
   if (!number.is_node()) return number.plain();
   return value(checked(number));
@@ -171,7 +203,12 @@ namespace detail {
 using trace::Pool;
 
 RealNumber record(Op op, RealNumber x, RealNumber y, RealNumber z) noexcept {
-  return Pool::current().record(op, x, y, z, __builtin_return_address(0));
+  Pool &pool = Pool::current();
+  try {
+    return pool.record(op, x, y, z, __builtin_return_address(0));
+  } catch (std::bad_alloc const &) {
+    pool.run_out();
+  }
 }
 
 double carried_value(RealNumber x) noexcept { return Pool::current().carried_value(x); }

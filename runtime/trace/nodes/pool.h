@@ -53,6 +53,8 @@ public:
   static RealNumber underlying(std::uint64_t bits) {
     return RealNumber::from_bits((bits & ~marks) | detail::node_tag << 40);
   }
+  // The recording has outgrown the memory: gives its memory back, so that this can be told, and ends the program.
+  [[noreturn]] void run_out();
   bool owns(RealNumber number) const { return number.is_node() && generation_of(number) == generation_; }
   // The last operation that may have set errno, if that was not written since.
   RealNumber last_to_set_error() const { return error_setter_ == no_node ? RealNumber(0.0) : number(error_setter_); }
@@ -68,7 +70,7 @@ public:
   // Per node; empty where none is.
   std::vector<char> exact() const;
   // Per node, relative to the load base; 0 where unknown; empty where places are not kept.
-  LongArray<std::uint32_t> const &places() const { return places_; }
+  LongArray<std::uint32_t> take_places() { return std::exchange(places_, {}); }
 
 private:
   static constexpr std::uint64_t marks = std::uint64_t{1} << 63 | std::uint64_t{1} << 51;
@@ -80,6 +82,7 @@ private:
   RealNumber number(NodeId id) const;
   double value(NodeId id) const;
   double value_of(Node const &node) const;
+  NodeId record_arithmetic(Op op, RealNumber x, RealNumber y, void const *caller);
   NodeId checked(RealNumber number) const;
   void mark_exact(NodeId id);
   // Fills the columns for a node if it is new.

@@ -182,12 +182,13 @@ TEST(Columns, CostNothingWhenUnused) {
   pool.begin({.values = true, .places = false});
   RealNumber const x = pool.leaf(Node::input(0), 2.0);
   (void)(x * x);
-  EXPECT_TRUE(pool.places().empty());
+  EXPECT_TRUE(pool.take_places().empty());
   pool.begin({.values = false, .places = true});
   RealNumber const y = pool.leaf(Node::input(0), 2.0);
   RealNumber const square = y * y;
-  EXPECT_EQ(pool.places().size(), pool.nodes().size());
-  EXPECT_NE(pool.places().back(), 0u);
+  LongArray<std::uint32_t> const places = pool.take_places();
+  ASSERT_EQ(places.size(), pool.nodes().size());
+  EXPECT_NE(places.back(), 0u);
   EXPECT_TRUE(trace::is_missing(pool.carried_value(square)));
   pool.end();
 }
