@@ -21,7 +21,7 @@ rounds and, behind it, the lowest and the highest. Rates are in millions a secon
 """
 
 
-def spread(values, digits=2):
+def spread(values, digits=3):
     return f"{statistics.median(values):.{digits}f} ({min(values):.{digits}f}-{max(values):.{digits}f})"
 
 
@@ -29,7 +29,7 @@ def table(titles, rows):
     return "\n".join("| " + " | ".join(map(str, row)) + " |" for row in [titles, ["---"] * len(titles), *rows]) + "\n\n"
 
 
-def run(command, environment=None, limit=None):
+def run(command, environment=None):
     """Processor seconds, seconds, megabytes."""
     start = time.monotonic()
     child = subprocess.Popen(command, env=environment, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
