@@ -1,6 +1,5 @@
 #include "passes/groups.h"
 
-
 namespace symreal {
 
 namespace {
