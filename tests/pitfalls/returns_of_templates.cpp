@@ -13,7 +13,7 @@ template <class T> T saturated(T x, T limit) {
 }
 
 // CHECK: ?
-// VERIFY: 100 samples, 100 within the premises
+// VERIFY: 100 samples and 12 around decisions, 112 within the premises
 #pragma symreal function input(x) range(-3, 3) output(return)
 double kernel(double x) { return saturated(x, 1.5); }
 
