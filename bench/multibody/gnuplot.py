@@ -6,12 +6,13 @@ COLOURS = {"fk": "#3b6ea5", "ik": "#8a6bb1", "rnea": "#3f8f5f", "crba": "#c98a3d
 
 
 def draw(path, commands, curves, size="760,420"):
-    """curves: (title, style, rows); the same figures give the same bytes."""
+    """An SVG or PNG. curves: (title, style, rows); the same figures give the same bytes."""
+    terminal = "pngcairo" if str(path).endswith(".png") else "svg"
     blocks, plots = [], []
     for number, (title, style, rows) in enumerate(curves):
         blocks.append(f"$curve{number} << END\n" + "\n".join(" ".join(f"{value:.6g}" for value in row) for row in rows) + "\nEND\n")
         plots.append(f"$curve{number} {style} title '{title}'")
-    script = (f"set terminal svg size {size} font 'sans-serif,12' background rgb 'white'\nset output '{path}'\nset grid lc rgb '#cccccc'\n"
+    script = (f"set terminal {terminal} size {size} font 'sans-serif,12' background rgb 'white'\nset output '{path}'\nset grid lc rgb '#cccccc'\n"
               "set key outside right top\n" + "".join(blocks) + commands + "\nplot " + ", \\\n  ".join(plots) + "\n")
     done = subprocess.run(["gnuplot"], input=script, capture_output=True, text=True)
     if done.returncode != 0:

@@ -10,10 +10,10 @@ GRAVITY = [0, 0, 0, 0, 0, 9.80665]
 
 
 class Link:
-    """Of the first links of chain-model.csv."""
+    """A row of chain-model.csv; what is computed from it is of the type `number`."""
 
-    def __init__(self, row):
-        values = [float(row[name]) for name in "rx ry rz m cx cy cz Ixx Ixy Ixz Iyy Iyz Izz".split()]
+    def __init__(self, row, number):
+        values = [number(float(row[name])) for name in "rx ry rz m cx cy cz Ixx Ixy Ixz Iyy Iyz Izz".split()]
         self.joint, self.offset = "xyz".index(row["axis"]), values[:3]
         mass, c, (xx, xy, xz, yy, yz, zz) = values[3], values[4:7], values[7:]
         cross, about = [[0, -c[2], c[1]], [c[2], 0, -c[0]], [-c[1], c[0], 0]], [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]
@@ -29,9 +29,15 @@ class Link:
         self.tree[4][2], self.tree[5][0], self.tree[5][1] = r[0], r[1], -r[0]
 
 
-def read_links(count):
+def model_rows(count):
+    """The table's 64 rows; a longer chain repeats the first 63, whose axes are x, y, z in turn."""
     with open(DATA / "chain-model.csv") as file:
-        return [Link(row) for row, _ in zip(csv.DictReader(file), range(count))]
+        rows = list(csv.DictReader(file))
+    return [{**rows[i if i < len(rows) else i % 63], "link": i + 1} for i in range(count)]
+
+
+def read_links(count, number):
+    return [Link(row, number) for row in model_rows(count)]
 
 
 def zeros(n):
@@ -101,8 +107,8 @@ def cross_force(v):
 
 
 class Chain:
-    def __init__(self, count, sin, cos):
-        self.links, self.sin, self.cos = read_links(count), sin, cos
+    def __init__(self, count, sin, cos, number=float):
+        self.links, self.sin, self.cos = read_links(count, number), sin, cos
 
     def transforms(self, q):
         return [multiply(turn(2, link.joint, self.cos(angle), self.sin(angle)), link.tree)
