@@ -140,10 +140,10 @@ private:
     result_.own_code_ulp.resize(graph_.output_count());
   }
 
-  // The first of the user's own places, or that of the kernel.
+  // In words.
   std::string place_of(symreal::Decision const &decision) const {
     std::string const place = decision.location == no_location ? "" : describe_locations(graph_, {decision.location});
-    return place.empty() ? "kernel " + graph_.kernel : place;
+    return place.empty() ? "where no place is known" : place;
   }
 
   void try_sample(std::size_t k, Sample const &drawn) {

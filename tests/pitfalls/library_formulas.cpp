@@ -6,7 +6,7 @@
 // RUN: %symreal generate %s -o %t.c -- -std=c++20 2>/dev/null && FileCheck %s --input-file=%t.c
 // RUN: %symreal verify %s %t.c -- -std=c++20 2>&1 | FileCheck %s --check-prefix=SAME
 // CHECK: void compute
-// SAME: 1000 within the premises
+// SAME: 1000 samples and 44 around decisions, 1044 within the premises
 // SAME: y[0] 17 0 0
 #include <cmath>
 #include <cstdio>
