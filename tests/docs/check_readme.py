@@ -20,12 +20,12 @@ before = readme.split("```cpp\n")[1].split("```")[0]
 for part in before.split("...\n"):
     if "".join(part.split()) not in source:
         wrong.append(f"rotation.cpp does not have this: {part}")
-# The README has the original's operations as a further column.
+# The second column is the original's operations, which bench/run has counted too.
 names = {"forward kinematics": "fk", "inverse dynamics": "rnea", "mass matrix": "crba", "forward dynamics": "aba"}
 for title, name in names.items():
     original = re.search(rf"^\| chain {name} \| (\d+) ", results, re.MULTILINE)[1]
-    row = re.search(rf"^\| {title} \| (.*)$", peers, re.MULTILINE)[1]
-    if f"| {title} | {original} | {row}" not in readme:
+    row = re.search(rf"^\| {title} \| .*$", peers, re.MULTILINE)[0]
+    if not row.startswith(f"| {title} | {original} |") or row not in readme:
         wrong.append(f"the benchmarks have other figures: {title}")
 print(*wrong, f"README.md: {len(wrong)} wrong", sep="\n")
 sys.exit(1 if wrong else 0)

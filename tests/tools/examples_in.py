@@ -16,6 +16,8 @@ EXAMPLES = {
     "controller": ("controller/controller.c", "--decisions=select"),
     "inverse": (f"dh/rx90_inverse.cpp {DH}", ""),
     "mass": (f"dh/rx90_mass.cpp {DH}", ""),
+    "hourglass": ("hexahedron/hexahedron.c", "--kernel hourglass_force"),
+    "rate": ("hexahedron/hexahedron.c", "--kernel deformation_rate"),
     "kalman": ("kalman/kalman.cpp", ""),
     "tree": ("kdl_fk/kdl_fk.cpp", "--root=/usr/include/kdl"),
     "kepler": ("kepler/kepler.cpp", "--decisions=guard"),
@@ -55,4 +57,5 @@ def main():
     sys.exit(failed)
 
 
-main()
+if __name__ == "__main__":
+    main()
