@@ -1,5 +1,6 @@
 """docs/benchmarks.md with its plots and CSV, bench/peers/results.md and the README's table, from what was measured."""
 import pathlib
+import platform
 import re
 import subprocess
 import sys
@@ -22,8 +23,6 @@ DASHED = contenders.FURTHER
 
 
 def machine():
-    import platform
-
     cpu = re.search(r"^model name\s*:\s*(.*)$", pathlib.Path("/proc/cpuinfo").read_text(), re.MULTILINE)
     versions = [subprocess.run([name, "--version"], capture_output=True, text=True).stdout.splitlines()[0] for name in ("gcc", "clang-19")]
     return {"cpu": cpu.group(1) if cpu else platform.machine(), "compilers": versions,
