@@ -4,7 +4,7 @@
 #include "emit/cpp/parts.h"
 #include "emit/language/banner.h"
 #include "emit/languages/languages.h"
-#include "graph/complex_function.h"
+#include "graph/evaluate.h"
 #include "program/process.h"
 #include "support/files.h"
 #include "support/version.h"
@@ -106,8 +106,7 @@ GeneratedCode::GeneratedCode(std::string const &path, Banner const &banner, Grap
                              Workspace const &workspace)
     : banner_(banner),
       object_(workspace.file(build.object)),
-      needs_program_(std::any_of(graph.externals.begin(), graph.externals.end(),
-                                 [](External const &external) { return !find_complex_function(external); })) {
+      needs_program_(calls_program(graph)) {
   if (banner.is_single && needs_program_)
     refuse(path, "code in single precision calls no functions of other libraries");
   compile(path, graph, build, workspace);

@@ -54,6 +54,11 @@ private:
 
 } // namespace
 
+bool calls_program(Graph const &graph) {
+  return std::ranges::any_of(graph.externals,
+                             [](External const &external) { return !find_complex_function(external); });
+}
+
 double rounded(double value, Rounding rounding) {
   if (rounding == Rounding::none) return value;
   constexpr float infinity = std::numeric_limits<float>::infinity();

@@ -18,6 +18,9 @@ using CallExternal =
 enum class Rounding : std::uint8_t { none, to_single, up_to_single, down_to_single };
 double rounded(double value, Rounding rounding);
 
+// Whether it calls functions of the program, which are not here. Those of complex numbers are.
+bool calls_program(Graph const &graph);
+
 // One value per node, by the reference semantics of the operation table; what is no number has the value 0. Calls are
 // made in the order of the nodes; a graph that has some needs `call`, unless all are of functions of complex numbers.
 // Linear, no recursion.

@@ -1,6 +1,5 @@
 #include "verify/boundaries.h"
 
-#include "graph/complex_function.h"
 #include "graph/evaluate.h"
 
 #include <algorithm>
@@ -124,11 +123,6 @@ private:
   std::vector<std::optional<Range>> ranges_; // per input
   std::size_t evaluated_ = 0;                // nodes
 };
-
-bool calls_program(Graph const &graph) {
-  return std::ranges::any_of(graph.externals,
-                             [](External const &external) { return !find_complex_function(external); });
-}
 
 } // namespace
 

@@ -126,8 +126,7 @@ std::string bisected(program::Recorded const &recorded, program::Banner const &b
                             verification.named.at(output->worst_sample));
   if (!culprit)
     return "bisection: no pass of the usual ones changes an output there: the difference comes with the recording, "
-           "with "
-           "the emitted code or with its compilation";
+           "with the emitted code or with its compilation";
   std::vector<std::string> const names = identifiers(graph.outputs);
   std::string text;
   for (std::size_t i = 0; i < graph.outputs.size(); ++i)
