@@ -2,6 +2,7 @@
 
 #include "graph/opaque.h"
 #include "schedule/delay.h"
+#include "schedule/list_scheduling.h"
 #include "schedule/order.h"
 
 #include <algorithm>
@@ -81,6 +82,7 @@ public:
     order(graph_, is_read_, placement, body);
     body.regions = tabulate(placement.regions, graph_.nodes.size(), body.region);
     if (body.variables.size() > longest_as_recorded) delay(graph_, is_read_, conditions_, body);
+    schedule_for_registers(graph_, is_read_, body);
     place_checks(body);
     return body;
   }

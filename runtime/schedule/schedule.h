@@ -55,9 +55,9 @@ enum class Nesting { bounded, none };
 // Whether what one arm of a select needs waits for the condition, or is computed in any case.
 enum class Arms { in_blocks, computed };
 
-// The order of statements is the order of recording: measured against depth-first, Sethi-Ullman and kill-most orders it
-// keeps live ranges shortest. What is computed under a condition waits for the condition. `graph` must outlive the
-// program.
+// The order of statements is the order of recording, or that of list scheduling where more values live than there are
+// registers and it keeps fewer waiting. What is computed under a condition waits for the condition. `graph` must
+// outlive the program.
 Schedule schedule(Graph const &graph, Nesting nesting = Nesting::bounded, Arms arms = Arms::in_blocks);
 
 } // namespace symreal
