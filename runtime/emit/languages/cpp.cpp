@@ -12,6 +12,7 @@ Language language_cpp() {
   cpp.expressions.call_prefix = "std::";
   cpp.single.call_suffix = ""; // they are overloaded
   cpp.statements.value_check = "if (!std::isfinite($name)) report_value($name, \"$text\");";
+  cpp.functions.local_output = "$real *__restrict $name"; // no standard C++, but every compiler has it
   cpp.vectors.build = "${real}_$width{$values}";
   cpp.externals.declarations = cpp_external_declarations;
   cpp.files.extension = ".cpp";
