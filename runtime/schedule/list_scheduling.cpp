@@ -14,6 +14,7 @@ namespace {
 
 constexpr std::size_t registers = 16;       // for numbers: x86-64 with SSE and AVX; AArch64 has 32
 constexpr std::size_t part_length = 500;    // of a long function
+constexpr std::size_t longest = 200'000;    // the lists of a longer body would take as much memory as its graph
 constexpr double least_library_cost = 10.0; // what costs less compiles to instructions
 
 class ListScheduling {
@@ -181,11 +182,14 @@ private:
 void schedule_for_registers(Graph const &graph, std::vector<char> const &is_read, FunctionBody &body) {
   bool const has_blocks = std::ranges::any_of(body.region, [](RegionId region) { return region != everywhere; });
   if (has_blocks || body.regions.value_count() != graph.nodes.size() || !graph.externals.empty()) return;
+  if (body.variables.size() > longest) return;
   ListScheduling scheduling(graph, is_read, body);
   std::size_t const cost = scheduling.cost(body.variables);
   if (cost == 0) return;
   std::vector<NodeId> order = scheduling.run();
-  if (scheduling.cost(order) < cost) body.variables = std::move(order);
+  // The order of recording reads along the input and stores along the output, which counts for a tenth in long bodies.
+  std::size_t const limit = body.variables.size() > part_length ? cost - cost / 10 : cost;
+  if (scheduling.cost(order) < limit) body.variables = std::move(order);
 }
 
 } // namespace symreal
