@@ -7,12 +7,16 @@
 
 namespace symreal {
 
-static constexpr std::size_t nowhere = ~std::size_t{0};
+static constexpr std::uint32_t nowhere = ~std::uint32_t{0}; // statements are fewer than nodes
 
 Cuts::Cuts(Schedule const &plan, FunctionBody const &body, bool in_compute)
     : loaded_by_(body.variables.size(), nowhere) {
-  std::vector<std::size_t> statement(body.regions.value_count(), nowhere), last_reader(body.variables.size(), nowhere);
-  for (std::size_t k = 0; k < body.variables.size(); ++k) {
+  std::vector<std::uint32_t> statement(body.regions.value_count(), nowhere),
+      last_reader(body.variables.size(), nowhere);
+  auto const end = static_cast<std::uint32_t>(body.variables.size());
+  reads_.all.reserve(2 * std::size_t{end});
+  dying_.all.reserve(end);
+  for (std::uint32_t k = 0; k < end; ++k) {
     auto const note = [&](NodeId use) {
       for_each_read(
           *plan.graph, use, [&](NodeId id) { return statement[id] != nowhere; },
@@ -27,8 +31,8 @@ Cuts::Cuts(Schedule const &plan, FunctionBody const &body, bool in_compute)
     statement[body.variables[k]] = k;
     reads_.end_row();
   }
-  for (std::size_t k = 0; k < body.variables.size(); ++k) {
-    for (std::size_t const read : reads_[k])
+  for (std::uint32_t k = 0; k < end; ++k) {
+    for (std::uint32_t const read : reads_[k])
       if (std::exchange(last_reader[read], last_reader[read] == k ? nowhere : last_reader[read]) == k)
         dying_.all.push_back(read);
     dying_.end_row();
@@ -46,16 +50,18 @@ std::vector<std::size_t> Cuts::between(std::size_t first, std::size_t end, std::
 }
 
 std::size_t Cuts::best_end(std::size_t begin, std::size_t most_statements) {
-  std::size_t best = begin + most_statements, best_cost = nowhere, loaded = 0, stored = 0;
+  constexpr std::size_t unknown = ~std::size_t{0};
+  auto const chunk = static_cast<std::uint32_t>(begin);
+  std::size_t best = begin + most_statements, best_cost = unknown, loaded = 0, stored = 0;
   for (std::size_t k = begin; k < begin + most_statements; ++k) {
-    for (std::size_t const read : reads_[k])
-      if (read < begin && std::exchange(loaded_by_[read], begin) != begin) ++loaded;
+    for (std::uint32_t const read : reads_[k])
+      if (read < begin && std::exchange(loaded_by_[read], chunk) != chunk) ++loaded;
     ++stored; // whether or not somebody reads it
-    for (std::size_t const dying : dying_[k])
+    for (std::uint32_t const dying : dying_[k])
       if (dying >= begin) --stored;
     std::size_t const length = k + 1 - begin, cost = loaded + stored;
     if (length < most_statements / 2) continue;
-    if (best_cost != nowhere && cost * (best - begin) > best_cost * length) continue;
+    if (best_cost != unknown && cost * (best - begin) > best_cost * length) continue;
     best = k + 1;
     best_cost = cost;
   }

@@ -3,6 +3,7 @@
 
 #include "schedule/schedule.h"
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -21,15 +22,16 @@ private:
 
   // Per statement: the earlier ones whose values it reads, and those that nobody reads behind it, all in a row.
   struct Rows {
-    std::vector<std::size_t> first = {0}, all;
+    std::vector<std::size_t> first = {0};
+    std::vector<std::uint32_t> all;
 
-    std::span<std::size_t const> operator[](std::size_t k) const {
+    std::span<std::uint32_t const> operator[](std::size_t k) const {
       return std::span(all).subspan(first[k], first[k + 1] - first[k]);
     }
     void end_row() { first.push_back(all.size()); }
   };
   Rows reads_, dying_;
-  std::vector<std::size_t> loaded_by_; // per statement: the beginning of the chunk that was last found to read it
+  std::vector<std::uint32_t> loaded_by_; // per statement: the beginning of the chunk that was last found to read it
 };
 
 } // namespace symreal

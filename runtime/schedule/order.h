@@ -2,6 +2,7 @@
 #pragma once
 
 #include "schedule/schedule.h"
+#include "support/small_stack.h"
 
 namespace symreal {
 
@@ -16,16 +17,16 @@ template <class IsVariable, class IsRead, class Visit> void for_each_read(Graph 
                                                                           IsVariable const &is_variable,
                                                                           IsRead const &is_read, Visit const &visit) {
   if (is_variable(use)) return visit(use);
-  if (is_read(use)) return; // most are, and the list below asks for memory
-  std::vector<NodeId> nested = {use};
+  if (is_read(use)) return;
+  SmallStack<NodeId> nested;
+  nested.push(use);
   while (!nested.empty()) {
-    NodeId const id = nested.back();
-    nested.pop_back();
+    NodeId const id = nested.pop();
     if (is_variable(id))
       visit(id);
     else if (!is_read(id))
       for (NodeId operand : graph.nodes[id].operand)
-        if (operand != no_node) nested.push_back(operand);
+        if (operand != no_node) nested.push(operand);
   }
 }
 

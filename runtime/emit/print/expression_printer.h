@@ -39,6 +39,7 @@ private:
   bool spelled_out(NodeId id) const;
   bool is_truth(NodeId id) const;
   bool is_element(Item const &item) const;
+  bool is_plain(Item const &item) const;
   void print_variable(NodeId id) { context_.spelling.append_to(text_, context_.variable[id]); }
 
   void print_node(Item const &item);

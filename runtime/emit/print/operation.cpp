@@ -61,18 +61,32 @@ void ExpressionPrinter::push_comparison(Op op, NodeId id) {
 void ExpressionPrinter::push_pattern(Op op, std::span<Item const> operands, NodeId hidden) {
   context_.emission.uses.spelled[static_cast<std::size_t>(op)] = true;
   std::vector<Spellings::Piece> const &pieces = context_.emission.spellings[op].pieces;
-  for (std::size_t i = pieces.size(); i-- > 0;) {
+  auto const operand_of = [&](Spellings::Piece const &piece) {
+    Item operand = operands[static_cast<std::size_t>(piece.operand)];
+    operand.binding = piece.binding;
+    return operand;
+  };
+  std::size_t printed = 0; // most operands need not wait for others
+  for (; printed < pieces.size(); ++printed) {
+    Spellings::Piece const &piece = pieces[printed];
+    if (piece.operand < 0) {
+      text_ += piece.text;
+      continue;
+    }
+    Item const operand = operand_of(piece);
+    if (operand.node == no_node || operand.node == hidden || !is_plain(operand)) break;
+    print_itself(operand);
+  }
+  for (std::size_t i = pieces.size(); i-- > printed;) {
     if (pieces[i].operand < 0) {
       push(pieces[i].text);
       continue;
     }
-    Item operand = operands[static_cast<std::size_t>(pieces[i].operand)];
-    if (operand.node != no_node && operand.node == hidden) {
-      push_hidden(operand);
-      continue;
-    }
-    operand.binding = pieces[i].binding;
-    stack_.push_back(operand);
+    Item const operand = operand_of(pieces[i]);
+    if (operand.node != no_node && operand.node == hidden)
+      push_hidden(operands[static_cast<std::size_t>(pieces[i].operand)]);
+    else
+      stack_.push_back(operand);
   }
 }
 
