@@ -173,12 +173,16 @@ private:
 
 } // namespace
 
-std::optional<Network> with_base_parameters(Network const &network) {
+std::optional<Network> with_base_parameters(Network const &network, std::size_t *too_many) {
   constexpr std::size_t most_parameters = 400;
   constexpr std::uint64_t most_work = 1'000'000'000; // if each point shows one parameter
   ParameterColumns columns(network);
   std::size_t const count = columns.parameters().size();
-  if (count == 0 || count > most_parameters || columns.work() * count > most_work) return std::nullopt;
+  if (count == 0) return std::nullopt;
+  if (count > most_parameters || columns.work() * count > most_work) {
+    if (too_many) *too_many = count;
+    return std::nullopt;
+  }
   std::vector<LeftOut> const left_out = find_left_out(columns);
   if (left_out.empty()) return std::nullopt;
   Network result = Substitution(network, columns).run(left_out);

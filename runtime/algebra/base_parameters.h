@@ -11,7 +11,8 @@
 
 namespace symreal::algebra {
 
-// The network with fewer parameters, or nothing where none can be left out.
-std::optional<Network> with_base_parameters(Network const &network);
+// The network with fewer parameters, or nothing where none can be left out. `too_many` becomes the number of
+// parameters, what is made of parameters included, where they are too many for this network to be looked at.
+std::optional<Network> with_base_parameters(Network const &network, std::size_t *too_many = nullptr);
 
 } // namespace symreal::algebra

@@ -7,6 +7,7 @@
 #include "algebra/windows.h"
 
 #include <algorithm>
+#include <fmt/format.h>
 #include <utility>
 
 namespace symreal::algebra {
@@ -75,7 +76,6 @@ Found search_in_windows(Network start, Search &search, std::uint64_t end, int di
 
 Network searched(Network const &network, int effort) {
   std::size_t const cost = cost_of(network);
-  if (cost > largest_searched) return network;
   Budget const budget = budget_for(effort, cost);
   Found best = {network, cost};
   std::uint64_t work = 0;
@@ -91,21 +91,49 @@ Network searched(Network const &network, int effort) {
   return search_in_windows(std::move(best.network), search, budget.all, budget.disturbances).network;
 }
 
+using Tell = std::function<void(Diagnostic const &)>;
+
+void tell_not_searched(Graph const &graph, std::size_t cost, int effort, Tell const &tell) {
+  if (tell)
+    tell(
+        {DiagnosticId::graph_not_searched,
+         {},
+         fmt::format("kernel '{}' has {} operations once equal ones are one, and --effort={} searches {} at most: only "
+                     "what one step finds, such as equal expressions, was looked for",
+                     graph.kernel, cost, effort, largest_searched)});
+}
+
+void tell_too_many_parameters(Graph const &graph, std::size_t count, std::size_t cost, Tell const &tell) {
+  if (tell)
+    tell({DiagnosticId::graph_not_searched,
+          {},
+          fmt::format("kernel '{}' has {} parameters and products of them in {} operations: too many for base "
+                      "parameters to be looked for",
+                      graph.kernel, count, cost)});
+}
+
 // Where the search begins.
-Network start_of(Graph const &graph, CostModel const &costs) {
+Network start_of(Graph const &graph, CostModel const &costs, Tell const &tell) {
   Network const related = with_calls_of_angle_sums(with_angle_sums(rebuilt(network_of(graph, costs)), costs), costs);
   Network network = rebuilt(with_common_reciprocals(rebuilt(related)));
-  if (std::optional<Network> base = with_base_parameters(network); base && cost_of(*base) < cost_of(network))
-    return rebuilt(*base);
+  std::size_t too_many = 0;
+  std::optional<Network> const base = with_base_parameters(network, &too_many);
+  if (too_many != 0) tell_too_many_parameters(graph, too_many, cost_of(network), tell);
+  if (base && cost_of(*base) < cost_of(network)) return rebuilt(*base);
   return network;
 }
 
 } // namespace
 
-Graph recover_structure(Graph const &graph, int effort, CostModel const &costs) {
+Graph recover_structure(Graph const &graph, int effort, CostModel const &costs,
+                        std::function<void(Diagnostic const &)> const &tell) {
   if (effort == 0) return graph;
-  Network const network = start_of(graph, costs);
-  std::optional<Graph> result = graph_of(rebuilt(searched(network, effort)), graph);
+  Network network = start_of(graph, costs, tell);
+  if (std::size_t const cost = cost_of(network); cost <= largest_searched)
+    network = searched(network, effort);
+  else
+    tell_not_searched(graph, cost, effort, tell);
+  std::optional<Graph> result = graph_of(rebuilt(network), graph);
   if (!result || cost_of(*result, costs) >= cost_of(graph, costs)) return graph;
   return std::move(*result);
 }

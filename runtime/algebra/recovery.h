@@ -1,14 +1,19 @@
 // Structure recovery: textbook code brought below careful code by the algebra of real numbers.
 #pragma once
 
+#include "diagnostics/diagnostic.h"
 #include "graph/graph.h"
 #include "ops/cost_model.h"
+
+#include <functional>
 
 namespace symreal::algebra {
 
 inline constexpr int least_effort = 0, usual_effort = 2, most_effort = 3;
 
-// The graph with less to compute by these costs, or as it is. The same for the same graph, effort and costs.
-Graph recover_structure(Graph const &graph, int effort, CostModel const &costs = usual_costs());
+// The graph with less to compute by these costs, or as it is. The same for the same graph, effort and costs. `tell`
+// hears what a graph is too large for (graph_not_searched).
+Graph recover_structure(Graph const &graph, int effort, CostModel const &costs = usual_costs(),
+                        std::function<void(Diagnostic const &)> const &tell = {});
 
 } // namespace symreal::algebra

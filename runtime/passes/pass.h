@@ -3,10 +3,12 @@
 #pragma once
 
 #include "algebra/recovery.h"
+#include "diagnostics/diagnostic.h"
 #include "graph/graph.h"
 #include "ops/cost_model.h"
 #include "ops/floating_point.h"
 
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -27,7 +29,8 @@ struct PassSettings {
   FloatingPoint mode;
   int effort; // of pass `recover`: algebra/recovery.h
   CostModel costs;
-  RewriteLimit *limit = nullptr; // of passes that rewrite node by node: sweep.h
+  RewriteLimit *limit = nullptr;                     // of passes that rewrite node by node: sweep.h
+  std::function<void(Diagnostic const &)> tell = {}; // remarks for the user
 };
 
 #define PASS(name, ...) Graph pass_##name(Graph graph, PassSettings const &settings);

@@ -6,7 +6,8 @@ namespace symreal {
 // `preprocess` has split stays as it is.
 Graph pass_recover(Graph graph, PassSettings const &settings) {
   if (settings.mode != FloatingPoint::fast || settings.effort == 0 || !graph.precomputed.empty()) return graph;
-  return algebra::recover_structure(pass_simplify(std::move(graph), settings), settings.effort, settings.costs);
+  return algebra::recover_structure(pass_simplify(std::move(graph), settings), settings.effort, settings.costs,
+                                    settings.tell);
 }
 
 } // namespace symreal

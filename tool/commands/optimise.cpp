@@ -9,9 +9,10 @@
 namespace symreal::tool {
 
 Optimised optimise(Graph recorded, PassOptions const &options, Report const &report) {
-  PassSettings const settings = options.settings();
+  PassSettings settings = options.settings();
   Optimised result{{}, {{"recorded", live_operations(recorded)}}, counts_of(recorded)};
   Report const tell = report ? report : [](Diagnostic const &remark) { print(std::cerr, remark); };
+  settings.tell = tell;
   if (std::optional<double> const distance = options.snap_distance()) {
     recorded = with_exact_constants(recorded, *distance, options.tolerance, tell);
     result.stages.push_back({"snap", live_operations(recorded)});
