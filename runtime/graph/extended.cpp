@@ -69,6 +69,8 @@ template <class Number> Number choice_of(Op op, Number x, Number y, Number resul
 
 } // namespace
 
+long double evaluate_extended(Op op, long double x, long double y, long double z) { return evaluate_in(op, x, y, z); }
+
 std::string obstacle_to_extended(Graph const &graph) {
   if (extended_bits <= std::numeric_limits<double>::digits) return "this machine has no numbers wider than double";
   std::vector<char> const live = live_nodes(graph);

@@ -18,6 +18,9 @@ inline constexpr int extended_bits = std::numeric_limits<long double>::digits;
 // where it can.
 std::string obstacle_to_extended(Graph const &graph);
 
+// One operation; those with integers as in double precision.
+long double evaluate_extended(Op op, long double x, long double y, long double z);
+
 // One number per output slot. `values` are those of the nodes in double precision: nothing where a comparison or a
 // conversion to an integer gives something else in extended precision, so that another formula would hold. The graph
 // has no obstacle.
