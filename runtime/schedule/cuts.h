@@ -1,10 +1,10 @@
 // Where a long function body is cut.
 #pragma once
 
+#include "schedule/rows.h"
 #include "schedule/schedule.h"
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
 namespace symreal {
@@ -20,16 +20,7 @@ public:
 private:
   std::size_t best_end(std::size_t begin, std::size_t most_statements);
 
-  // Per statement: the earlier ones whose values it reads, and those that nobody reads behind it, all in a row.
-  struct Rows {
-    std::vector<std::size_t> first = {0};
-    std::vector<std::uint32_t> all;
-
-    std::span<std::uint32_t const> operator[](std::size_t k) const {
-      return std::span(all).subspan(first[k], first[k + 1] - first[k]);
-    }
-    void end_row() { first.push_back(all.size()); }
-  };
+  // Per statement: the earlier ones whose values it reads, and those that nobody reads behind it.
   Rows reads_, dying_;
   std::vector<std::uint32_t> loaded_by_; // per statement: the beginning of the chunk that was last found to read it
 };

@@ -83,8 +83,7 @@ private:
 
 void delay(Graph const &graph, std::vector<char> const &is_read, std::vector<NodeId> const &conditions,
            FunctionBody &body) {
-  bool const has_blocks = std::ranges::any_of(body.region, [](RegionId region) { return region != everywhere; });
-  if (!has_blocks && body.regions.value_count() == graph.nodes.size()) Delay(graph, is_read, body).run(conditions);
+  if (is_straight(graph, body)) Delay(graph, is_read, body).run(conditions);
 }
 
 } // namespace symreal

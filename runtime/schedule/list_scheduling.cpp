@@ -3,6 +3,7 @@
 #include "graph/opaque.h"
 #include "ops/cost_model.h"
 #include "schedule/order.h"
+#include "schedule/rows.h"
 
 #include <algorithm>
 #include <queue>
@@ -13,7 +14,6 @@ namespace symreal {
 namespace {
 
 constexpr std::size_t registers = 16;       // for numbers: x86-64 with SSE and AVX; AArch64 has 32
-constexpr std::size_t part_length = 500;    // of a long function
 constexpr std::size_t longest = 200'000;    // the lists of a longer body would take as much memory as its graph
 constexpr double least_library_cost = 10.0; // what costs less compiles to instructions
 
@@ -25,8 +25,6 @@ public:
         body_(body),
         count_(body.variables.size()),
         statement_(graph.nodes.size(), nowhere),
-        reads_(count_),
-        readers_(count_),
         unread_(count_, 0),
         waits_for_(count_, 0),
         dies_(count_, 0),
@@ -35,6 +33,7 @@ public:
         placed_(count_, 0) {
     for (std::size_t k = 0; k < count_; ++k) statement_[body.variables[k]] = static_cast<Statement>(k);
     for (Statement k = 0; k < count_; ++k) read_expression(k);
+    readers_ = transposed(reads_);
     for (Statement k = static_cast<Statement>(count_); k-- > 0;) {
       double below = 0;
       for (Statement const reader : readers_[k]) below = std::max(below, height_[reader]);
@@ -53,8 +52,10 @@ public:
     std::size_t live = 0, cost = 0;
     for (NodeId const id : order) {
       Statement const k = statement_[id];
-      if (count_ > part_length) {
-        auto const is_later = [&](Statement reader) { return place[reader] / part_length > place[k] / part_length; };
+      if (count_ > usual_part_length) {
+        auto const is_later = [&](Statement reader) {
+          return place[reader] / usual_part_length > place[k] / usual_part_length;
+        };
         cost += std::ranges::any_of(readers_[k], is_later);
         continue;
       }
@@ -92,12 +93,12 @@ private:
   void read_expression(Statement k) {
     NodeId const root = body_.variables[k];
     double latency = 0;
-    std::vector<std::pair<NodeId, double>> open = {{root, 0}};
+    SmallStack<std::pair<NodeId, double>> open;
+    open.push({root, 0});
     while (!open.empty()) {
-      auto const [id, after] = open.back();
-      open.pop_back();
+      auto const [id, after] = open.pop();
       if (id != root && statement_[id] != nowhere) {
-        reads_[k].push_back(statement_[id]);
+        reads_.all.push_back(statement_[id]);
         continue;
       }
       if (is_read_[id]) continue;
@@ -107,21 +108,23 @@ private:
       if (usual_costs()[node.op] >= least_library_cost && info(node.op).form == Form::call)
         call_of_[k] = node.operand[0];
       for (NodeId const operand : node.operand)
-        if (operand != no_node) open.emplace_back(operand, through);
+        if (operand != no_node) open.push({operand, through});
     }
     height_[k] = latency;
-    std::ranges::sort(reads_[k]);
-    auto const repeated = std::ranges::unique(reads_[k]);
-    reads_[k].erase(repeated.begin(), repeated.end());
-    for (Statement const read : reads_[k]) readers_[read].push_back(k);
+    std::ranges::subrange row(reads_.all.begin() + static_cast<std::ptrdiff_t>(reads_.first[k]), reads_.all.end());
+    std::ranges::sort(row);
+    reads_.all.erase(std::ranges::unique(row).begin(), reads_.all.end());
+    reads_.end_row();
   }
 
   // Of what is read once more only, that reader is the last.
   void note_last_reads(Statement k) {
     if (unread_[k] != 1) return;
-    for (Statement const reader : readers_[k])
-      if (!placed_[reader] && ++dies_[reader] != 0 && waits_for_[reader] == 0 && is_listed(reader))
-        by_deaths_.emplace(dies_[reader], height_[reader], ~reader);
+    for (Statement const reader : readers_[k]) {
+      if (placed_[reader]) continue;
+      ++dies_[reader];
+      if (waits_for_[reader] == 0 && is_listed(reader)) by_deaths_.emplace(dies_[reader], height_[reader], ~reader);
+    }
   }
   bool is_listed(Statement k) const { return call_of_[k] == no_node; }
 
@@ -163,8 +166,8 @@ private:
   std::vector<char> const &is_read_;
   FunctionBody &body_;
   std::size_t count_;
-  std::vector<Statement> statement_; // per node: that sets its variable
-  std::vector<std::vector<Statement>> reads_, readers_;
+  std::vector<Statement> statement_;     // per node: that sets its variable
+  Rows reads_, readers_;                 // per statement
   std::vector<std::uint32_t> unread_;    // per statement: readers that are not placed
   std::vector<std::uint32_t> waits_for_; // statements that it reads and that are not placed
   std::vector<std::uint32_t> dies_;      // what it is the last to read
@@ -180,15 +183,13 @@ private:
 } // namespace
 
 void schedule_for_registers(Graph const &graph, std::vector<char> const &is_read, FunctionBody &body) {
-  bool const has_blocks = std::ranges::any_of(body.region, [](RegionId region) { return region != everywhere; });
-  if (has_blocks || body.regions.value_count() != graph.nodes.size() || !graph.externals.empty()) return;
-  if (body.variables.size() > longest) return;
+  if (!is_straight(graph, body) || !graph.externals.empty() || body.variables.size() > longest) return;
   ListScheduling scheduling(graph, is_read, body);
   std::size_t const cost = scheduling.cost(body.variables);
   if (cost == 0) return;
   std::vector<NodeId> order = scheduling.run();
   // The order of recording reads along the input and stores along the output, which counts for a tenth in long bodies.
-  std::size_t const limit = body.variables.size() > part_length ? cost - cost / 10 : cost;
+  std::size_t const limit = body.variables.size() > usual_part_length ? cost - cost / 10 : cost;
   if (scheduling.cost(order) < limit) body.variables = std::move(order);
 }
 

@@ -4,6 +4,8 @@
 #include "schedule/schedule.h"
 #include "support/small_stack.h"
 
+#include <algorithm>
+
 namespace symreal {
 
 // Puts the variables, given in the order of their nodes, into an order in which every one stands after what it reads
@@ -48,6 +50,12 @@ template <class Visit> void for_each_operand(Schedule const &plan, FunctionBody 
   // Which call comes before is a matter of order alone.
   for (std::size_t i = 0; i < (node.op == Op::call_in_order ? 2 : node.operand.size()); ++i)
     if (node.operand[i] != no_node) visit(node.operand[i]);
+}
+
+// Whether every statement is computed in any case: none is a gate or stands in a block.
+inline bool is_straight(Graph const &graph, FunctionBody const &body) {
+  return body.regions.value_count() == graph.nodes.size() &&
+         std::ranges::all_of(body.region, [](RegionId region) { return region == everywhere; });
 }
 
 // Whether a statement calls an external function: it sets an array.

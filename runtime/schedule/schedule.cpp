@@ -15,9 +15,6 @@ namespace {
 // Expressions nest only so far: deeper ones are hard to read, and compilers bound what they parse.
 constexpr unsigned most_nested_operations = 12, most_nested_depth = 6;
 
-// In longer bodies values live from chunk to chunk.
-constexpr std::size_t longest_as_recorded = 500;
-
 struct Reach {
   std::vector<char> needed;
   std::vector<std::uint32_t> uses;
@@ -81,7 +78,7 @@ public:
     FunctionBody body{std::move(variables), {}, {}, {}, results_, wanted_returns()};
     order(graph_, is_read_, placement, body);
     body.regions = tabulate(placement.regions, graph_.nodes.size(), body.region);
-    if (body.variables.size() > longest_as_recorded) delay(graph_, is_read_, conditions_, body);
+    if (body.variables.size() > usual_part_length) delay(graph_, is_read_, conditions_, body);
     schedule_for_registers(graph_, is_read_, body);
     place_checks(body);
     return body;

@@ -37,6 +37,9 @@ struct FunctionBody {
   std::vector<ThreadPart> parts = {}; // none: one thread computes all of it
 };
 
+// Statements of a part of a long function, where its language says nothing else: longer bodies are cut.
+inline constexpr std::size_t usual_part_length = 500;
+
 inline constexpr std::uint32_t no_slot = ~std::uint32_t{0};
 
 struct Schedule {

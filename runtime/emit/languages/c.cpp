@@ -53,8 +53,7 @@ Language language_c() {
       .status = "int",
       .input = "$real const *$name",
       .output = "$real *$name",
-      // Only a part's own array: a store to it changes no input, so the compiler reads each once and pairs sin with
-      // cos.
+      // Of parts: a store to their array changes no input, so compilers read each once and pair its sin and cos.
       .local_output = "$real *restrict $name",
       .unused = "(void)$name;",
       .success = "return 0;",
