@@ -61,11 +61,7 @@ bool ExpressionPrinter::is_element(Item const &item) const {
 
 // Whether print_itself prints it whole: a number that is no expression of its own.
 bool ExpressionPrinter::is_plain(Item const &item) const {
-  if (item.as == As::truth || item.spelled_out || context_.is_gate(item.node)) return false;
-  Op const op = node(item.node).op;
-  if (is_leaf(op)) return true;
-  bool const is_found = is_variable(item.node) || is_kept(item.node) || is_precomputed(item.node);
-  return is_found && !info(op).has(flag::BOOLEAN);
+  return item.as != As::truth && !item.spelled_out && !spelled_out(item.node) && !is_truth(item.node);
 }
 
 void ExpressionPrinter::print_node(Item const &item) {

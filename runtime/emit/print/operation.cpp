@@ -82,11 +82,11 @@ void ExpressionPrinter::push_pattern(Op op, std::span<Item const> operands, Node
       push(pieces[i].text);
       continue;
     }
-    Item const operand = operand_of(pieces[i]);
+    Item const &operand = operands[static_cast<std::size_t>(pieces[i].operand)];
     if (operand.node != no_node && operand.node == hidden)
-      push_hidden(operands[static_cast<std::size_t>(pieces[i].operand)]);
+      push_hidden(operand);
     else
-      stack_.push_back(operand);
+      stack_.push_back(operand_of(pieces[i]));
   }
 }
 
