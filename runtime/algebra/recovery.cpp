@@ -14,17 +14,6 @@ namespace symreal::algebra {
 
 namespace {
 
-// What is free counts nothing.
-double cost_of(Graph const &graph, CostModel const &costs) {
-  std::vector<char> const live = symreal::live_nodes(graph);
-  double sum = 0;
-  for (NodeId id = 0; id < graph.nodes.size(); ++id) {
-    Node const &node = graph.nodes[id];
-    if (live[id] && !is_leaf(node.op) && node.attribute == Attribute::variable) sum += costs[node.op];
-  }
-  return sum;
-}
-
 // Of work, not of time, so that a result depends on nothing else. A million are done in about an eighth of a second.
 struct Budget {
   int starts;          // independent searches, the best of which goes on
@@ -91,48 +80,50 @@ Network searched(Network const &network, int effort) {
   return search_in_windows(std::move(best.network), search, budget.all, budget.disturbances).network;
 }
 
-using Tell = std::function<void(Diagnostic const &)>;
-
-void tell_not_searched(Graph const &graph, std::size_t cost, int effort, Tell const &tell) {
-  if (tell)
-    tell(
-        {DiagnosticId::graph_not_searched,
-         {},
-         fmt::format("kernel '{}' has {} operations once equal ones are one, and --effort={} searches {} at most: only "
-                     "what one step finds, such as equal expressions, was looked for",
-                     graph.kernel, cost, effort, largest_searched)});
-}
-
-void tell_too_many_parameters(Graph const &graph, std::size_t count, std::size_t cost, Tell const &tell) {
-  if (tell)
-    tell({DiagnosticId::graph_not_searched,
-          {},
-          fmt::format("kernel '{}' has {} parameters and products of them in {} operations: too many for base "
-                      "parameters to be looked for",
-                      graph.kernel, count, cost)});
+void tell_not_searched(Graph const &graph, std::string const &why, Report const &tell) {
+  if (tell) tell({DiagnosticId::graph_not_searched, {}, fmt::format("kernel '{}' has {}", graph.kernel, why)});
 }
 
 // Where the search begins.
-Network start_of(Graph const &graph, CostModel const &costs, Tell const &tell) {
+Network start_of(Graph const &graph, CostModel const &costs, Report const &tell) {
   Network const related = with_calls_of_angle_sums(with_angle_sums(rebuilt(network_of(graph, costs)), costs), costs);
   Network network = rebuilt(with_common_reciprocals(rebuilt(related)));
   std::size_t too_many = 0;
   std::optional<Network> const base = with_base_parameters(network, &too_many);
-  if (too_many != 0) tell_too_many_parameters(graph, too_many, cost_of(network), tell);
+  if (too_many != 0)
+    tell_not_searched(graph,
+                      fmt::format("{} parameters and products of them in {} operations: too many for base parameters "
+                                  "to be looked for",
+                                  too_many, cost_of(network)),
+                      tell);
   if (base && cost_of(*base) < cost_of(network)) return rebuilt(*base);
   return network;
 }
 
 } // namespace
 
-Graph recover_structure(Graph const &graph, int effort, CostModel const &costs,
-                        std::function<void(Diagnostic const &)> const &tell) {
+double cost_of(Graph const &graph, CostModel const &costs) {
+  std::vector<char> const live = symreal::live_nodes(graph);
+  double sum = 0;
+  for (NodeId id = 0; id < graph.nodes.size(); ++id) {
+    Node const &node = graph.nodes[id];
+    if (live[id] && !is_leaf(node.op) && node.attribute == Attribute::variable) sum += costs[node.op];
+  }
+  return sum;
+}
+
+Graph recover_structure(Graph const &graph, int effort, CostModel const &costs, Report const &tell) {
   if (effort == 0) return graph;
   Network network = start_of(graph, costs, tell);
   if (std::size_t const cost = cost_of(network); cost <= largest_searched)
     network = searched(network, effort);
   else
-    tell_not_searched(graph, cost, effort, tell);
+    tell_not_searched(
+        graph,
+        fmt::format("{} operations once equal ones are one, and --effort={} searches {} at most: only what "
+                    "one step finds, such as equal expressions, was looked for",
+                    cost, effort, largest_searched),
+        tell);
   std::optional<Graph> result = graph_of(rebuilt(network), graph);
   if (!result || cost_of(*result, costs) >= cost_of(graph, costs)) return graph;
   return std::move(*result);

@@ -5,15 +5,16 @@
 #include "graph/graph.h"
 #include "ops/cost_model.h"
 
-#include <functional>
-
 namespace symreal::algebra {
 
 inline constexpr int least_effort = 0, usual_effort = 2, most_effort = 3;
 
+// What the graph's operations cost; what is free counts nothing.
+double cost_of(Graph const &graph, CostModel const &costs);
+
 // The graph with less to compute by these costs, or as it is. The same for the same graph, effort and costs. `tell`
 // hears what a graph is too large for (graph_not_searched).
 Graph recover_structure(Graph const &graph, int effort, CostModel const &costs = usual_costs(),
-                        std::function<void(Diagnostic const &)> const &tell = {});
+                        Report const &tell = {});
 
 } // namespace symreal::algebra

@@ -4,6 +4,7 @@
 // and what to do; `internal_check` is an assertion for us, which no input can make fail.
 #pragma once
 
+#include <functional>
 #include <iosfwd>
 #include <stdexcept>
 #include <string>
@@ -53,6 +54,9 @@ struct Diagnostic {
   std::vector<Note> notes = {};
   Severity severity = usual_severity(id);
 };
+
+// Who tells the user what is no error.
+using Report = std::function<void(Diagnostic const &)>;
 
 // The row with this code ("SYM012"), or null.
 DiagnosticInfo const *find_diagnostic(std::string_view code);

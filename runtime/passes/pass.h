@@ -8,7 +8,6 @@
 #include "ops/cost_model.h"
 #include "ops/floating_point.h"
 
-#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -29,8 +28,8 @@ struct PassSettings {
   FloatingPoint mode;
   int effort; // of pass `recover`: algebra/recovery.h
   CostModel costs;
-  RewriteLimit *limit = nullptr;                     // of passes that rewrite node by node: sweep.h
-  std::function<void(Diagnostic const &)> tell = {}; // remarks for the user
+  RewriteLimit *limit = nullptr; // of passes that rewrite node by node: sweep.h
+  Report tell = {};              // of remarks for the user
 };
 
 #define PASS(name, ...) Graph pass_##name(Graph graph, PassSettings const &settings);

@@ -5,11 +5,7 @@
 #include "graph/graph.h"
 #include "passes/pass.h"
 
-#include <functional>
-
 namespace symreal::tool {
-
-using Report = std::function<void(Diagnostic const &)>;
 
 // The graph with exact constants, each of which is reported. It is tried on samples: throws snap_changes_output where
 // an output changes by more than the tolerance.

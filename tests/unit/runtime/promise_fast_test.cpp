@@ -2,15 +2,15 @@
 // function of real numbers, with errors of rounding that are about those of the original, and never more to compute
 // than the graph had or mode finite leaves. 2000 graphs at effort 0, or as many as SYMREAL_RANDOM_GRAPHS says; a third
 // of that at effort 1, a two-hundredth at 2.
+#include "algebra/recovery.h"
 #include "graph/evaluate.h"
-#include "graph/graph_text.h"
-#include "passes/pass.h"
 
+#include "graph_words.h"
+#include "promises.h"
 #include "random_graph.h"
 #include "random_operations.h"
 #include "rounding_bounds.h"
 
-#include <cstdlib>
 #include <gtest/gtest.h>
 #include <iostream>
 #include <optional>
@@ -20,6 +20,8 @@ namespace symreal {
 namespace {
 
 using test::Bounded;
+using test::passed;
+using test::text;
 
 constexpr std::uint64_t usual_graphs = 2000;
 constexpr double numbers[] = {0, 1, -1, 2, 0.5, -3, 0.1, 10, -0.25, 1e-3, 0.7};
@@ -33,31 +35,7 @@ Graph random_fast_graph(std::uint64_t seed) {
   return test::RandomGraph(seed, numbers).graph();
 }
 
-double cost(Graph const &graph) {
-  std::vector<char> const live = live_nodes(graph);
-  double sum = 0;
-  for (NodeId id = 0; id < graph.nodes.size(); ++id) {
-    Node const &node = graph.nodes[id];
-    if (live[id] && !is_leaf(node.op) && node.attribute == Attribute::variable) sum += usual_costs()[node.op];
-  }
-  return sum;
-}
-
-std::string text(Graph const &graph) {
-  std::ostringstream out;
-  write_graph(out, graph);
-  return out.str();
-}
-
-// Nothing where the guard can never hold.
-std::optional<Graph> passed(Graph const &graph, PassSettings const &settings) {
-  try {
-    return run_passes(graph, default_passes(), settings);
-  } catch (DiagnosticError const &error) {
-    EXPECT_EQ(error.diagnostic().id, DiagnosticId::contradictory_guard);
-    return {};
-  }
-}
+double cost(Graph const &graph) { return algebra::cost_of(graph, usual_costs()); }
 
 // Whether all guards hold; nothing where rounding may decide it.
 std::optional<bool> guards_hold(Graph const &graph, std::vector<Bounded> const &values) {
@@ -117,15 +95,10 @@ void expect_promise(int effort, std::uint64_t seed, Count &count) {
   }
 }
 
-// Of so many, as the efforts take time.
-std::uint64_t wanted_graphs(std::uint64_t usual) {
-  char const *const wanted = std::getenv("SYMREAL_RANDOM_GRAPHS");
-  return wanted ? std::strtoull(wanted, nullptr, 10) * usual / usual_graphs : usual;
-}
-
+// Of the usual 2000 graphs so many, as the efforts take time.
 void expect_promise(int effort, std::uint64_t usual) {
   Count count;
-  std::uint64_t const graphs = wanted_graphs(usual);
+  std::uint64_t const graphs = test::wanted_graphs(usual_graphs) * usual / usual_graphs;
   for (std::uint64_t seed = 1; seed <= graphs && !testing::Test::HasFailure(); ++seed)
     expect_promise(effort, seed, count);
   EXPECT_GE(count.compared, 4 * graphs);
