@@ -4,23 +4,20 @@
 #include "graph/evaluate.h"
 #include "graph/graph_text.h"
 
+#include "graph_words.h"
+
 #include <gtest/gtest.h>
-#include <sstream>
 
 namespace symreal::algebra {
 namespace {
+
+using test::text;
 
 Graph read(std::string const &body) { return read_graph("symreal-graph 1\nkernel \"k\"\n" + body, "test"); }
 
 std::optional<Graph> with_base(Graph const &graph) {
   std::optional<Network> const made = with_base_parameters(rebuilt(network_of(graph)));
   return made ? graph_of(rebuilt(*made), graph) : std::nullopt;
-}
-
-std::string text(Graph const &graph) {
-  std::ostringstream out;
-  write_graph(out, graph);
-  return out.str();
 }
 
 void expect_same(Graph const &graph, Graph const &made) {

@@ -3,11 +3,14 @@
 #include "algebra/reciprocals.h"
 #include "graph/graph_text.h"
 
+#include "graph_words.h"
+
 #include <gtest/gtest.h>
-#include <sstream>
 
 namespace symreal::algebra {
 namespace {
+
+using test::text;
 
 struct Fixture : ::testing::Test {
   Network network{std::make_shared<Context>()};
@@ -96,12 +99,6 @@ TEST_F(NetworkTest, CommonDenominatorsDivideOnce) {
 }
 
 Graph read(std::string const &body) { return read_graph("symreal-graph 1\n" + body, "test"); }
-
-std::string text(Graph const &graph) {
-  std::ostringstream out;
-  write_graph(out, graph);
-  return out.str();
-}
 
 TEST(GraphNetwork, ExactOperationsStayAsTheyAreWritten) {
   // The correction of a compensated sum.

@@ -2,9 +2,9 @@
 // strict gives the same bits at any operands, finite gives equal numbers where the premises hold. 10000 graphs a mode,
 // or as many as SYMREAL_RANDOM_GRAPHS says.
 #include "graph/evaluate.h"
-#include "graph/graph_text.h"
-#include "passes/pass.h"
 
+#include "graph_words.h"
+#include "promises.h"
 #include "random_operations.h"
 
 #include <bit>
@@ -15,25 +15,16 @@
 #include <limits>
 #include <optional>
 #include <random>
-#include <sstream>
 
 namespace symreal {
 namespace {
 
+using test::passed;
+using test::text;
+
 constexpr double infinity = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double corners[] = {0,       -0.0,  1,      -1,       2,  0.5,      -3,        0.1, 1e-310,
                               -5e-324, 1e300, -1e300, 0x1p-600, 10, infinity, -infinity, nan};
-
-std::uint64_t wanted_graphs() {
-  char const *const wanted = std::getenv("SYMREAL_RANDOM_GRAPHS");
-  return wanted ? std::strtoull(wanted, nullptr, 10) : 10000;
-}
-
-std::string text(Graph const &graph) {
-  std::ostringstream out;
-  write_graph(out, graph);
-  return out.str();
-}
 
 // The sign of a NaN that an operation makes is nobody's promise.
 bool shows_sign_of_nan(Graph const &graph, std::vector<double> const &values) {
@@ -46,16 +37,6 @@ bool shows_sign_of_nan(Graph const &graph, std::vector<double> const &values) {
 
 bool same_bits(double a, double b) {
   return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b) || (std::isnan(a) && std::isnan(b));
-}
-
-// Nothing where the guard can never hold.
-std::optional<Graph> passed(Graph const &graph, FloatingPoint mode) {
-  try {
-    return run_passes(graph, default_passes(), mode);
-  } catch (DiagnosticError const &error) {
-    EXPECT_EQ(error.diagnostic().id, DiagnosticId::contradictory_guard);
-    return {};
-  }
 }
 
 // Compares all outputs of a random graph before and after the passes; counts what it compared.
@@ -92,7 +73,7 @@ void expect_promise(FloatingPoint mode, std::uint64_t seed, std::size_t &compare
 
 void expect_promise(FloatingPoint mode, std::size_t least) {
   std::size_t compared = 0;
-  std::uint64_t const graphs = wanted_graphs();
+  std::uint64_t const graphs = test::wanted_graphs(10000);
   for (std::uint64_t seed = 1; seed <= graphs && !testing::Test::HasFatalFailure(); ++seed)
     expect_promise(mode, seed, compared);
   EXPECT_GE(compared, least * graphs);

@@ -5,14 +5,16 @@
 #include "graph/validate.h"
 #include "passes/pass.h"
 
+#include "graph_words.h"
 #include "random_graph.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
-#include <sstream>
 
 namespace symreal {
 namespace {
+
+using test::text;
 
 // Per node the value in extended precision, and a bound on the error of computing it in double precision.
 struct Extended {
@@ -61,12 +63,6 @@ bool is_clear(Graph const &graph, Extended const &all) {
     if (std::fabs(all.value[a] - all.value[b]) <= 100 * (all.error[a] + all.error[b])) return false;
   }
   return true;
-}
-
-std::string text(Graph const &graph) {
-  std::ostringstream out;
-  write_graph(out, graph);
-  return out.str();
 }
 
 std::size_t cost(Graph const &graph) {

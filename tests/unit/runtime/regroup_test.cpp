@@ -5,14 +5,16 @@
 #include "graph/validate.h"
 #include "passes/pass.h"
 
+#include "graph_words.h"
 #include "random_graph.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
-#include <sstream>
 
 namespace symreal {
 namespace {
+
+using test::text;
 
 struct Figures {
   int work = 0;
@@ -33,12 +35,6 @@ Figures figures(Graph const &graph) {
     result.span = std::max(result.span, end[id]);
   }
   return result;
-}
-
-std::string text(Graph const &graph) {
-  std::ostringstream out;
-  write_graph(out, graph);
-  return out.str();
 }
 
 // In extended precision, so that only the order of rounding differs.
