@@ -65,8 +65,9 @@ public:
     for (std::uint32_t slot = 0; slot < old.outputs.size(); ++slot) {
       double const from = old.outputs[slot], to = now.outputs[slot];
       if (!same(from, to, FloatingPoint::fast, tolerance_) && !exact_.accepts(slot, from, to, tolerance_))
-        return fmt::format("{} changes from {} to {}", element_name(before_.outputs, slot).value(), shortest(from),
-                           shortest(to));
+        return fmt::format("{} changes from {} to {}",
+                           element_name(before_.outputs, slot).value_or("output " + std::to_string(slot)),
+                           shortest(from), shortest(to));
     }
     return {};
   }
