@@ -5,6 +5,7 @@ include(CMakePackageConfigHelpers)
 install(TARGETS symreal symreal-compiler RUNTIME DESTINATION bin)
 install(FILES ${PROJECT_BINARY_DIR}/tool/symreal-cc DESTINATION bin)
 install(TARGETS symreal_runtime ARCHIVE DESTINATION lib/symreal)
+install(TARGETS symreal-record-instructions LIBRARY DESTINATION lib/symreal)
 install(DIRECTORY runtime/include/ DESTINATION lib/symreal/include)
 install(FILES ${PROJECT_BINARY_DIR}/runtime/include/symreal/names_hide.h
   ${PROJECT_BINARY_DIR}/runtime/include/symreal/names_show.h DESTINATION lib/symreal/include/symreal)

@@ -26,6 +26,7 @@ std::string_view name(Variant variant) {
   case Variant::original: return "original";
   case Variant::own_flags: return "own-flags";
   case Variant::wrapped: return "wrapped";
+  case Variant::recorded: return "recorded";
   }
   return "";
 }
@@ -141,8 +142,10 @@ namespace {
 
 Words original_command(BuildRequest const &request, Variant variant, Overlay const &overlay,
                        rewrite::Compilation const &source, std::string const &object) {
-  bool const c = is_c(source);
-  Words words = {c ? request.c_compiler : request.compiler, "-include", runtime_include() + "/symreal/original.h"};
+  bool const c = is_c(source), is_recorded = variant == Variant::recorded;
+  Words words = {is_recorded ? oracle_compiler : c ? request.c_compiler : request.compiler};
+  append(words, {"-include", runtime_include() + "/symreal/original.h"});
+  if (is_recorded) words.push_back("-fpass-plugin=" + recording_plugin());
   Words flags = original_flags(source.flags, variant);
   if (variant != Variant::own_flags) append(flags, reference_flags);
   append(words, overlay.search_flags(flags, source.directory));

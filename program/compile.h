@@ -21,7 +21,8 @@ enum class Variant {
   replay,    // the rewritten text, REAL is double and the annotations are live: shows what rewriting has changed
   original,  // the user's text with its annotations, in its own language and standard: the reference of verification
   own_flags, // the original with the user's own flags instead of those of the reference build
-  wrapped    // the original with the statements of a kernel's wrapper before those of the kernel
+  wrapped,   // the original with the statements of a kernel's wrapper before those of the kernel
+  recorded   // the original, by clang with the pass of oracle/: its instructions record themselves
 };
 
 struct BuildRequest {
@@ -75,6 +76,9 @@ std::vector<std::string> unchanged_flags(std::vector<std::string> const &flags);
 
 // Those with which a build may give other numbers than the reference build.
 std::vector<std::string> flags_of_numbers(std::vector<std::string> const &flags);
+
+// Of Variant::recorded: the one that the plugin is for.
+inline constexpr char const *oracle_compiler = "clang-19";
 
 // Builds the program in each of the variants, as many compilations at a time as there are
 // processors, and returns the paths of the executables in

@@ -34,8 +34,8 @@ public:
   explicit Key(std::string_view workspace) : workspace_(workspace) {}
   void add(std::string_view text) {
     for (std::size_t at; (at = text.find(workspace_)) != text.npos; text.remove_prefix(at + workspace_.size()))
-      hash_.update(llvm::StringRef(text.data(), at));
-    hash_.update(llvm::StringRef(text.data(), text.size()));
+      hash_.update(llvm::StringRef(text).take_front(at));
+    hash_.update(llvm::StringRef(text));
     hash_.update(llvm::StringRef("\0", 1));
   }
   std::string result() { return llvm::toHex(hash_.final(), /*LowerCase=*/true); }
@@ -64,7 +64,11 @@ void add_compilation(Key &key, Command const &compilation) {
   key.add(version);
   key.add(compilation.directory.empty() ? fs::current_path().string() : compilation.directory);
   add_compiler(key, compilation.arguments.front());
-  for (std::string const &word : compilation.arguments) key.add(word);
+  for (std::string const &word : compilation.arguments) {
+    key.add(word);
+    constexpr std::string_view plugin = "-fpass-plugin="; // a part of the compiler
+    if (word.starts_with(plugin)) add_compiler(key, word.substr(plugin.size()));
+  }
   for (char const *name : {"COMPILER_PATH", "GCC_EXEC_PREFIX", "SOURCE_DATE_EPOCH", "NIX_CFLAGS_COMPILE", "CPATH",
                            "C_INCLUDE_PATH", "CPLUS_INCLUDE_PATH", "CCC_OVERRIDE_OPTIONS"})
     if (char const *value = std::getenv(name)) key.add(fmt::format("{}={}", name, value));

@@ -25,4 +25,9 @@ std::string const &runtime_library() {
   return path;
 }
 
+std::string const &recording_plugin() {
+  static std::string const path = installed_or("symreal-record-instructions.so", SYMREAL_RECORDING_PLUGIN);
+  return path;
+}
+
 } // namespace symreal

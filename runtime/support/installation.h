@@ -5,7 +5,8 @@
 
 namespace symreal {
 
-std::string const &runtime_include(); // the directory of symreal/real.h
-std::string const &runtime_library(); // the file
+std::string const &runtime_include();  // the directory of symreal/real.h
+std::string const &runtime_library();  // the file
+std::string const &recording_plugin(); // of clang, from oracle/plugin.cpp
 
 } // namespace symreal

@@ -4,12 +4,14 @@
 #include "memory/static_objects.h"
 #include "trace/kernel/again.h"
 #include "trace/kernel/object_layout.h"
+#include "trace/nodes/pool.h"
 #include "trace/sinks.h"
 #include "verify/replay_server.h"
 
 #include <symreal/original.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <cstring>
 #include <map>
 
@@ -137,6 +139,12 @@ private:
   Graph interface_;
 };
 
+// Where its instructions record themselves (oracle/), it is recorded.
+MakeSink sink_of_original() {
+  static bool const is_recorded = std::getenv("SYMREAL_RECORD") != nullptr;
+  return is_recorded ? make_recorder_of_original : make_original;
+}
+
 Kind kind_named(std::string_view name) {
   if (name == "input") return Kind::input;
   if (name == "parameter") return Kind::parameter;
@@ -175,7 +183,7 @@ int symreal_original_object(char const *kind, char const *label, char const *fil
     return 1;
   }
   symreal::trace::kind_now = symreal::trace::kind_named(kind);
-  return Kernel::current().begin_object(symreal::trace::make_original, symreal::trace::kind_now, label, place);
+  return Kernel::current().begin_object(symreal::trace::sink_of_original(), symreal::trace::kind_now, label, place);
 }
 
 void symreal_original_bytes(void const volatile *begin, std::size_t size, int is_temporary) {
@@ -227,7 +235,7 @@ void symreal_original_object_end() {
 int symreal_original_function(char const *name, char const *file, unsigned line, unsigned column, unsigned call,
                               void const *frame) {
   OwnWork const own;
-  return Kernel::current().begin_function(symreal::trace::make_original, name, {file, line, column, frame}, call);
+  return Kernel::current().begin_function(symreal::trace::sink_of_original(), name, {file, line, column, frame}, call);
 }
 
 int symreal_original_entered(int active) {
@@ -247,7 +255,7 @@ void symreal_original_function_end(int active) {
 }
 
 void symreal_original_returned(int active, char const *label, char const *file, unsigned line, unsigned column,
-                               void const *value, std::size_t size, char const *layout) {
+                               void *value, std::size_t size, char const *layout) {
   if (!symreal_original_leaving(active)) return;
   if (!symreal_original_object("output", label, file, line, column, nullptr)) return;
   if (layout) {
@@ -256,6 +264,17 @@ void symreal_original_returned(int active, char const *label, char const *file, 
   } else
     symreal_original_bytes(value, size, 1);
   symreal_original_object_end();
+  symreal_original_settle(value, size);
+}
+
+void symreal_original_settle(void volatile *begin, std::size_t size) {
+  OwnWork const own;
+  symreal::trace::Pool const &pool = symreal::trace::Pool::current();
+  auto *bytes = static_cast<char *>(const_cast<void *>(begin));
+  for (std::size_t k = 0; k + sizeof(symreal::RealNumber) <= size; k += sizeof(symreal::RealNumber)) {
+    auto &number = *reinterpret_cast<symreal::RealNumber *>(bytes + k);
+    if (pool.owns(number)) number = pool.final_value(number);
+  }
 }
 
 int symreal_original_compute(double const *input, double const *parameters, double *output) {

@@ -25,6 +25,9 @@ namespace {
 
 class Recorder final : public Sink {
 public:
+  // `has_notes`: the program notes what it reads and writes besides its annotations.
+  explicit Recorder(bool has_notes) : has_notes_(has_notes) {}
+
   void begin(std::string const &name, void const *frame) override {
     graph_ = {};
     declared_.clear();
@@ -69,7 +72,7 @@ public:
       if (is_temporary) break;
       written_.push_back(&real);
       check_overlap(number);
-      if (!State::current().output(&real)) kept_.push_back({object_.count, real.plain()});
+      if (!State::current().output(&real) && has_notes_) kept_.push_back({object_.count, real.plain()});
       break;
     case Kind::input:
     case Kind::parameter: {
@@ -144,7 +147,7 @@ public:
       if (!input.range && input.place.line == last.line && input.place.file == last.file) input.range = {low, high};
   }
 
-  void set_state(StatePair state) override { graph_.states.push_back(std::move(state)); }
+  void set_state(StatePair const &state) override { graph_.states.push_back(state); }
 
   void end(std::string const &name, std::string const &output_file, Place const &place) override {
     if (!disable_trap())
@@ -266,6 +269,7 @@ private:
     }
   }
 
+  bool const has_notes_;
   Graph graph_;
   Kind kind_ = Kind::input;
   Object object_;
@@ -289,7 +293,8 @@ private:
 
 } // namespace
 
-std::unique_ptr<Sink> make_recorder() { return std::make_unique<Recorder>(); }
+std::unique_ptr<Sink> make_recorder() { return std::make_unique<Recorder>(/*has_notes=*/true); }
+std::unique_ptr<Sink> make_recorder_of_original() { return std::make_unique<Recorder>(/*has_notes=*/false); }
 
 } // namespace trace
 

@@ -6,6 +6,7 @@
 namespace symreal::trace {
 
 std::unique_ptr<Sink> make_recorder();
+std::unique_ptr<Sink> make_recorder_of_original();
 std::unique_ptr<Sink> make_replay();
 std::unique_ptr<Sink> make_original();
 

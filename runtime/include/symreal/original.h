@@ -43,7 +43,9 @@ void symreal_original_function_end(int active);
 int symreal_original_compute(double const *input, double const *parameters, double *output);
 /* The returned value, as an output; of a structure with its layout. */
 void symreal_original_returned(int active, char const *label, char const *file, unsigned line, unsigned column,
-                               void const *value, __SIZE_TYPE__ size, char const *layout);
+                               void *value, __SIZE_TYPE__ size, char const *layout);
+/* Numbers that leave in registers, which no annotation reaches later: they are ordinary ones again. */
+void symreal_original_settle(void volatile *begin, __SIZE_TYPE__ size);
 void symreal_original_generate(char const *name, char const *file, unsigned line, unsigned column);
 /* Objects are looked up when the function is entered, and read when it returns. */
 void symreal_original_later(int active);
@@ -90,13 +92,13 @@ void symreal_original_keep(void const *frame);
   SYMREAL_ORIGINAL_AGAIN(symreal_kernel)
 #define SYMREAL_RETURN(label, file, line, column, ...)                                                                 \
   (__extension__({                                                                                                     \
-    double const symreal_value = (__VA_ARGS__);                                                                        \
+    double symreal_value = (__VA_ARGS__);                                                                              \
     symreal_original_returned(symreal_kernel, label, file, line, column, &symreal_value, sizeof symreal_value, 0);     \
     symreal_value;                                                                                                     \
   }))
 #define SYMREAL_RETURN_LAYOUT(label, file, line, column, layout, types, ...)                                           \
   (__extension__({                                                                                                     \
-    __typeof__(__VA_ARGS__) const symreal_value = (__VA_ARGS__);                                                       \
+    __typeof__(__VA_ARGS__) symreal_value = (__VA_ARGS__);                                                             \
     symreal_original_returned(symreal_kernel, label, file, line, column, &symreal_value, sizeof symreal_value,         \
                               layout);                                                                                 \
     symreal_value;                                                                                                     \
@@ -231,6 +233,7 @@ public:
     if (symreal_original_leaving(active_) && symreal_original_object("output", label, file, line, column, 0)) {
       walk(result, false);
       symreal_original_object_end();
+      symreal_original_settle(&reinterpret_cast<char volatile &>(result), sizeof result);
     }
     return result;
   }
@@ -244,6 +247,7 @@ public:
       symreal_original_layout(&reinterpret_cast<char const volatile &>(result), layout, Visits<Containers...>::list(),
                               1);
       symreal_original_object_end();
+      symreal_original_settle(&reinterpret_cast<char volatile &>(result), sizeof result);
     }
     return result;
   }

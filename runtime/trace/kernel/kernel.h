@@ -41,7 +41,7 @@ public:
   virtual void own(void const *, std::size_t) {}
   virtual void end_object(std::vector<std::size_t> extents) = 0;
   virtual void set_range(double low, double high) = 0;
-  virtual void set_state(StatePair) {}
+  virtual void set_state(StatePair const &) {}
   // `place`: where the kernel ends, or a function kernel's pragma.
   virtual void end(std::string const &name, std::string const &output_file, Place const &place) = 0;
   // The objects so far, for descriptions.
@@ -66,8 +66,8 @@ public:
   void set_range(double low, double high) {
     if (takes_clauses()) sink_->set_range(low, high);
   }
-  void set_state(StatePair state) {
-    if (takes_clauses()) sink_->set_state(std::move(state));
+  void set_state(StatePair const &state) {
+    if (takes_clauses()) sink_->set_state(state);
   }
 
   bool is_entering_function() const { return phase_ == Phase::entering; }

@@ -1,0 +1,41 @@
+#include "oracle/operations.h"
+
+#include <llvm/ADT/StringMap.h>
+
+namespace symreal::oracle {
+
+namespace {
+
+// Only what is spelled as a call: operators are instructions.
+llvm::StringMap<Operation> make_functions() {
+  llvm::StringMap<Operation> functions;
+#define SYMREAL_FORM_infix(...)
+#define SYMREAL_FORM_prefix(...)
+#define SYMREAL_FORM_cast(...)
+#define SYMREAL_FORM_select(...)
+#define SYMREAL_FORM_local(...)
+#define SYMREAL_FORM_external(...)
+#define SYMREAL_FORM_call(id, arity, name) functions.insert({name, {Op::id, arity}});
+#define OPERATION(id, arity, form, name, ...) SYMREAL_FORM_##form(id, arity, name)
+#include <symreal/operations.def>
+#undef OPERATION
+  functions.insert({"nearbyint", functions.lookup("rint")});
+  return functions;
+}
+
+} // namespace
+
+std::optional<Operation> operation_of_function(llvm::StringRef name) {
+  static llvm::StringMap<Operation> const functions = make_functions();
+  auto const found = functions.find(name);
+  if (found == functions.end()) return std::nullopt;
+  return found->second;
+}
+
+std::optional<Operation> operation_of_intrinsic(llvm::StringRef name) {
+  if (!name.consume_front("llvm.") || !name.consume_back(".f64")) return std::nullopt;
+  if (name == "minnum" || name == "maxnum") return operation_of_function(name == "minnum" ? "fmin" : "fmax");
+  return operation_of_function(name);
+}
+
+} // namespace symreal::oracle
