@@ -159,7 +159,10 @@ public:
     for (std::size_t op = 0; op < graph_.executed.by_op.size(); ++op)
       graph_.executed.by_op[op] = detail::executed[op] - executed_before_.by_op[op];
     check_outputs(place);
-    graph_.frozen = State::current().end(place);
+    if (has_notes_)
+      graph_.frozen = State::current().end(place);
+    else
+      State::current().end_untold();
     TextMarks::current().end();
     for (RealNumber *number : written_)
       if (pool.owns(*number)) *number = pool.final_value(*number);

@@ -16,7 +16,8 @@ from concurrent.futures import ThreadPoolExecutor
 from kernels.features import OPEN, features
 from kernels.kernel import make_kernel
 from kernels.minimise import minimised
-from kernels.session import Outcome, Session
+from kernels.outcome import Outcome
+from kernels.session import Session
 
 
 def arguments():
@@ -35,6 +36,7 @@ def arguments():
     parser.add_argument("--only", default="", help="the features that kernels may have")
     parser.add_argument("--open", action="store_true", help="also the features that are known to be wrong yet")
     parser.add_argument("--verify", action="store_true", help="run symreal verify as well, which must agree")
+    parser.add_argument("--oracle", action="store_true", help="run symreal oracle as well, which must give the same graph")
     parser.add_argument("--flags-every", metavar="N", type=int, default=8,
                         help="compile the symbolic program of C as the tool does in each N-th batch, in the others without optimisation")
     parser.add_argument("--print", metavar="INDEX", type=int, help="print one kernel and end")
@@ -79,7 +81,8 @@ def execute(options, language, policy, mode, indices):
     directory = os.path.join(options.keep, name) if options.keep else tempfile.mkdtemp(prefix="kernels-")
     os.makedirs(directory, exist_ok=True)
     try:
-        session = Session(options.symreal, language, policy, mode, directory, options.samples, options.verify, quick)
+        session = Session(options.symreal, language, policy, mode, directory, options.samples, options.verify,
+                          options.oracle, quick)
         outcome = session.execute(made, options.seed + indices.start)
         if options.minimise:
             again = lambda directory: Session(options.symreal, language, policy, mode, directory, options.samples, quick=quick)
@@ -116,6 +119,10 @@ def main():
               f"{o.samples:9} {o.guarded:8} {o.outside:8}")
     for (language, policy), o in totals.items():
         print(f"refused, {language} {policy}: " + ", ".join(f"{why} {n}" for why, n in o.refused.most_common()))
+    if options.oracle:
+        for (language, policy), o in totals.items():
+            print(f"recorded twice, {language} {policy}: {o.recorded_twice} equal; not taken: "
+                  + ", ".join(f"{why} {n}" for why, n in o.not_twice.most_common()))
     kernels, seconds = sum(o.count for o in totals.values()), time.monotonic() - start
     faults = sum(len(o.found) for o in totals.values())
     print(f"{kernels} kernels, {faults} faults, {seconds:.0f} s, {60 * kernels / seconds:.0f} kernels a minute", flush=True)

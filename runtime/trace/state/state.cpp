@@ -379,6 +379,18 @@ void State::judge_writes() {
   }
 }
 
+void State::end_untold() {
+  detail::recording = false;
+  std::vector<memory::Change> const changes = image_ ? image_->changes({}) : std::vector<memory::Change>();
+  for (memory::Change const &change : changes)
+    for (char *at = change.object + change.first / sizeof(RealNumber) * sizeof(RealNumber);
+         at + sizeof(RealNumber) <= change.object + change.size && at < change.object + change.end;
+         at += sizeof(RealNumber))
+      make_plain(reinterpret_cast<RealNumber const *>(at));
+  image_.reset();
+  shadow_.clear();
+}
+
 std::vector<Frozen> State::end(Place const &kernel) {
   detail::recording = false;
   mark_scratch();

@@ -7,52 +7,25 @@ import json
 import os
 import re
 import subprocess
-from collections import Counter
-from dataclasses import dataclass, field
 
+from .messages import ERROR
+from .outcome import Found, Outcome
 from .program import glue, probe, source
+from .second_recording import record_twice
 
 HERE = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 SUFFIX = {"c": ".c", "cxx": ".cpp"}
 # The reference build of docs/floating-point.md, and the flags that it gives for generated code.
 REFERENCE = ["-O1", "-ffp-contract=off", "-fno-builtin", "-fno-fast-math", "-w"]
 GENERATED = ["-std=c99", "-O2", "-ffp-contract=off", "-fno-tree-slp-vectorize", "-fno-builtin-pow", "-w"]
-ERROR = re.compile(r"^(?:\S*/)?batch\.(?:c|cpp):(\d+):\d+: error: (.*?)(?: \[(SYM\d+)\])?$")
-
-
-@dataclass
-class Found:
-    kernel: object
-    kind: str          # different, lost, crashed, verify-..., broken
-    details: str
-    directory: str
-
-
-@dataclass
-class Outcome:
-    count: int = 0
-    compared: int = 0          # kernels
-    samples: int = 0
-    guarded: int = 0
-    outside: int = 0
-    verified: int = 0
-    refused: Counter = field(default_factory=Counter)   # by diagnostic
-    features_refused: Counter = field(default_factory=Counter)
-    found: list = field(default_factory=list)
-
-    def add(self, other):
-        for name in ("count", "compared", "samples", "guarded", "outside", "verified"):
-            setattr(self, name, getattr(self, name) + getattr(other, name))
-        self.refused += other.refused
-        self.features_refused += other.features_refused
-        self.found += other.found
 
 
 class Session:
-    def __init__(self, symreal, language, policy, mode, directory, samples=60, verify=False, quick=True, timeout=3600):
+    def __init__(self, symreal, language, policy, mode, directory, samples=60, verify=False, oracle=False, quick=True,
+                 timeout=3600):
         self.symreal, self.language, self.policy, self.mode = symreal, language, policy, mode
         self.directory, self.samples, self.verify, self.timeout = directory, samples, verify, timeout
-        self.quick = quick
+        self.quick, self.oracle = quick, oracle
         self.path = os.path.join(directory, "batch" + SUFFIX[language])
 
     def run(self, *words):
@@ -175,6 +148,8 @@ class Session:
         self.read(done.stdout, accepted, outcome)
         if self.verify:
             self.verify_all(accepted, outcome)
+        if self.oracle:
+            record_twice(self, accepted, outcome)
         return outcome
 
     def read(self, text, kernels, outcome):
