@@ -56,6 +56,12 @@ void add(Events &events, std::vector<std::string> const &field) {
                                            : kind == "settled" ? &events.settled
                                                                : nullptr;
   if (decisions && has(4)) decisions->push_back({number<std::size_t>(field[1]), field[2], addresses(field[3])});
+  if (kind == "decided" && has(5))
+    events.decided.push_back({number<std::uint32_t>(field[1]), field[2] == "t", field[3], addresses(field[4])});
+  if (kind == "undecided" && has(2)) events.undecided.push_back(number<std::size_t>(field[1]));
+  if (kind == "followed" && has(2)) events.followed = number<std::size_t>(field[1]);
+  if (kind == "beyond" && has(2)) events.beyond = number<std::size_t>(field[1]);
+  events.is_cut_off = events.is_cut_off || kind == "cut";
   if (kind == "frozen" && has(6)) events.frozen.push_back({field[1], field[2], field[3], addresses(field[5])});
   if (kind == "met" && has(5))
     events.located.push_back({row(field[1]).id, field[2], addresses(field[3]), number<std::size_t>(field[4])});

@@ -12,6 +12,11 @@
 //   decision    count  condition  address,address,...   hexadecimal, relative to the load base, innermost first
 //   carried     count  condition  address,address,...
 //   settled     count  condition  address,address,...
+//   decided     node  t or f  condition  address,address,...   of the kernel that is explored, one after the other
+//   followed    count   of decisions that earlier ones settle
+//   beyond      count   of decisions beyond the depth, which are guards
+//   undecided   K       the K-th kernel has decisions to explore, in a run of its own
+//   cut                 the kernel was left in its middle
 //
 // Other kinds of event are for other readers.
 #pragma once
@@ -49,6 +54,14 @@ struct Decision {
   std::vector<std::uint64_t> addresses;
 };
 
+// On an explored path.
+struct DecidedEvent {
+  std::uint32_t condition; // the node
+  bool outcome;
+  std::string text;
+  std::vector<std::uint64_t> addresses;
+};
+
 // State that a kernel reads: where it was first read.
 struct FrozenRead {
   std::string kernel, name, place;
@@ -60,6 +73,10 @@ struct Events {
   std::vector<RecordedKernel> kernels;
   std::vector<Diagnostic> diagnostics;
   std::vector<Decision> decisions, carried, settled;
+  std::vector<DecidedEvent> decided;
+  std::vector<std::size_t> undecided; // kernels, by number
+  std::size_t followed = 0, beyond = 0;
+  bool is_cut_off = false;
   std::vector<Located> located;
   std::vector<FrozenRead> frozen;
   std::vector<std::string> scratch; // of the kernel that has not ended yet

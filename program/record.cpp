@@ -4,6 +4,7 @@
 #include "program/explain_met.h"
 #include "program/memory_file.h"
 #include "program/name_nodes.h"
+#include "program/path_runs.h"
 #include "program/symbolize.h"
 
 #include <algorithm>
@@ -157,13 +158,24 @@ std::vector<rewrite::Kernel> kernels_of(Events const &events) {
   return kernels;
 }
 
-Command command(std::string const &executable, RunOptions const &options) {
-  Command command{.arguments = {executable},
-                  .directory = options.directory,
-                  .standard_input = options.standard_input,
-                  .time_limit = options.time_limit};
-  command.arguments.insert(command.arguments.end(), options.arguments.begin(), options.arguments.end());
-  return command;
+bool is_same_place(Diagnostic const &a, Diagnostic const &b) {
+  return a.id == b.id && to_string(a.place) == to_string(b.place);
+}
+
+// What a run has to say that no run before it said.
+void add_news(std::vector<Diagnostic> news, std::vector<Diagnostic> &all) {
+  for (Diagnostic &one : news)
+    if (std::none_of(all.begin(), all.end(), [&](Diagnostic const &known) { return is_same_place(known, one); }))
+      all.push_back(std::move(one));
+}
+
+void add_news(std::vector<FrozenRead> const &news, std::vector<FrozenRead> &all) {
+  for (FrozenRead const &one : news) {
+    auto const is_same = [&](FrozenRead const &known) {
+      return known.kernel == one.kernel && known.name == one.name && known.place == one.place;
+    };
+    if (std::none_of(all.begin(), all.end(), is_same)) all.push_back(one);
+  }
 }
 
 } // namespace
@@ -196,10 +208,9 @@ Recording record(std::string const &executable, RunOptions const &options, rewri
                  std::vector<rewrite::Kernel> const &wanted, Overlay const &overlay, Workspace const &workspace,
                  LineSink const &sink) {
   std::string directory = workspace.directory("recording");
-  Command program = command(executable, options);
-  program.environment = {"SYMREAL_RECORD=" + directory, "SYMREAL_DECISIONS=" + options.decisions,
-                         "SYMREAL_FP=" + options.floating_point,
-                         options.places ? "SYMREAL_PLACES=1" : "SYMREAL_PLACES=0"};
+  std::optional<ExploreBounds> const bounds = explore_bounds(options.decisions);
+  Command program = recording_command(executable, options, directory);
+  if (bounds) program.environment.push_back(path_variable(0, {}, false, *bounds));
   if (!options.run_on && !wanted.empty())
     program.environment.push_back("SYMREAL_KERNELS=" + std::to_string(wanted.size()));
   std::vector<MemoryFile> files; // as the program will name them
@@ -215,6 +226,17 @@ Recording record(std::string const &executable, RunOptions const &options, rewri
   DecidingTexts const texts(rewritten.deciding);
   for (Diagnostic &one : explain_met(events, symbolizer, texts)) recording.diagnostics.push_back(std::move(one));
   bool explained = has_error(recording.diagnostics);
+  // Along a path of a kernel; nothing where that meets an error.
+  RunOptions along = options;
+  along.time_limit = path_time_limit(outcome.seconds, options);
+  auto run_path = [&](std::size_t kernel, std::string const &path) -> std::optional<PathRun> {
+    PathRun one = run_along(path, kernel, executable, along, workspace.directory("path"));
+    add_news(one.events.diagnostics, recording.diagnostics);
+    add_news(explain_met(one.events, symbolizer, texts), recording.diagnostics);
+    add_news(one.events.frozen, events.frozen);
+    explained = has_error(recording.diagnostics);
+    return explained ? std::nullopt : std::optional<PathRun>(std::move(one));
+  };
   auto missing = [&](rewrite::Kernel const &kernel, bool begun) {
     recording.diagnostics.push_back(explain_missing(kernel, begun, outcome));
     if (outcome.ending == Ending::signalled)
@@ -228,6 +250,15 @@ Recording record(std::string const &executable, RunOptions const &options, rewri
     if (found != events.kernels.end()) {
       Graph graph = read_binary_graph(directory + "/" + found->graph_file);
       if (kernels.size() == 1) files.clear(); // what follows needs the memory
+      std::optional<Exploration> exploration;
+      auto const number = static_cast<std::size_t>(found - events.kernels.begin());
+      if (bounds && !explained && is_to_explore(events, number)) {
+        auto const run = [&](std::string const &path) { return run_path(number, path); };
+        std::optional<Graph> whole = explore(number, kernel.place, *bounds, run, exploration.emplace());
+        if (!whole) continue;
+        graph = std::move(*whole);
+        add_news(open_branches(kernel, *exploration, *bounds), recording.diagnostics);
+      }
       resolve(graph, symbolizer);
       say_in_words_of_source(graph, texts);
       graph.decisions = options.decisions;
@@ -235,6 +266,7 @@ Recording record(std::string const &executable, RunOptions const &options, rewri
       recording.kernels.push_back({std::move(graph), kernel, found->output_file, found->begun_as});
       recording.kernels.back().scratch = found->scratch;
       recording.kernels.back().clauses = found->clauses;
+      recording.kernels.back().exploration = exploration;
       add_clauses(recording.kernels.back(), recording.diagnostics);
       if (!events.frozen.empty()) locate_frozen(recording.kernels.back(), events.frozen, symbolizer);
     } else if (!explained) {

@@ -1,8 +1,10 @@
-// Runs the symbolic program once and gathers the kernels it records, or says why there are none.
+// Runs the symbolic program, once or once for each path, and gathers the kernels it records, or says why there are
+// none.
 #pragma once
 
 #include "graph/graph.h"
 #include "program/events.h"
+#include "program/explore.h"
 #include "program/overlay.h"
 #include "program/process.h"
 #include "program/workspace.h"
@@ -33,6 +35,7 @@ struct Recorded {
   std::vector<std::vector<Note>> frozen_reads = {}; // parallel to graph.frozen: where each was first read
   std::vector<std::string> scratch = {};            // static integers of functions, as in RecordedKernel
   Clauses clauses = {};                             // that its pragma lacks, as there
+  std::optional<Exploration> exploration = {};      // of a kernel that decides, under policy explore
 };
 
 // What the kernel's pragma or call lacks, ready to be pasted, for the last of the diagnostics that ask for it.

@@ -1,5 +1,6 @@
 // The parts of decisions that record nothing in the user's name.
 #include "memory/own_memory.h"
+#include "trace/decisions/explored_path.h"
 #include "trace/nodes/pool.h"
 #include "trace/report/events.h"
 #include "trace/state/state.h"
@@ -128,8 +129,9 @@ void Loop::narrow(SymbolicBool condition) {
 
 void Loop::stop() {
   path_.reset();
+  bool const is_hypothetical = trace::ExploredPath::current().is_hypothetical();
   bool const goes_on = !active_.is_symbolic() || detail::carried_value(active_.condition()) != 0;
-  if (goes_on)
+  if (goes_on && (!is_hypothetical || !active_.is_symbolic()))
     trace::report_here(DiagnosticId::loop_exceeded,
                        "the loop is bounded to " + std::to_string(limit_) + " runs and goes on in this run");
   else

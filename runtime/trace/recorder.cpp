@@ -2,6 +2,7 @@
 // annotated number becomes an ordinary one again.
 #include "graph/names.h"
 #include "support/number.h"
+#include "trace/decisions/explored_path.h"
 #include "trace/decisions/guards.h"
 #include "trace/deliver.h"
 #include "trace/leaks/trap.h"
@@ -38,6 +39,7 @@ public:
     Pool::current().begin();
     State::current().begin(frame);
     Guards::current().begin();
+    ExploredPath::current().begin();
     Externals::current().begin();
     std::copy(std::begin(detail::executed), std::end(detail::executed), executed_before_.by_op.begin());
     Environment::current().begin();
@@ -154,6 +156,8 @@ public:
       report({DiagnosticId::trap_lost, place,
               "kernel '" + name + "' changes the floating-point environment or the handler of SIGFPE or SIGTRAP"});
     graph_.kernel = name;
+    // Left by an exception on a path that the driver chose: there it has no result.
+    if (graph_.outputs.empty() && ExploredPath::current().is_hypothetical()) give_up();
     check_modes(place);
     Pool &pool = Pool::current();
     for (std::size_t op = 0; op < graph_.executed.by_op.size(); ++op)
@@ -167,11 +171,19 @@ public:
     for (RealNumber *number : written_)
       if (pool.owns(*number)) *number = pool.final_value(*number);
     Guards::current().end(graph_);
-    Externals::current().end(graph_);
-    locate_nodes(pool.take_places());
-    graph_.node_exact = pool.exact();
-    graph_.nodes = pool.end();
-    deliver(graph_, output_file);
+    ExploredPath::current().end();
+    hand_over(output_file);
+  }
+
+  void cut_off() override {
+    Pause const pause;
+    (void)disable_trap();
+    graph_.outputs.clear();
+    graph_.results.clear();
+    graph_.states.clear();
+    event({"cut"});
+    hand_over("");
+    give_up();
   }
 
   Graph const &interface() const override { return graph_; }
@@ -179,6 +191,15 @@ public:
 private:
   std::vector<Object> &objects(Kind kind) {
     return kind == Kind::input ? graph_.inputs : kind == Kind::parameter ? graph_.parameters : graph_.outputs;
+  }
+
+  void hand_over(std::string const &output_file) {
+    Pool &pool = Pool::current();
+    Externals::current().end(graph_);
+    locate_nodes(pool.take_places());
+    graph_.node_exact = pool.exact();
+    graph_.nodes = pool.end();
+    deliver(graph_, output_file);
   }
 
   // Whether the caller's objects overlap is up to the caller; one object under one name is no overlap.
@@ -260,7 +281,8 @@ private:
   void check_outputs(Place const &end) {
     if (graph_.outputs.empty())
       report({DiagnosticId::no_output, end, "kernel '" + graph_.kernel + "' ends without an output"});
-    if (!Guards::current().empty()) return; // on one path of several an output may well be constant
+    if (!Guards::current().empty() || ExploredPath::current().has_decisions())
+      return; // on one path of several an output may well be constant
     for (Object const &output : graph_.outputs) {
       auto first = graph_.results.begin() + output.first;
       bool constant = std::all_of(first, first + output.count, [](NodeId id) {

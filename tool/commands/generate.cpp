@@ -6,6 +6,7 @@
 #include "tool/calls/driver_program.h"
 #include "tool/commands/products.h"
 #include "tool/commands/subcommands.h"
+#include "tool/options/decisions_option.h"
 #include "tool/options/reroll_option.h"
 #include "tool/options/vector_option.h"
 #include "tool/output/outputs.h"
@@ -35,7 +36,8 @@ struct Options {
   ParallelOption parallel;
   RerollOption reroll;
   VectorOption vector;
-  std::string output, graph_file, decisions = "error";
+  std::string output, graph_file;
+  DecisionsOption decisions;
   FrozenOption frozen;
   std::string depfile;
   bool check = false, wrapper = false, statistics = false, json = false, write_config = false;
@@ -66,7 +68,7 @@ void require_sense(Options const &options) {
   options.parallel.require_sense(options.emitter);
   options.reroll.require_sense(options.emitter, options.parallel.is_given());
   options.frozen.require_sense();
-  require_one_of("--decisions", options.decisions, "error|guard|select");
+  options.decisions.require_sense();
   (void)options.passes.settings();
   (void)options.passes.names();
   if (options.check && !options.depfile.empty())
@@ -132,6 +134,7 @@ std::optional<std::vector<Product>> generate(program::FrontRequest const &reques
   for (program::Recorded &recorded : front.kernels) {
     auto const start = std::chrono::steady_clock::now();
     Product product;
+    product.exploration = recorded.exploration;
     (void)find_states(recorded.graph);
     std::ostringstream graph;
     if (!options.graph_file.empty()) write_graph(graph, recorded.graph);
@@ -174,7 +177,7 @@ int run(CLI::App &command, Options &options, Session &session) {
   require_outputs(options);
   Console console;
   program::FrontRequest request = options.source.request(session.flags);
-  request.run.decisions = options.decisions;
+  request.run.decisions = options.decisions.of_recording();
   request.run.floating_point = options.passes.mode;
   request.run.places = true;
   std::vector<Lacking> lacking;
@@ -222,10 +225,7 @@ void add_generate(CLI::App &app, Session &session) {
   options->vector.add_to(*command);
   command->add_flag("--wrapper", options->wrapper,
                     "Also emit a file that defines the function in place of the original");
-  command
-      ->add_option("--decisions", options->decisions,
-                   "What to do at a decision on a symbolic value: error, guard or select")
-      ->capture_default_str();
+  options->decisions.add_to(*command);
   options->frozen.add_to(*command);
   options->source.add_to(*command);
   command->add_flag("--write-config", options->write_config, "If a pragma lacks clauses, add them to .symreal.yaml");

@@ -57,6 +57,7 @@ void show_products(std::vector<Product> const &products, program::Front const &f
                       {"build", front.build_seconds},
                       {"run", front.run_seconds},
                       {"optimise and emit", product.seconds}};
+    report.exploration = product.exploration ? &*product.exploration : nullptr;
     print_table(std::cerr, report, details);
     for (std::string const &remark : {product.sharing, product.loops, product.lanes})
       if (!remark.empty()) fmt::print(std::cerr, "  {}\n", remark);

@@ -5,6 +5,7 @@
 #include "tool/commands/bundle.h"
 #include "tool/commands/optimise.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,7 @@ struct Product {
   std::string sharing = {}; // what threads that share an evaluation give, in words
   std::string loops = {};   // how much of it loops hold, in words
   std::string lanes = {};   // how much of it vectors hold, in words
+  std::optional<program::Exploration> exploration = {};
   double seconds = 0;
 };
 

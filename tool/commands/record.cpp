@@ -1,6 +1,7 @@
 #include "program/record.h"
 #include "graph/graph_text.h"
 #include "tool/commands/subcommands.h"
+#include "tool/options/decisions_option.h"
 #include "tool/output/outputs.h"
 #include "tool/report/console.h"
 #include "tool/report/frozen.h"
@@ -15,6 +16,7 @@ namespace {
 struct Options {
   program::RunOptions run;
   std::string directory = ".";
+  DecisionsOption decisions;
   FrozenOption frozen;
 };
 
@@ -24,7 +26,8 @@ std::string program_path(std::string const &name) {
 }
 
 int run(Options options, Session const &session) {
-  require_one_of("--decisions", options.run.decisions, "error|guard|select");
+  options.decisions.require_sense();
+  options.run.decisions = options.decisions.of_recording();
   require_one_of("--fp", options.run.floating_point, "finite|strict|fast");
   options.frozen.require_sense();
   if (session.flags.empty()) fail(DiagnosticId::bad_option, {}, "name the program and its arguments after --");
@@ -65,8 +68,7 @@ void add_record(CLI::App &app, Session &session) {
       ->capture_default_str();
   command->add_option("--fp", options->run.floating_point, "Floating-point mode: finite, strict or fast")
       ->capture_default_str();
-  command->add_option("--decisions", options->run.decisions, "Decisions on symbolic values: error, guard or select")
-      ->capture_default_str();
+  options->decisions.add_to(*command);
   options->frozen.add_to(*command);
   command->add_option("--stdin", options->run.standard_input, "File that the program reads as standard input")
       ->type_name("FILE");

@@ -76,6 +76,26 @@ void print_gain(std::ostream &out, Graph const &graph) {
       after, before);
 }
 
+void print_exploration(std::ostream &out, program::Exploration const &exploration) {
+  fmt::print(out, "  explored       {} path{}, {} select{} between them; {}\n", exploration.paths,
+             exploration.paths == 1 ? "" : "s", exploration.selects, exploration.selects == 1 ? "" : "s",
+             !exploration.is_complete() ? "not complete: see the guards"
+             : exploration.guards == 0  ? "complete: no guards"
+                                        : "complete but for the guards of pragmas");
+  if (exploration.followed != 0)
+    fmt::print(out, "                 {} decisions on these paths followed from earlier ones\n", exploration.followed);
+  if (exploration.cut_off + exploration.ended + exploration.late != 0)
+    fmt::print(out, "                 {} cut off by the depth, {} ended by the program, {} not in time\n",
+               exploration.cut_off, exploration.ended, exploration.late);
+}
+
+Json to_json(program::Exploration const &exploration) {
+  return {{"paths", exploration.paths},           {"selects", exploration.selects},
+          {"followed", exploration.followed},     {"cut_off", exploration.cut_off},
+          {"ended", exploration.ended},           {"late", exploration.late},
+          {"more_paths", exploration.paths_left}, {"complete", exploration.is_complete()}};
+}
+
 // Numbered as `compute` returns them.
 void print_guards(std::ostream &out, Graph const &graph, bool details) {
   constexpr std::size_t most = 10;
@@ -133,6 +153,7 @@ void print_table(std::ostream &out, KernelReport const &report, bool details) {
     print_lines(out, operations_by_line(report.recorded, graph));
     print_gain(out, graph);
   }
+  if (report.exploration) print_exploration(out, *report.exploration);
   print_guards(out, graph, details);
   for (Frozen const &state : graph.frozen)
     fmt::print(out, "  baked in        {} = {}  ({})\n", state.name, value_list(state.values), to_string(state.place));
@@ -150,6 +171,7 @@ Json to_json(KernelReport const &report) {
                {"parameters", to_json(graph.parameters)},
                {"outputs", to_json(graph.outputs)},
                {"constants", graph.precomputed.size()}};
+  if (report.exploration) json["exploration"] = to_json(*report.exploration);
   if (!graph.guards.empty()) json["guards"] = guards_to_json(graph);
   for (Column const &column : columns(report)) json["operations"][column.name] = to_json(column.counts);
   json["passes"] = Json::array();

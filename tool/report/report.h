@@ -3,6 +3,7 @@
 
 #include "graph/graph.h"
 #include "graph/operation_counts.h"
+#include "program/explore.h"
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -31,6 +32,7 @@ struct KernelReport {
   std::vector<Stage> stages;      // the operations that are live after each pass
   std::vector<std::string> files; // that were written
   std::vector<std::pair<std::string, double>> seconds; // by part of the run
+  program::Exploration const *exploration = nullptr;   // of a kernel that was explored
 };
 
 // `details`: also every object and the effect of every pass.

@@ -229,6 +229,8 @@ void print_verification(std::ostream &out, Graph const &graph, program::Verifica
                verification.not_finite, verification.zero_sign, verification.outside_different);
   if (verification.is_single) print_single(out, verification);
   if (!verification.guards.empty()) print_guards(out, verification);
+  if (verification.guards.empty() && program::explore_bounds(graph.decisions))
+    out << "  every path is recorded: no sample is left to a guard\n";
   if (!verification.decisions.empty()) print_decisions(out, verification);
   if (verification.threads) print_threads(out, *verification.threads);
   print_exact(out, graph, verification.exact);

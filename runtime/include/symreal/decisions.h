@@ -7,10 +7,11 @@
 namespace symreal {
 
 enum class Decisions {
-  error,  // the program goes on with the carried value, and every such place is reported
-  guard,  // the path taken is recorded with its conditions
-  select, // both arms are recorded where the source allows it; elsewhere as error
-  carry,  // the carried value is taken, and the place noted: the word of a pragma that no output depends on the outcome
+  error,   // the program goes on with the carried value, and every such place is reported
+  guard,   // the path taken is recorded with its conditions
+  select,  // both arms are recorded where the source allows it; elsewhere as error
+  explore, // one path, which the driver chooses among all: it runs the program once for each
+  carry, // the carried value is taken, and the place noted: the word of a pragma that no output depends on the outcome
 };
 
 // The policy of the calling thread at this moment.

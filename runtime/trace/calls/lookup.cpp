@@ -1,6 +1,7 @@
 // Reads of arrays at symbolic indices.
 #include "graph/opaque.h"
 #include "support/number.h"
+#include "trace/decisions/explored_path.h"
 #include "trace/decisions/policy.h"
 #include "trace/describe/describe.h"
 #include "trace/nodes/externals.h"
@@ -29,10 +30,12 @@ std::size_t detail::declared_extent(void const *pointer) noexcept {
 
 namespace {
 
-// The index that the program uses now. One outside of the table is reported: the original has no meaning there.
+// The index that the program uses now. One outside of the table is reported: the original has no meaning there. Where
+// the program's values do not lead it may be anything.
 std::size_t carried_index(char const *name, RealNumber index, std::size_t extent) {
   double const value = index.is_node() ? detail::needed_value(index) : index.plain();
-  if (!(value > -1 && value < static_cast<double>(extent)))
+  bool const is_inside = value > -1 && value < static_cast<double>(extent);
+  if (!is_inside && !trace::ExploredPath::current().is_hypothetical())
     trace::report_here(DiagnosticId::index_outside, std::string("'") + name + "' has " + std::to_string(extent) +
                                                         " elements, and the index " + trace::describe(index) + " is " +
                                                         shortest(value));

@@ -4,6 +4,7 @@
 #include "graph/guard_words.h"
 #include "graph/infinity.h"
 #include "support/number.h"
+#include "trace/decisions/explored_path.h"
 #include "trace/decisions/guards.h"
 #include "trace/decisions/policy.h"
 #include "trace/describe/describe.h"
@@ -81,11 +82,14 @@ static void report(std::string const &decision) {
     trace::report_carried(decision);
   else
     trace::report_decision(decision);
+  // Not with a value that the program would never have here.
+  if (trace::ExploredPath::current().is_hypothetical()) trace::give_up();
 }
 
 bool decide(RealNumber condition) noexcept {
   double value = Pool::current().carried_value(condition);
   if (trace::is_missing(value)) require_value(value, "the decision on " + trace::describe(condition));
+  if (decisions() == Decisions::explore) return trace::ExploredPath::current().decide(condition, value != 0);
   if (decisions() == Decisions::guard)
     trace::Guards::current().add(SymbolicBool::from_condition(condition), value != 0);
   else

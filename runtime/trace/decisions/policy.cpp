@@ -1,7 +1,9 @@
 #include "trace/decisions/policy.h"
 
+#include "trace/decisions/explored_path.h"
 #include "trace/decisions/guards.h"
 #include "trace/nodes/pool.h"
+#include "trace/report/events.h"
 
 #include <cstdlib>
 #include <cstring>
@@ -17,6 +19,11 @@ static Decisions program_policy() {
     char const *text = std::getenv("SYMREAL_DECISIONS");
     if (text && std::strcmp(text, "guard") == 0) return Decisions::guard;
     if (text && std::strcmp(text, "select") == 0) return Decisions::select;
+    if (text && std::strcmp(text, "explore") == 0) {
+      if (trace::ExploredPath::is_asked_for()) return Decisions::explore;
+      trace::report(
+          {DiagnosticId::explore_by_hand, {}, "one run of a program explores nothing: each decision is an error"});
+    }
     return Decisions::error;
   }();
   return policy;

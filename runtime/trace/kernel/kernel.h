@@ -44,6 +44,8 @@ public:
   virtual void set_state(StatePair const &) {}
   // `place`: where the kernel ends, or a function kernel's pragma.
   virtual void end(std::string const &name, std::string const &output_file, Place const &place) = 0;
+  // The kernel is left in its middle: what is recorded is handed over without outputs, and the program ends.
+  virtual void cut_off() {}
   // The objects so far, for descriptions.
   virtual Graph const &interface() const = 0;
 };

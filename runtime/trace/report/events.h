@@ -10,6 +10,7 @@
 //   decision    count  condition  address,address,...   hexadecimal, relative to where the executable is loaded
 //   carried     count  condition  address,address,...   a decision that a pragma answers for
 //   settled     count  condition  address,address,...   a condition that a premise of the floating-point mode settles
+//   decided, followed, beyond, undecided, cut          of an explored path (<trace/decisions/explored_path.h>)
 //   frozen      kernel  name  place  values  address,address,...
 //   scratch     name    a static integer of a function that the kernel, which ends here, writes before it reads it
 #pragma once

@@ -1,0 +1,65 @@
+// Policy explore: the program is run once for each path through the decisions of a kernel, and the paths become one
+// graph.
+//
+//   first run ─▶ path ─▶ tree ──next outcomes──▶ run ─▶ path ─▶ tree ─ ... ─▶ one graph
+#pragma once
+
+#include "program/events.h"
+#include "program/path_tree.h"
+#include "rewrite/facts/result.h"
+
+#include <cstddef>
+#include <functional>
+#include <string>
+
+namespace symreal::program {
+
+struct ExploreBounds {
+  std::size_t paths = 128; // of a kernel
+  std::size_t depth = 64;  // decisions on a path
+};
+
+// What became of a kernel's decisions.
+struct Exploration {
+  std::size_t paths = 0;    // that come to the kernel's end
+  std::size_t cut_off = 0;  // beyond the depth
+  std::size_t ended = 0;    // on which the program ends before the kernel does
+  std::size_t late = 0;     // on which the kernel does not end in time
+  std::size_t followed = 0; // decisions that earlier ones settle
+  std::size_t selects = 0;  // between paths, before any pass
+  std::size_t open = 0;     // branches that no recorded path takes: a guard each
+  std::size_t beyond = 0;   // decisions beyond the depth on the path of the program's own values: a guard each
+  std::size_t guards = 0;   // these, and those that pragmas ask for
+  bool paths_left = false;  // beyond the number of paths
+
+  // Whether the graph is right wherever the program may go, but for guards that pragmas ask for.
+  bool is_complete() const { return open == 0 && beyond == 0; }
+};
+
+// How a path of the K-th kernel is asked for: $SYMREAL_PATH.
+std::string path_variable(std::size_t kernel, Outcomes const &outcomes, bool is_cut_at_end,
+                          ExploreBounds const &bounds);
+
+// One run of the program along a path: what it told, and what it recorded, if it came so far.
+struct PathRun {
+  Events events;
+  std::optional<Graph> graph = {};
+  std::vector<bool> taken = {}; // the outcomes, whatever ended the program
+  bool is_late = false;         // it took too long
+};
+
+// Explores the K-th kernel of a run. `run_path` runs the program with this $SYMREAL_PATH, or gives nothing if the run
+// met an error, which it has reported; then so does this. Fails where the program does not repeat itself.
+std::optional<Graph> explore(std::size_t kernel, Place const &place, ExploreBounds const &bounds,
+                             std::function<std::optional<PathRun>(std::string const &)> const &run_path,
+                             Exploration &exploration);
+
+// A warning that says which branches are guards, and why; nothing where there are none.
+std::vector<Diagnostic> open_branches(rewrite::Kernel const &kernel, Exploration const &exploration,
+                                      ExploreBounds const &bounds);
+
+// What --decisions has said, with the bounds: "explore:128:64". Nothing for another policy.
+std::optional<ExploreBounds> explore_bounds(std::string const &decisions);
+std::string explore_policy(ExploreBounds const &bounds);
+
+} // namespace symreal::program

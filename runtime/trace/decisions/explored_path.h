@@ -1,0 +1,50 @@
+// One path through the decisions of a kernel, under policy explore. The driver runs the program once for each path, and
+// prescribes how it begins:
+//
+//   $SYMREAL_PATH   K:outcomes:depth, as in 0:tft:64
+//
+// The kernel that begins as the K-th of the run takes these outcomes at its first decisions and carries its values'
+// outcomes on from there; other kernels of the run do so from the beginning. What earlier outcomes settle is no
+// decision. Beyond `depth` decisions the path of this run goes on, each outcome a guard, and any other path is cut off:
+// what was recorded until then is handed over. `outcomes` that end in `!` are cut off where the last is taken.
+//
+// The driver is told of each decision by an event `decided`. The file `taken` has a byte for each as well, whatever
+// ends the program.
+#pragma once
+
+#include "trace/decisions/known_outcomes.h"
+
+#include <symreal/real_number.h>
+
+#include <cstddef>
+#include <string>
+
+namespace symreal::trace {
+
+class ExploredPath {
+public:
+  static ExploredPath &current(); // one per thread
+
+  // Whether a driver runs this program along a path; who runs it by hand does not.
+  static bool is_asked_for();
+
+  // A kernel begins.
+  void begin();
+  bool decide(RealNumber condition, bool carried);
+  // Whether this kernel's path is one among others.
+  bool has_decisions() const { return count_ != 0; }
+  // Whether the program goes where its values do not lead, so that they say nothing of what it may do.
+  bool is_hypothetical() const { return is_hypothetical_; }
+  // The kernel ends.
+  void end();
+
+private:
+  void take(NodeId condition, bool outcome, RealNumber number);
+
+  bool is_explored_ = false, is_hypothetical_ = false, is_cut_at_end_ = false;
+  std::size_t kernels_ = 0, count_ = 0, followed_ = 0, beyond_ = 0, depth_ = 0;
+  std::string prescribed_;
+  KnownOutcomes known_;
+};
+
+} // namespace symreal::trace

@@ -1,0 +1,30 @@
+#include "tool/options/decisions_option.h"
+
+#include "tool/options/options.h"
+
+namespace symreal::tool {
+
+void DecisionsOption::add_to(CLI::App &app) {
+  app.add_option("--decisions", policy, "What to do at a decision on a symbolic value: error, guard, select or explore")
+      ->capture_default_str();
+  max_paths = app.add_option("--max-paths", bounds.paths, "explore: how many paths of a kernel are recorded")
+                  ->check(CLI::Range(1, 100000))
+                  ->capture_default_str();
+  max_depth = app.add_option("--max-depth", bounds.depth, "explore: how many decisions a path has")
+                  ->check(CLI::Range(1, 10000))
+                  ->capture_default_str();
+}
+
+void DecisionsOption::require_sense() const {
+  require_one_of("--decisions", policy, "error|guard|select|explore");
+  if (policy == "explore") return;
+  for (CLI::Option const *bound : {max_paths, max_depth})
+    if (bound->count() != 0)
+      fail(DiagnosticId::option_without_effect, {}, bound->get_name() + " has no effect without --decisions=explore");
+}
+
+std::string DecisionsOption::of_recording() const {
+  return policy == "explore" ? program::explore_policy(bounds) : policy;
+}
+
+} // namespace symreal::tool

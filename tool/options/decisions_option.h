@@ -1,0 +1,24 @@
+// --decisions, --max-paths, --max-depth: what becomes of decisions on symbolic values.
+#pragma once
+
+#include "program/explore.h"
+
+#include <CLI/CLI.hpp>
+
+#include <string>
+
+namespace symreal::tool {
+
+struct DecisionsOption {
+  std::string policy = "error";
+  program::ExploreBounds bounds;
+  CLI::Option const *max_paths = nullptr, *max_depth = nullptr;
+
+  void add_to(CLI::App &app);
+  // Throws bad_option, option_without_effect.
+  void require_sense() const;
+  // As a recording takes it, with the bounds.
+  std::string of_recording() const;
+};
+
+} // namespace symreal::tool
