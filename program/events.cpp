@@ -57,7 +57,8 @@ void add(Events &events, std::vector<std::string> const &field) {
                                                                : nullptr;
   if (decisions && has(4)) decisions->push_back({number<std::size_t>(field[1]), field[2], addresses(field[3])});
   if (kind == "decided" && has(5))
-    events.decided.push_back({number<std::uint32_t>(field[1]), field[2] == "t", field[3], addresses(field[4])});
+    events.decided.push_back({number<std::uint32_t>(field[1]), field[2] == "t" || field[2] == "T",
+                              field[2] == "T" || field[2] == "F", field[3], addresses(field[4])});
   if (kind == "undecided" && has(2)) events.undecided.push_back(number<std::size_t>(field[1]));
   if (kind == "followed" && has(2)) events.followed = number<std::size_t>(field[1]);
   if (kind == "beyond" && has(2)) events.beyond = number<std::size_t>(field[1]);

@@ -12,7 +12,8 @@
 //   decision    count  condition  address,address,...   hexadecimal, relative to the load base, innermost first
 //   carried     count  condition  address,address,...
 //   settled     count  condition  address,address,...
-//   decided     node  t or f  condition  address,address,...   of the kernel that is explored, one after the other
+//   decided     node  t or f  condition  address,address,...   of the kernel that is explored, one after the other;
+//                                                              T or F: assumed, without a path for the other outcome
 //   followed    count   of decisions that earlier ones settle
 //   beyond      count   of decisions beyond the depth, which are guards
 //   undecided   K       the K-th kernel has decisions to explore, in a run of its own
@@ -57,7 +58,7 @@ struct Decision {
 // On an explored path.
 struct DecidedEvent {
   std::uint32_t condition; // the node
-  bool outcome;
+  bool outcome, is_assumed;
   std::string text;
   std::vector<std::uint64_t> addresses;
 };

@@ -8,12 +8,12 @@
 namespace symreal::program {
 namespace {
 
-constexpr std::string_view policy = "explore:";
+constexpr std::string_view policy = "explore:", zeros = ":zeros";
 
 RecordedPath recorded_path(PathRun run) {
   RecordedPath path{std::move(*run.graph), {}, run.events.is_cut_off};
   for (DecidedEvent &one : run.events.decided)
-    path.steps.push_back({static_cast<NodeId>(one.condition), one.outcome, one.text, one.addresses});
+    path.steps.push_back({static_cast<NodeId>(one.condition), one.outcome, one.is_assumed, one.text, one.addresses});
   return path;
 }
 
@@ -52,7 +52,8 @@ std::string path_variable(std::size_t kernel, Outcomes const &outcomes, bool is_
                           ExploreBounds const &bounds) {
   std::string text;
   for (bool outcome : outcomes) text += outcome ? 't' : 'f';
-  return fmt::format("SYMREAL_PATH={}:{}{}:{}", kernel, text, is_cut_at_end ? "!" : "", bounds.depth);
+  return fmt::format("SYMREAL_PATH={}:{}{}:{}{}", kernel, text, is_cut_at_end ? "!" : "", bounds.depth,
+                     bounds.zeros ? "z" : "");
 }
 
 std::optional<Graph> explore(std::size_t kernel, Place const &place, ExploreBounds const &bounds,
@@ -91,6 +92,7 @@ std::optional<Graph> explore(std::size_t kernel, Place const &place, ExploreBoun
   Graph graph = tree.merge();
   exploration.selects = tree.selects();
   exploration.open = tree.open_branches();
+  exploration.zeros = tree.assumed();
   exploration.guards = graph.guards.size();
   return graph;
 }
@@ -125,11 +127,12 @@ std::optional<ExploreBounds> explore_bounds(std::string const &decisions) {
   char const *const end = decisions.data() + decisions.size();
   char const *const colon = std::from_chars(decisions.data() + policy.size(), end, bounds.paths).ptr;
   if (colon != end) std::from_chars(colon + 1, end, bounds.depth);
+  bounds.zeros = decisions.ends_with(zeros);
   return bounds;
 }
 
 std::string explore_policy(ExploreBounds const &bounds) {
-  return fmt::format("{}{}:{}", policy, bounds.paths, bounds.depth);
+  return fmt::format("{}{}:{}{}", policy, bounds.paths, bounds.depth, bounds.zeros ? zeros : "");
 }
 
 } // namespace symreal::program

@@ -17,6 +17,7 @@ namespace symreal::program {
 struct ExploreBounds {
   std::size_t paths = 128; // of a kernel
   std::size_t depth = 64;  // decisions on a path
+  bool zeros = false;      // tests for exact zero are decisions as any
 };
 
 // What became of a kernel's decisions.
@@ -29,10 +30,11 @@ struct Exploration {
   std::size_t selects = 0;  // between paths, before any pass
   std::size_t open = 0;     // branches that no recorded path takes: a guard each
   std::size_t beyond = 0;   // decisions beyond the depth on the path of the program's own values: a guard each
+  std::size_t zeros = 0;    // tests for exact zero that are taken as not met: a guard each
   std::size_t guards = 0;   // these, and those that pragmas ask for
   bool paths_left = false;  // beyond the number of paths
 
-  // Whether the graph is right wherever the program may go, but for guards that pragmas ask for.
+  // Whether the graph is right wherever the program may go, but for exact zeros and guards that pragmas ask for.
   bool is_complete() const { return open == 0 && beyond == 0; }
 };
 
@@ -58,7 +60,7 @@ std::optional<Graph> explore(std::size_t kernel, Place const &place, ExploreBoun
 std::vector<Diagnostic> open_branches(rewrite::Kernel const &kernel, Exploration const &exploration,
                                       ExploreBounds const &bounds);
 
-// What --decisions has said, with the bounds: "explore:128:64". Nothing for another policy.
+// What --decisions has said, with the bounds: "explore:128:64", "explore:128:64:zeros". Nothing for another policy.
 std::optional<ExploreBounds> explore_bounds(std::string const &decisions);
 std::string explore_policy(ExploreBounds const &bounds);
 

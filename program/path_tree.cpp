@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <bit>
 #include <cstring>
-#include <ranges>
 
 namespace symreal::program {
 namespace {
@@ -59,6 +58,7 @@ bool PathTree::add(RecordedPath path) {
       tree_[at].condition = condition;
       tree_[at].location = location(step.addresses);
       tree_[at].text = step.text;
+      tree_[at].is_assumed = step.is_assumed;
     } else if (tree_[at].condition != condition) {
       return false;
     }
@@ -137,10 +137,11 @@ std::optional<Outcomes> PathTree::next() const {
   // The newest decisions of which one branch is untaken are the deepest of the newest path.
   for (std::size_t at = tree_.size(); at-- > 0;) {
     Node const &node = tree_[at];
-    if (node.condition == no_node || (node.branches[0] != none && node.branches[1] != none)) continue;
+    if (node.condition == no_node || node.is_assumed || (node.branches[0] != none && node.branches[1] != none))
+      continue;
     Outcomes outcomes = {node.branches[1] == none};
     for (std::size_t k = at; tree_[k].parent != none; k = tree_[k].parent)
-      outcomes.push_back(tree_[k].branch_of_parent);
+      if (!tree_[tree_[k].parent].is_assumed) outcomes.push_back(tree_[k].branch_of_parent);
     std::reverse(outcomes.begin(), outcomes.end());
     return outcomes;
   }
@@ -160,40 +161,23 @@ NodeId PathTree::negated(NodeId condition) {
   return table_[condition].op == Op::logical_not ? table_[condition].operand[0] : record(Op::logical_not, condition);
 }
 
-// The guard, where the program comes to this node of the tree.
-Guard PathTree::where(Guard guard, std::size_t at) {
-  constexpr std::size_t most = 4; // conditions in words
-  std::vector<std::string> words;
-  std::size_t count = 0;
-  for (; tree_[at].parent != none; at = tree_[at].parent, ++count) {
-    Node const &decision = tree_[tree_[at].parent];
-    bool const outcome = tree_[at].branch_of_parent;
-    guard.condition =
-        record(Op::logical_or, outcome ? negated(decision.condition) : decision.condition, guard.condition);
-    if (words.size() < most) words.push_back(decision.text + std::string(outcome ? "" : guard_is_false));
-  }
-  if (words.empty()) return guard;
-  guard.text += guard_where;
-  for (std::size_t k = words.size(); k-- > 0;) guard.text += words[k] + (k ? ", " : "");
-  if (count > words.size()) guard.text += " and " + std::to_string(count - words.size()) + " more conditions";
-  return guard;
+// Whether no path that comes to the kernel's end takes this branch.
+bool PathTree::is_open(Node const &decision, bool outcome) const {
+  return decision.branches[outcome] == none || tree_[decision.branches[outcome]].is_open;
 }
 
 // What the branches of a decision give.
 void PathTree::join(std::size_t at) {
   Node &node = tree_[at];
-  auto const is_open = [&](bool outcome) {
-    return node.branches[outcome] == none || tree_[node.branches[outcome]].is_open;
-  };
-  node.is_open = is_open(true) && is_open(false);
+  node.is_open = is_open(node, true) && is_open(node, false);
   if (node.is_open) return;
   for (bool outcome : {false, true}) {
-    if (!is_open(outcome)) continue;
+    if (!is_open(node, outcome)) continue;
     node.results = std::move(tree_[node.branches[!outcome]].results);
-    ++open_branches_;
+    ++(node.is_assumed ? assumed_ : open_branches_);
     Guard guard{outcome ? negated(node.condition) : node.condition, node.location,
                 node.text + std::string(outcome ? guard_is_false : "")};
-    merged_.guards.push_back(where(std::move(guard), at));
+    need(std::move(guard), at);
     return;
   }
   std::vector<NodeId> const yes = std::move(tree_[node.branches[true]].results);
@@ -210,9 +194,9 @@ Graph PathTree::merge() {
   // Branches come behind their decision.
   for (std::size_t at = tree_.size(); at-- > 0;) {
     if (tree_[at].condition != no_node) join(at);
-    for (Guard &guard : std::views::reverse(tree_[at].guards)) merged_.guards.push_back(where(std::move(guard), at));
+    for (Guard &guard : tree_[at].guards) need(std::move(guard), at);
   }
-  std::reverse(merged_.guards.begin(), merged_.guards.end()); // in the order of the decisions
+  add_guards();
   merged_.results = std::move(tree_.front().results);
   merged_.nodes = table_.release();
   merged_.node_location.resize(node_location_.size());

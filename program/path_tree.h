@@ -17,6 +17,7 @@ namespace symreal::program {
 struct DecidedStep {
   NodeId condition; // in the graph of the path
   bool outcome;
+  bool is_assumed;  // the other outcome is not to be tried
   std::string text; // of the condition
   std::vector<std::uint64_t> addresses = {};
 };
@@ -45,6 +46,8 @@ public:
   // After `merge`: the selects between paths, and the branches that are open.
   std::size_t selects() const { return selects_; }
   std::size_t open_branches() const { return open_branches_; }
+  // Those whose other side was not to be tried, which are not counted among these.
+  std::size_t assumed() const { return assumed_; }
 
 private:
   static constexpr std::size_t none = ~std::size_t{0};
@@ -56,7 +59,8 @@ private:
     LocationId location = no_location;
     std::string text = {};
     std::size_t branches[2] = {none, none}; // by outcome
-    bool is_open = true;                    // nothing below comes to the kernel's end
+    bool is_assumed = false;
+    bool is_open = true; // nothing below comes to the kernel's end
     std::vector<NodeId> results = {};
     std::vector<Guard> guards = {}; // of the path that ends here
   };
@@ -67,17 +71,30 @@ private:
   LocationId location(std::vector<std::uint64_t> const &addresses);
   void take_whole(Graph &graph, std::vector<NodeId> const &now, Node &end);
   void join(std::size_t at);
-  Guard where(Guard guard, std::size_t at);
+  bool is_open(Node const &decision, bool outcome) const;
   NodeId record(Op op, NodeId a, NodeId b = no_node, NodeId c = no_node, LocationId location = no_location);
   NodeId negated(NodeId condition);
+
+  // A guard, and the nodes of the tree from which on it is needed.
+  struct Needed {
+    Guard guard;
+    std::vector<std::size_t> at;
+  };
+  // path_guards.cpp
+  void need(Guard guard, std::size_t at);
+  void add_guards();
+  std::string where(std::size_t at) const;
+  NodeId asked_at_root(Needed const &needed);
+  NodeId asked_at(Node const &decision, NodeId yes, NodeId no);
 
   Graph merged_; // of the first path, but for its nodes
   NodeTable table_;
   std::map<std::vector<std::uint64_t>, LocationId> locations_; // by addresses
   std::vector<LocationId> node_location_;
   std::vector<char> node_exact_;
-  std::vector<Node> tree_; // a parent comes before its branches; empty as long as there is no path
-  std::size_t selects_ = 0, open_branches_ = 0;
+  std::vector<Node> tree_;          // a parent comes before its branches; empty as long as there is no path
+  std::map<NodeId, Needed> needed_; // by condition
+  std::size_t selects_ = 0, open_branches_ = 0, assumed_ = 0;
 };
 
 } // namespace symreal::program

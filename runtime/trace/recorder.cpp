@@ -2,6 +2,7 @@
 // annotated number becomes an ordinary one again.
 #include "graph/names.h"
 #include "support/number.h"
+#include "trace/decisions/checkpoint.h"
 #include "trace/decisions/explored_path.h"
 #include "trace/decisions/guards.h"
 #include "trace/deliver.h"
@@ -30,7 +31,9 @@ public:
   explicit Recorder(bool has_notes) : has_notes_(has_notes) {}
 
   void begin(std::string const &name, void const *frame) override {
+    Checkpoint::current().begin();
     graph_ = {};
+    unwritten_.clear();
     declared_.clear();
     overlaps_.clear();
     written_.clear();
@@ -74,7 +77,7 @@ public:
       if (is_temporary) break;
       written_.push_back(&real);
       check_overlap(number);
-      if (!State::current().output(&real) && has_notes_) kept_.push_back({object_.count, real.plain()});
+      if (!State::current().output(&real) && has_notes_) keep(real);
       break;
     case Kind::input:
     case Kind::parameter: {
@@ -156,6 +159,8 @@ public:
       report({DiagnosticId::trap_lost, place,
               "kernel '" + name + "' changes the floating-point environment or the handler of SIGFPE or SIGTRAP"});
     graph_.kernel = name;
+    if (!unwritten_.empty()) Checkpoint::current().go_back(unwritten_);
+    Checkpoint::current().end();
     // Left by an exception on a path that the driver chose: there it has no result.
     if (graph_.outputs.empty() && ExploredPath::current().is_hypothetical()) give_up();
     check_modes(place);
@@ -236,6 +241,14 @@ private:
                 (kept_.size() > 1 ? ", ...)" : ")")});
   }
 
+  // The output is no node and may not have been written.
+  void keep(RealNumber &number) {
+    unwritten_[&number] = number.plain();
+    std::map<RealNumber *, double> const &held = Checkpoint::current().held();
+    auto const before = held.find(&number);
+    kept_.push_back({object_.count, before == held.end() ? number.plain() : before->second});
+  }
+
   // An element is an input or a parameter once.
   void claim(void *number) {
     auto [found, is_new] = declared_.try_emplace(number, object_.label, object_.place);
@@ -308,8 +321,9 @@ private:
   };
   std::vector<Level> shape_; // of the structure that is walked through, outermost first
   bool is_ragged_ = false;
-  std::vector<Kept> kept_;         // of this output
-  std::set<std::string> overlaps_; // that are reported
+  std::vector<Kept> kept_;                   // of this output
+  std::map<RealNumber *, double> unwritten_; // of all outputs, with what they hold
+  std::set<std::string> overlaps_;           // that are reported
   OperationCounts executed_before_;
   std::string modes_at_begin_;                               // of arithmetic, where it is not as promised
   std::map<void *, std::pair<std::string, Place>> declared_; // inputs and parameters by address

@@ -30,9 +30,9 @@ struct Kernel {
 program::RecordedPath path(Outcomes const &outcomes, bool on_other_value = false) {
   Kernel kernel;
   NodeId const first = kernel.positive(on_other_value ? kernel.y : kernel.x);
-  std::vector<program::DecidedStep> steps = {{first, outcomes[0], "x > 0"}};
+  std::vector<program::DecidedStep> steps = {{first, outcomes[0], false, "x > 0"}};
   if (outcomes.size() == 1) return kernel.path(steps, kernel.x);
-  steps.push_back({kernel.positive(kernel.y), outcomes[1], "y > 0"});
+  steps.push_back({kernel.positive(kernel.y), outcomes[1], false, "y > 0"});
   return kernel.path(steps, outcomes[1] ? kernel.y : kernel.x);
 }
 

@@ -13,18 +13,24 @@ void DecisionsOption::add_to(CLI::App &app) {
   max_depth = app.add_option("--max-depth", bounds.depth, "explore: how many decisions a path has")
                   ->check(CLI::Range(1, 10000))
                   ->capture_default_str();
+  zero_tests =
+      app.add_option("--zero-tests", zeros, "explore: tests for exact zero become guards (guard) or paths (explore)")
+          ->capture_default_str();
 }
 
 void DecisionsOption::require_sense() const {
   require_one_of("--decisions", policy, "error|guard|select|explore");
+  require_one_of("--zero-tests", zeros, "guard|explore");
   if (policy == "explore") return;
-  for (CLI::Option const *bound : {max_paths, max_depth})
+  for (CLI::Option const *bound : {max_paths, max_depth, zero_tests})
     if (bound->count() != 0)
       fail(DiagnosticId::option_without_effect, {}, bound->get_name() + " has no effect without --decisions=explore");
 }
 
 std::string DecisionsOption::of_recording() const {
-  return policy == "explore" ? program::explore_policy(bounds) : policy;
+  program::ExploreBounds all = bounds;
+  all.zeros = zeros == "explore";
+  return policy == "explore" ? program::explore_policy(all) : policy;
 }
 
 } // namespace symreal::tool

@@ -1,4 +1,4 @@
-// --decisions, --max-paths, --max-depth: what becomes of decisions on symbolic values.
+// --decisions, --max-paths, --max-depth, --zero-tests: what becomes of decisions on symbolic values.
 #pragma once
 
 #include "program/explore.h"
@@ -10,9 +10,9 @@
 namespace symreal::tool {
 
 struct DecisionsOption {
-  std::string policy = "error";
+  std::string policy = "error", zeros = "guard";
   program::ExploreBounds bounds;
-  CLI::Option const *max_paths = nullptr, *max_depth = nullptr;
+  CLI::Option const *max_paths = nullptr, *max_depth = nullptr, *zero_tests = nullptr;
 
   void add_to(CLI::App &app);
   // Throws bad_option, option_without_effect.

@@ -76,14 +76,22 @@ void print_gain(std::ostream &out, Graph const &graph) {
       after, before);
 }
 
+char const *completeness(program::Exploration const &exploration) {
+  if (!exploration.is_complete()) return "not complete: see the guards";
+  if (exploration.guards == 0) return "complete: no guards";
+  return exploration.zeros != 0 ? "complete but for exact zeros: see the guards"
+                                : "complete but for the guards of pragmas";
+}
+
 void print_exploration(std::ostream &out, program::Exploration const &exploration) {
   fmt::print(out, "  explored       {} path{}, {} select{} between them; {}\n", exploration.paths,
              exploration.paths == 1 ? "" : "s", exploration.selects, exploration.selects == 1 ? "" : "s",
-             !exploration.is_complete() ? "not complete: see the guards"
-             : exploration.guards == 0  ? "complete: no guards"
-                                        : "complete but for the guards of pragmas");
+             completeness(exploration));
   if (exploration.followed != 0)
     fmt::print(out, "                 {} decisions on these paths followed from earlier ones\n", exploration.followed);
+  if (exploration.zeros != 0)
+    fmt::print(out, "                 {} test{} for exact zero taken as not met\n", exploration.zeros,
+               exploration.zeros == 1 ? "" : "s");
   if (exploration.cut_off + exploration.ended + exploration.late != 0)
     fmt::print(out, "                 {} cut off by the depth, {} ended by the program, {} not in time\n",
                exploration.cut_off, exploration.ended, exploration.late);
@@ -93,7 +101,8 @@ Json to_json(program::Exploration const &exploration) {
   return {{"paths", exploration.paths},           {"selects", exploration.selects},
           {"followed", exploration.followed},     {"cut_off", exploration.cut_off},
           {"ended", exploration.ended},           {"late", exploration.late},
-          {"more_paths", exploration.paths_left}, {"complete", exploration.is_complete()}};
+          {"zeros", exploration.zeros},           {"more_paths", exploration.paths_left},
+          {"complete", exploration.is_complete()}};
 }
 
 // Numbered as `compute` returns them.

@@ -2,6 +2,7 @@
 
 #include "trace/decisions/guards.h"
 #include "trace/decisions/policy.h"
+#include "trace/decisions/zero_test.h"
 #include "trace/describe/describe.h"
 #include "trace/kernel/kernel.h"
 #include "trace/nodes/pool.h"
@@ -51,6 +52,7 @@ void ExploredPath::begin() {
   is_explored_ = true;
   prescribed_ = path.substr(first + 1, last - first - 1);
   depth_ = number(path.substr(last + 1));
+  explores_zeros_ = path.ends_with('z');
   is_cut_at_end_ = prescribed_.ends_with('!');
   if (is_cut_at_end_) prescribed_.pop_back();
 }
@@ -66,6 +68,12 @@ bool ExploredPath::decide(RealNumber condition, bool carried) {
   if (!is_explored_) { // this kernel's turn is in another run
     if (count_++ == 0) event({"undecided", std::to_string(kernels_ - 1)});
     return carried;
+  }
+  std::optional<bool> const nonzero = explores_zeros_ ? std::nullopt : outcome_without_zero(pool.nodes(), id);
+  if (nonzero && (is_hypothetical_ || *nonzero == carried)) {
+    is_hypothetical_ = is_hypothetical_ || *nonzero != carried;
+    tell(id, *nonzero, condition, *nonzero ? "T" : "F");
+    return *nonzero;
   }
   if (count_ >= depth_) {
     if (is_hypothetical_) Kernel::current().sink().cut_off();
@@ -83,9 +91,13 @@ bool ExploredPath::decide(RealNumber condition, bool carried) {
 
 void ExploredPath::take(NodeId condition, bool outcome, RealNumber number) {
   ++count_;
-  known_.add(Pool::current().nodes(), condition, outcome);
-  event({"decided", std::to_string(condition), outcome ? "t" : "f", describe(number), hexadecimal(call_stack())});
+  tell(condition, outcome, number, outcome ? "t" : "f");
   note_taken(outcome);
+}
+
+void ExploredPath::tell(NodeId condition, bool outcome, RealNumber number, char const *letter) {
+  known_.add(Pool::current().nodes(), condition, outcome);
+  event({"decided", std::to_string(condition), letter, describe(number), hexadecimal(call_stack())});
 }
 
 void ExploredPath::end() {

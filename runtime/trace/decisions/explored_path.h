@@ -1,12 +1,15 @@
 // One path through the decisions of a kernel, under policy explore. The driver runs the program once for each path, and
 // prescribes how it begins:
 //
-//   $SYMREAL_PATH   K:outcomes:depth, as in 0:tft:64
+//   $SYMREAL_PATH   K:outcomes:depth, as in 0:tft:64, or 0:tft:64z
 //
 // The kernel that begins as the K-th of the run takes these outcomes at its first decisions and carries its values'
 // outcomes on from there; other kernels of the run do so from the beginning. What earlier outcomes settle is no
 // decision. Beyond `depth` decisions the path of this run goes on, each outcome a guard, and any other path is cut off:
 // what was recorded until then is handed over. `outcomes` that end in `!` are cut off where the last is taken.
+//
+// A test for exact zero that the program's own values do not meet is taken as not met, which no outcome is prescribed
+// for; with `z` at the end it is a decision as any.
 //
 // The driver is told of each decision by an event `decided`. The file `taken` has a byte for each as well, whatever
 // ends the program.
@@ -40,8 +43,9 @@ public:
 
 private:
   void take(NodeId condition, bool outcome, RealNumber number);
+  void tell(NodeId condition, bool outcome, RealNumber number, char const *letter);
 
-  bool is_explored_ = false, is_hypothetical_ = false, is_cut_at_end_ = false;
+  bool is_explored_ = false, is_hypothetical_ = false, is_cut_at_end_ = false, explores_zeros_ = false;
   std::size_t kernels_ = 0, count_ = 0, followed_ = 0, beyond_ = 0, depth_ = 0;
   std::string prescribed_;
   KnownOutcomes known_;

@@ -1,0 +1,77 @@
+#include "trace/decisions/checkpoint.h"
+
+#include "trace/decisions/explored_path.h"
+
+#include <cerrno>
+#include <csignal>
+#include <fcntl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+#include <utility>
+
+namespace symreal::trace {
+namespace {
+
+struct Unwritten {
+  RealNumber *number;
+  double value;
+};
+
+constexpr double nonsense = -6.48074069840786e97; // as good as any that no program has
+
+} // namespace
+
+Checkpoint &Checkpoint::current() {
+  static constinit thread_local Checkpoint *checkpoint = nullptr;
+  if (!checkpoint) checkpoint = new Checkpoint;
+  return *checkpoint;
+}
+
+void Checkpoint::begin() {
+  held_.clear();
+  end(); // of a kernel that was left
+  int ends[2];
+  if (!ExploredPath::is_asked_for() || pipe2(ends, O_CLOEXEC) != 0) return;
+  copy_ = fork();
+  if (copy_ == 0) {
+    close(ends[1]);
+    wait_as_copy(ends[0]);
+    return;
+  }
+  close(ends[0]);
+  to_copy_ = ends[1];
+  if (copy_ < 0) end();
+}
+
+// Until the process says what to put nonsense into, or has no need of its copy.
+void Checkpoint::wait_as_copy(int source) {
+  for (Unwritten one; read(source, &one, sizeof one) == sizeof one;) {
+    held_[one.number] = one.value;
+    *one.number = nonsense;
+  }
+  close(source);
+  if (held_.empty()) _exit(0);
+}
+
+void Checkpoint::go_back(std::map<RealNumber *, double> const &unwritten) {
+  if (copy_ <= 0) return;
+  for (auto const &[number, value] : unwritten) {
+    Unwritten const one{number, value};
+    if (write(to_copy_, &one, sizeof one) != sizeof one) return; // not the last: the copy is gone
+  }
+  close(to_copy_);
+  int status = 0;
+  while (waitpid(copy_, &status, 0) < 0 && errno == EINTR) {
+  }
+  if (WIFSIGNALED(status)) raise(WTERMSIG(status));
+  _exit(WEXITSTATUS(status));
+}
+
+void Checkpoint::end() {
+  if (to_copy_ >= 0) close(std::exchange(to_copy_, -1));
+  if (int const copy = std::exchange(copy_, 0); copy > 0)
+    while (waitpid(copy, nullptr, 0) < 0 && errno == EINTR) {
+    }
+}
+
+} // namespace symreal::trace

@@ -1,0 +1,33 @@
+// Where a kernel begins, on an explored path, a copy of the process waits. Whether an output that is no node at the end
+// was written cannot be told if it holds the plain number that it held before: on some paths 0 is written where 0 was.
+// Then the copy goes on in the place of the process, with nonsense in such outputs, and comes the same way. What still
+// is nonsense at the end was not written.
+#pragma once
+
+#include <symreal/real_number.h>
+
+#include <map>
+
+namespace symreal::trace {
+
+class Checkpoint {
+public:
+  static Checkpoint &current(); // one per thread
+
+  // A kernel begins; the copy, if it is asked to go on, returns from here as well.
+  void begin();
+  // The copy goes on with nonsense in these; this process ends as the copy does. Returns if no copy waits.
+  void go_back(std::map<RealNumber *, double> const &unwritten);
+  // What these held before there was nonsense in them.
+  std::map<RealNumber *, double> const &held() const { return held_; }
+  // The kernel ends: no copy is needed any more.
+  void end();
+
+private:
+  void wait_as_copy(int source);
+
+  int copy_ = 0, to_copy_ = -1;
+  std::map<RealNumber *, double> held_;
+};
+
+} // namespace symreal::trace

@@ -1,0 +1,14 @@
+// Tests of a computed number for exact zero, as in `pivot != 0` and `norm <= DBL_MIN`.
+#pragma once
+
+#include "graph/node_table.h"
+
+#include <optional>
+
+namespace symreal::trace {
+
+// What the condition gives if the number is not 0; nothing if it is another condition. Inputs and parameters themselves
+// are no such numbers: a mode that is 0 may well be meant.
+std::optional<bool> outcome_without_zero(NodeTable const &nodes, NodeId condition);
+
+} // namespace symreal::trace
