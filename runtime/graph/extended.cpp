@@ -67,6 +67,13 @@ template <class Number> Number choice_of(Op op, Number x, Number y, Number resul
   }
 }
 
+// By a unit in the last place or two, up or down at random, but always the same of a node.
+long double moved(long double number, std::size_t id, std::uint64_t perturbation) {
+  std::uint64_t const mixed = (id + 1) * perturbation * 0x9e3779b97f4a7c15;
+  long double const unit = std::numeric_limits<long double>::epsilon();
+  return number * (1 + (mixed >> 63 != 0 ? unit : -unit));
+}
+
 } // namespace
 
 long double evaluate_extended(Op op, long double x, long double y, long double z) { return evaluate_in(op, x, y, z); }
@@ -85,6 +92,13 @@ std::string obstacle_to_extended(Graph const &graph) {
 std::optional<std::vector<long double>> evaluate_extended(Graph const &graph, std::span<double const> inputs,
                                                           std::span<double const> parameters,
                                                           std::span<double const> values) {
+  std::vector<long double> const wide(inputs.begin(), inputs.end());
+  return evaluate_extended(graph, std::span<long double const>(wide), parameters, values);
+}
+
+std::optional<std::vector<long double>> evaluate_extended(Graph const &graph, std::span<long double const> inputs,
+                                                          std::span<double const> parameters,
+                                                          std::span<double const> values, std::uint64_t perturbation) {
   std::vector<char> const active = active_nodes(graph, values);
   std::vector<long double> wide(graph.nodes.size(), 0);
   for (std::size_t id = 0; id < graph.nodes.size(); ++id) {
@@ -104,6 +118,8 @@ std::optional<std::vector<long double>> evaluate_extended(Graph const &graph, st
       wide[id] = evaluate_in(node.op, x, y, operand(2, wide));
       long double const in_double = choice_of<double>(node.op, operand(0, values), operand(1, values), values[id]);
       if (choice_of(node.op, x, y, wide[id]) != in_double) return std::nullopt;
+      if (perturbation != 0 && reality_of(node.op) == Reality::formula && !info(node.op).has(flag::QUIET))
+        wide[id] = moved(wide[id], id, perturbation);
     }
   }
   std::vector<long double> outputs;

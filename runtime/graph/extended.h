@@ -3,6 +3,7 @@
 
 #include "graph/graph.h"
 
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <span>
@@ -27,5 +28,11 @@ long double evaluate_extended(Op op, long double x, long double y, long double z
 std::optional<std::vector<long double>> evaluate_extended(Graph const &graph, std::span<double const> inputs,
                                                           std::span<double const> parameters,
                                                           std::span<double const> values);
+// The same at inputs in extended precision, near those at which the nodes have these values. With a `perturbation`
+// other than 0 every result is moved by a unit in the last place, up or down as its number says: so rounding shows.
+std::optional<std::vector<long double>> evaluate_extended(Graph const &graph, std::span<long double const> inputs,
+                                                          std::span<double const> parameters,
+                                                          std::span<double const> values,
+                                                          std::uint64_t perturbation = 0);
 
 } // namespace symreal

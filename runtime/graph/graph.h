@@ -85,6 +85,7 @@ struct Graph {
   std::string kernel;
   std::vector<Object> inputs, parameters, outputs;
   std::vector<StatePair> states;
+  std::vector<std::string> derivatives; // that were added, as they were asked for: differentiate/request.h
 
   Nodes nodes;                     // topological order
   std::vector<NodeId> results;     // per output slot

@@ -58,6 +58,8 @@ private:
       read_object(line, graph_.outputs, nullptr);
     else if (head == "state")
       read_state(line);
+    else if (head == "derivative")
+      graph_.derivatives.push_back(line.string("what was differentiated"));
     else if (head == "frozen")
       read_frozen(line);
     else if (head == "executed")

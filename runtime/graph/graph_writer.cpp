@@ -64,6 +64,7 @@ void write_graph(std::ostream &out, Graph const &graph) {
     write_place(out, pair.place);
     out << '\n';
   }
+  for (std::string const &derivative : graph.derivatives) out << "derivative " << in_quotes(derivative) << '\n';
   for (Frozen const &frozen : graph.frozen) {
     out << "frozen " << in_quotes(frozen.name);
     write_place(out, frozen.place);

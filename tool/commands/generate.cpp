@@ -7,6 +7,7 @@
 #include "tool/commands/products.h"
 #include "tool/commands/subcommands.h"
 #include "tool/options/decisions_option.h"
+#include "tool/options/differentiate_option.h"
 #include "tool/options/reroll_option.h"
 #include "tool/options/vector_option.h"
 #include "tool/output/outputs.h"
@@ -33,6 +34,7 @@ struct Options {
   EmitterOptions emitter;
   LanguageOption language;
   BundleOption bundle;
+  DifferentiateOption differentiate;
   ParallelOption parallel;
   RerollOption reroll;
   VectorOption vector;
@@ -63,6 +65,9 @@ void require_sense(Options const &options) {
     fail(DiagnosticId::option_without_effect, {}, "--wrapper calls generated C: name c among the languages of --lang");
   if (options.wrapper && options.emitter.is_single())
     fail(DiagnosticId::bad_option, {}, "--wrapper hands on doubles: leave --real=float out");
+  if (options.wrapper && options.differentiate.is_given())
+    fail(DiagnosticId::bad_option, {},
+         "--wrapper defines the original's function, which has no place for derivatives: leave --differentiate out");
   (void)options.emitter.is_single();
   options.vector.require_sense(options.emitter, options.parallel.is_given(), options.reroll.is_given);
   options.parallel.require_sense(options.emitter);
@@ -138,6 +143,8 @@ std::optional<std::vector<Product>> generate(program::FrontRequest const &reques
     (void)find_states(recorded.graph);
     std::ostringstream graph;
     if (!options.graph_file.empty()) write_graph(graph, recorded.graph);
+    recorded.graph = options.differentiate.applied(std::move(recorded.graph),
+                                                   [&](Diagnostic const &warning) { console.report(warning); });
     product.optimised =
         optimise(std::move(recorded.graph), options.passes, [&](auto const &one) { console.report(one); });
     Schedule const plan =
@@ -218,6 +225,7 @@ void add_generate(CLI::App &app, Session &session) {
   command->add_flag("--check", options->check, "Write nothing; check whether the existing files are up to date");
   options->language.add_to(*command, "c");
   options->bundle.add_to(*command);
+  options->differentiate.add_to(*command);
   options->passes.add_to(*command);
   options->emitter.add_to(*command);
   options->parallel.add_to(*command);

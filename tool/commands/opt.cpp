@@ -5,6 +5,7 @@
 #include "tool/commands/bundle.h"
 #include "tool/commands/optimise.h"
 #include "tool/commands/subcommands.h"
+#include "tool/options/differentiate_option.h"
 #include "tool/options/reroll_option.h"
 #include "tool/options/vector_option.h"
 #include "tool/output/outputs.h"
@@ -22,6 +23,7 @@ struct Options {
   std::string file, output;
   LanguageOption language;
   BundleOption bundle;
+  DifferentiateOption differentiate;
   PassOptions passes;
   EmitterOptions emitter;
   ParallelOption parallel;
@@ -70,7 +72,13 @@ struct Input {
 
 Input read_input(Options const &options) {
   std::string const text = read_file(options.file);
-  if (!is_schedule(text)) return {read_graph(text, options.file), {}};
+  if (!is_schedule(text))
+    return {options.differentiate.applied(read_graph(text, options.file),
+                                          [](Diagnostic const &warning) { print(std::cerr, warning); }),
+            {}};
+  if (options.differentiate.is_given())
+    fail(DiagnosticId::option_without_effect, {},
+         "--differentiate works on graphs, and '" + options.file + "' is a schedule");
   if (options.passes.is_given())
     fail(DiagnosticId::option_without_effect, {}, "passes work on graphs, and '" + options.file + "' is a schedule");
   if (options.emitter.check_values)
@@ -155,6 +163,7 @@ void add_opt(CLI::App &app, Session &session) {
   command->add_option("-o", options->output, "Where the result goes (default: standard output)")->type_name("FILE");
   options->language.add_to(*command, "graph", "graph|schedule");
   options->bundle.add_to(*command);
+  options->differentiate.add_to(*command);
   options->passes.add_to(*command);
   options->emitter.add_to(*command);
   options->parallel.add_to(*command);

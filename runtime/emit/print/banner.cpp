@@ -62,6 +62,11 @@ std::string banner(Emission const &emission) {
   if (emission.plan.threads > 1) more += fmt::format("\"threads\":{},", emission.plan.threads);
   if (emission.lanes) more += fmt::format("\"vector\":{},", emission.lanes->compute->width);
   if (graph.decisions != "error") more += fmt::format("\"decisions\":{},", json_string(graph.decisions));
+  if (!graph.derivatives.empty()) {
+    std::string all;
+    for (std::string const &derivative : graph.derivatives) all += (all.empty() ? "" : ",") + json_string(derivative);
+    more += fmt::format("\"derivatives\":[{}],", all);
+  }
   std::vector<std::string> lines = {
       fmt::format("symreal {{\"kernel\":{},\"mode\":\"{}\",\"prefix\":{},\"inputs\":{},\"parameters\":{},"
                   "\"constants\":{},\"outputs\":{},{}\"version\":\"{}\"}}",

@@ -1,0 +1,147 @@
+#include "differentiate/differences.h"
+
+#include "graph/extended.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace symreal {
+
+namespace {
+
+using Vector = PointDifferences::Vector;
+using SharpVector = std::vector<SharpNumber>;
+
+constexpr long double most_cancelled = 4; // times the result
+
+Vector unit(PointDifferences const &point, std::uint32_t slot, long double length) {
+  Vector direction(point.input_count(), 0);
+  direction[slot] = length;
+  return direction;
+}
+
+SharpNumber sum(SharpNumber const &a, SharpNumber const &b, long double factor) {
+  return a && b ? SharpNumber(*a + factor * *b) : std::nullopt;
+}
+
+// By the first derivatives by each input: one or several outputs.
+void add_columns(DerivativeRequest const &request, PointDifferences const &point, SharpVector &result) {
+  std::vector<SharpVector> columns;
+  for (std::uint32_t const slot : request.input_slots) columns.push_back(point.along(unit(point, slot, 1), 1));
+  for (std::uint32_t const row : request.output_slots)
+    for (SharpVector const &column : columns) result.push_back(column[row]);
+}
+
+// Of directions u and v the derivative is half of what u + v has more than both, and less sharp where these are large.
+void add_hessian(DerivativeRequest const &request, PointDifferences const &point, SharpVector &result) {
+  std::vector<std::uint32_t> const &slots = request.input_slots;
+  std::uint32_t const row = request.output_slots[0];
+  auto const along = [&](Vector const &direction) { return point.along(direction, 2)[row]; };
+  std::vector<SharpNumber> diagonal;
+  for (std::uint32_t const slot : slots) diagonal.push_back(along(unit(point, slot, point.scale(slot))));
+  std::size_t const first = result.size(), count = slots.size();
+  result.resize(first + count * count);
+  for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t j = 0; j <= i; ++j) {
+      long double const scales = point.scale(slots[i]) * point.scale(slots[j]);
+      SharpNumber element = diagonal[i];
+      if (i != j) {
+        Vector both = unit(point, slots[i], point.scale(slots[i]));
+        both[slots[j]] = point.scale(slots[j]);
+        SharpNumber const whole = along(both);
+        element = sum(sum(whole, diagonal[i], -1), diagonal[j], -1);
+        if (element) {
+          long double const parts = std::max({std::abs(*whole), std::abs(*diagonal[i]), std::abs(*diagonal[j])});
+          if (parts > most_cancelled * std::max(2 * scales, std::abs(*element))) element = std::nullopt;
+        }
+      }
+      if (element) *element /= i == j ? scales : 2 * scales;
+      result[first + i * count + j] = result[first + j * count + i] = element;
+    }
+}
+
+void add_jvp(DerivativeRequest const &request, PointDifferences const &point, std::span<double const> seeds,
+             SharpVector &result) {
+  Vector direction(point.input_count(), 0);
+  for (std::size_t j = 0; j < seeds.size(); ++j) direction[request.input_slots[j]] = seeds[j];
+  SharpVector const all = point.along(direction, 1);
+  for (std::uint32_t const row : request.output_slots) result.push_back(all[row]);
+}
+
+void add_vjp(DerivativeRequest const &request, PointDifferences const &point, std::span<double const> seeds,
+             SharpVector &result) {
+  for (std::uint32_t const slot : request.input_slots) {
+    SharpVector const column = point.along(unit(point, slot, 1), 1);
+    SharpNumber weighted = 0;
+    for (std::size_t i = 0; i < seeds.size(); ++i) weighted = sum(weighted, column[request.output_slots[i]], seeds[i]);
+    result.push_back(weighted);
+  }
+}
+
+std::size_t seeds_of(DerivativeRequest const &request) {
+  if (request.kind == DerivativeKind::jvp) return request.input_slots.size();
+  return request.kind == DerivativeKind::vjp ? request.output_slots.size() : 0;
+}
+
+} // namespace
+
+Differences::Differences(Graph const &graph, std::span<std::string const> requests)
+    : graph_(graph),
+      obstacle_(obstacle_to_extended(graph)) {
+  for (std::string const &request : requests) requests_.push_back(read_request(request, graph));
+}
+
+std::size_t Differences::evaluations() const {
+  std::size_t directions = 0;
+  for (DerivativeRequest const &request : requests_) {
+    std::size_t const columns = request.input_slots.size();
+    if (request.kind == DerivativeKind::jvp)
+      ++directions;
+    else
+      directions += request.kind == DerivativeKind::hessian ? columns * (columns + 1) / 2 : columns;
+  }
+  return PointDifferences::evaluations * directions;
+}
+
+std::size_t Differences::seed_count() const {
+  std::size_t count = 0;
+  for (DerivativeRequest const &request : requests_) count += seeds_of(request);
+  return count;
+}
+
+std::size_t Differences::output_count() const {
+  std::size_t count = 0;
+  for (DerivativeRequest const &request : requests_) {
+    std::size_t const rows = request.output_slots.size(), columns = request.input_slots.size();
+    switch (request.kind) {
+    case DerivativeKind::jacobian: count += rows * columns; break;
+    case DerivativeKind::hessian: count += columns * columns; break;
+    case DerivativeKind::jvp: count += rows; break;
+    case DerivativeKind::gradient:
+    case DerivativeKind::vjp: count += columns; break;
+    }
+  }
+  return count;
+}
+
+std::vector<SharpNumber> Differences::at(std::span<double const> inputs, std::span<double const> parameters,
+                                         double tolerance) const {
+  internal_check(obstacle_.empty() && inputs.size() == graph_.input_count() + seed_count());
+  PointDifferences const point(graph_, inputs.first(graph_.input_count()), parameters, tolerance);
+  std::span<double const> seeds = inputs.subspan(graph_.input_count());
+  SharpVector result;
+  for (DerivativeRequest const &request : requests_) {
+    std::span<double const> const own = seeds.first(seeds_of(request));
+    seeds = seeds.subspan(own.size());
+    switch (request.kind) {
+    case DerivativeKind::jacobian:
+    case DerivativeKind::gradient: add_columns(request, point, result); break;
+    case DerivativeKind::hessian: add_hessian(request, point, result); break;
+    case DerivativeKind::jvp: add_jvp(request, point, own, result); break;
+    case DerivativeKind::vjp: add_vjp(request, point, own, result); break;
+    }
+  }
+  return result;
+}
+
+} // namespace symreal

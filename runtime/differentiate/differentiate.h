@@ -1,0 +1,19 @@
+// Derivatives as further outputs of a graph: jacobian(y, x) [rows of y][columns of x], gradient(y, x) [x], hessian(y,
+// x) [x][x], jvp(y, x) [y] along the input direction_x, vjp(y, x) [x] of the outputs weighted with the input weights_y.
+// They are defined by the derivatives in the table of operations and the chain rule: docs/derivatives.md.
+#pragma once
+
+#include "graph/graph.h"
+
+#include <functional>
+#include <span>
+
+namespace symreal {
+
+// `graph` is as recorded: no pass has split it. One output for each request, behind those that there are. A Jacobian
+// goes forward or backward, whichever costs less by the table. `report` is told what jumps. Throws bad_derivative,
+// not_a_scalar, not_differentiable.
+Graph differentiate(Graph graph, std::span<std::string const> requests,
+                    std::function<void(Diagnostic const &)> const &report);
+
+} // namespace symreal

@@ -1,0 +1,56 @@
+// Differences of a graph at one point, along a direction, in extended precision: extrapolated to a step of 0.
+#pragma once
+
+#include "graph/graph.h"
+
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace symreal {
+
+// A derivative, where the differences are sharp; else nothing: at a kink, a jump or a pole, or where rounding hides it.
+using SharpNumber = std::optional<long double>;
+
+class PointDifferences {
+public:
+  using Vector = std::vector<long double>;
+
+  // Extended precision can evaluate `graph`, which outlives this, as do the parameters. A number is sharp if its error
+  // is estimated to be within `tolerance` of the larger of its magnitude and 1.
+  PointDifferences(Graph const &graph, std::span<double const> inputs, std::span<double const> parameters,
+                   double tolerance);
+
+  // The first or second derivative of all outputs along a direction.
+  std::vector<SharpNumber> along(Vector const &direction, int order) const;
+
+  // How far an input may move for the function to change visibly.
+  long double scale(std::uint32_t slot) const;
+  std::size_t input_count() const { return inputs_.size(); }
+
+  // How many evaluations of the graph a direction takes.
+  static std::size_t const evaluations;
+
+private:
+  // The outputs on both sides of the point.
+  struct Neighbours {
+    long double step;
+    std::optional<Vector> high, low;
+
+    bool are_finite() const;
+  };
+
+  long double first_step(Vector const &direction) const;
+  std::vector<Neighbours> neighbours_along(Vector const &direction) const;
+  std::optional<Vector> moved(Vector const &direction, long double step, std::uint64_t perturbation = 0) const;
+  Vector noise_beside(Vector const &direction, Neighbours const &pair) const;
+
+  Graph const &graph_;
+  Vector inputs_;
+  std::span<double const> parameters_;
+  long double tolerance_;
+  std::vector<double> values_;
+  std::optional<Vector> middle_;
+};
+
+} // namespace symreal

@@ -1,0 +1,112 @@
+#include "differentiate/request.h"
+
+#include "graph/names.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace symreal {
+
+namespace {
+
+constexpr std::array<std::string_view, 5> kinds = {"jacobian", "gradient", "hessian", "jvp", "vjp"};
+
+[[noreturn]] void refuse(std::string const &text, std::string const &why) {
+  fail(DiagnosticId::bad_derivative, {}, "--differentiate '" + text + "': " + why);
+}
+
+std::string trimmed(std::string_view text) {
+  std::size_t const first = text.find_first_not_of(' ');
+  if (first == text.npos) return "";
+  return std::string(text.substr(first, text.find_last_not_of(' ') + 1 - first));
+}
+
+// At commas that no bracket encloses.
+std::vector<std::string> items_of(std::string_view text) {
+  std::vector<std::string> items(1);
+  int depth = 0;
+  for (char const c : text) {
+    depth += (c == '[' || c == '(') - (c == ']' || c == ')');
+    if (c == ',' && depth == 0)
+      items.emplace_back();
+    else
+      items.back() += c;
+  }
+  for (std::string &item : items) item = trimmed(item);
+  return items;
+}
+
+// "q" or "[q, qd]".
+std::vector<std::string> names_of(std::string const &item) {
+  if (item.starts_with('[') && item.ends_with(']')) return items_of(std::string_view(item).substr(1, item.size() - 2));
+  return {item};
+}
+
+struct Found {
+  std::vector<std::string> names;
+  std::vector<std::uint32_t> slots;
+};
+
+Found find(std::vector<std::string> const &wanted, std::vector<Object> const &objects, std::string const &text,
+           std::string const &what) {
+  std::vector<std::string> const known = identifiers(objects);
+  Found found;
+  for (std::string const &name : wanted) {
+    std::size_t k = 0;
+    while (k < objects.size() && objects[k].label != name && known[k] != name &&
+           objects[k].label.substr(0, objects[k].label.find('[')) != name)
+      ++k;
+    if (k == objects.size()) {
+      std::string all;
+      for (std::string const &other : known) all += (all.empty() ? "" : ", ") + other;
+      refuse(text, "'" + name + "' is no " + what + " of the kernel, which has " + (all.empty() ? "none" : all));
+    }
+    if (std::ranges::find(found.names, known[k]) != found.names.end())
+      refuse(text, "'" + name + "' stands there twice");
+    found.names.push_back(known[k]);
+    for (std::uint32_t element = 0; element < objects[k].count; ++element)
+      found.slots.push_back(objects[k].first + element);
+  }
+  return found;
+}
+
+} // namespace
+
+DerivativeRequest read_request(std::string const &text, Graph const &graph) {
+  std::string const whole = trimmed(text);
+  std::size_t const open = whole.find('(');
+  auto const kind = std::ranges::find(kinds, trimmed(std::string_view(whole).substr(0, open)));
+  if (open == whole.npos || !whole.ends_with(')') || kind == kinds.end())
+    refuse(text, "this is none of jacobian(y, x), gradient(y), hessian(y, x), jvp(y, x) and vjp(y, x)");
+  std::vector<std::string> const items = items_of(std::string_view(whole).substr(open + 1, whole.size() - open - 2));
+  if (items.size() > 2) refuse(text, "more than two items; several objects stand in brackets, as in [q, qd]");
+  Found const outputs = find(names_of(items[0]), graph.outputs, text, "output");
+  Found inputs;
+  if (items.size() == 2) {
+    inputs = find(names_of(items[1]), graph.inputs, text, "input");
+  } else {
+    inputs.names = identifiers(graph.inputs);
+    for (std::uint32_t slot = 0; slot < graph.input_count(); ++slot) inputs.slots.push_back(slot);
+  }
+  if (inputs.slots.empty()) refuse(text, "the kernel has no inputs");
+  DerivativeRequest request{static_cast<DerivativeKind>(kind - kinds.begin()),
+                            outputs.names,
+                            inputs.names,
+                            outputs.slots,
+                            inputs.slots,
+                            {},
+                            std::string(*kind)};
+  for (Object const &object : graph.outputs)
+    if (object.first <= outputs.slots[0] && outputs.slots[0] - object.first < object.count)
+      request.place = object.place;
+  for (std::string const &name : outputs.names) request.name += "_" + name;
+  if (items.size() == 2)
+    for (std::string const &name : inputs.names) request.name += "_" + name;
+  bool const is_scalar = request.kind == DerivativeKind::gradient || request.kind == DerivativeKind::hessian;
+  if (is_scalar && outputs.slots.size() != 1)
+    fail(DiagnosticId::not_a_scalar, request.place,
+         "--differentiate '" + text + "': what is named has " + std::to_string(outputs.slots.size()) + " numbers");
+  return request;
+}
+
+} // namespace symreal

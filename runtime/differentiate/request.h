@@ -1,0 +1,26 @@
+// What a user asks to be differentiated: "jacobian(tau, [q, qd])".
+#pragma once
+
+#include "graph/graph.h"
+
+#include <string>
+#include <vector>
+
+namespace symreal {
+
+enum class DerivativeKind : std::uint8_t { jacobian, gradient, hessian, jvp, vjp };
+
+// Names that are found in a graph: the numbers of the objects, and the slots of their elements in that order.
+struct DerivativeRequest {
+  DerivativeKind kind;
+  std::vector<std::string> outputs, inputs; // identifiers
+  std::vector<std::uint32_t> output_slots, input_slots;
+  Place place = {}; // of the first output
+  std::string name; // of the object that is added: jacobian_tau_q_qd
+};
+
+// Throws bad_derivative for another form and for names that the graph does not have, not_a_scalar. An object is named
+// by its label, with sections or without, or as the header spells it. Without inputs: all of them.
+DerivativeRequest read_request(std::string const &text, Graph const &graph);
+
+} // namespace symreal

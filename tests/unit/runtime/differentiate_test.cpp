@@ -1,0 +1,158 @@
+#include "differentiate/differentiate.h"
+
+#include "differentiate/differences.h"
+#include "differentiate/rules.h"
+#include "graph/evaluate.h"
+#include "graph/extended.h"
+#include "graph/graph_text.h"
+#include "graph/statistics.h"
+#include "graph/validate.h"
+#include "operation_samples.h"
+
+#include <algorithm>
+#include <cmath>
+#include <gtest/gtest.h>
+
+namespace symreal {
+namespace {
+
+Graph with(Graph graph, std::vector<std::string> const &requests) {
+  Graph result = differentiate(std::move(graph), requests, [](Diagnostic const &) {});
+  EXPECT_EQ(find_violation(result), "");
+  return result;
+}
+
+// A function of x[3], as lines from %3 on; the last is the result.
+Graph function(std::string const &lines, std::string const &result) {
+  return read_graph("symreal-graph 1\nkernel \"k\"\ninput \"x\" [3]\noutput \"y\"\n%0 = input 0\n%1 = input 1\n"
+                    "%2 = input 2\n" +
+                        lines + "result 0 " + result + "\n",
+                    "test");
+}
+
+std::vector<double> outputs(Graph const &graph, std::vector<double> const &inputs) {
+  return evaluate_sample(graph, inputs, {}).outputs;
+}
+
+bool has_formula(OperationInfo const &row) {
+  for (std::size_t i = 0; i < row.arity; ++i)
+    if (slope_of(row.op, i) == Slope::formula) return true;
+  return false;
+}
+
+TEST(Differentiate, EachRowIsAsItsDifferences) {
+  for (OperationInfo const &row : operations()) {
+    if (!has_formula(row)) continue;
+    std::size_t next = 3;
+    std::string const lines = test::lines_on_numbers(row, 0, next);
+    Graph const graph = function(lines, "%" + std::to_string(next - 1));
+    std::vector<std::string> const request = {"jacobian(y, x)", "hessian(y, x)"};
+    Differences const differences(graph, request);
+    if (!differences.obstacle().empty()) {
+      EXPECT_TRUE(row.op == Op::f32 || row.op == Op::nextafter) << row.name;
+      continue;
+    }
+    Graph const both = with(graph, request);
+    std::size_t compared = 0;
+    for (auto const &x : test::samples(row, 40)) {
+      std::vector<double> const found = outputs(both, {x.begin(), x.end()});
+      std::vector<SharpNumber> const expected = differences.at(x, {}, 1e-9);
+      ASSERT_EQ(expected.size() + 1, found.size());
+      for (std::size_t k = 0; k < expected.size(); ++k) {
+        if (!expected[k]) continue;
+        auto const value = static_cast<double>(*expected[k]);
+        EXPECT_NEAR(found[k + 1], value, 1e-9 * (1 + std::abs(value))) << row.name << " element " << k;
+        ++compared;
+      }
+    }
+    EXPECT_GT(compared, 100u) << row.name;
+  }
+}
+
+// Where rounding swallows each step, equal numbers on both sides are no derivative of 0.
+TEST(Differentiate, DifferencesKnowWhatRoundingHides) {
+  for (char const *const lines : {"%3 = add %0 1e22\n%4 = sub %3 %1\n", "%3 = add %0 1e22\n%4 = sub %3 1e22\n"}) {
+    Graph const graph = function(lines, "%4");
+    std::vector<std::string> const request = {"gradient(y)"};
+    std::vector<double> const x = {0.5, 0.25, 0};
+    EXPECT_FALSE(Differences(graph, request).at(x, {}, 1e-9)[0]) << lines;
+  }
+}
+
+// At kinks, zeros and poles the table says what is taken, and it is a number in the Hessian, too.
+TEST(Differentiate, CornersAreNumbers) {
+  struct Corner {
+    char const *lines;
+    std::vector<double> at, gradient;
+  };
+  Corner const corners[] = {
+      {"%3 = pow %0 2\n", {0, 0, 0}, {0, 0, 0}},
+      {"%3 = pow %0 1\n", {0, 0, 0}, {1, 0, 0}},
+      {"%3 = pow %0 0\n", {0, 0, 0}, {0, 0, 0}},
+      {"%3 = pow %0 3\n", {-2, 0, 0}, {12, 0, 0}},
+      {"%3 = pow %0 0.5\n", {0, 0, 0}, {0, 0, 0}},
+      {"%3 = pow %0 %1\n", {0, 2, 0}, {0, 0, 0}},
+      {"%3 = pow %0 %1\n", {-2, 2, 0}, {-4, 0, 0}},
+      {"%3 = sqrt %0\n", {0, 0, 0}, {0, 0, 0}},
+      {"%3 = sqrt %0\n%4 = mul %3 %0\n", {0, 0, 0}, {0, 0, 0}},
+      {"%3 = cbrt %0\n", {0, 0, 0}, {0, 0, 0}},
+      {"%3 = hypot %0 %1\n", {0, 0, 0}, {0, 0, 0}},
+      {"%3 = hypot %0 %1\n", {0, -2, 0}, {0, -1, 0}},
+      {"%3 = atan2 %0 %1\n", {0, 0, 0}, {0, 0, 0}},
+      {"%3 = atan2 %0 %1\n", {0, 2, 0}, {0.5, 0, 0}},
+      {"%3 = acos %0\n", {1, 0, 0}, {0, 0, 0}},
+      {"%3 = asin %0\n", {-1, 0, 0}, {0, 0, 0}},
+      {"%3 = acosh %0\n", {1, 0, 0}, {0, 0, 0}},
+      {"%3 = abs %0\n", {0, 0, 0}, {1, 0, 0}},
+      {"%3 = abs %0\n", {-3, 0, 0}, {-1, 0, 0}},
+      {"%3 = fmin %0 %1\n", {1, 1, 0}, {1, 0, 0}},
+      {"%3 = fmax %0 %1\n", {1, 1, 0}, {1, 0, 0}},
+      {"%3 = fmax %0 %1\n", {1, 2, 0}, {0, 1, 0}},
+      {"%3 = floor %0\n", {1.5, 0, 0}, {0, 0, 0}},
+      // The arm that is not taken has a pole: x != 0 ? sin(x) / x : 1.
+      {"%3 = sin %0\n%4 = div %3 %0\n%5 = eq %0 0\n%6 = select %5 1 %4\n", {0, 0, 0}, {0, 0, 0}},
+      {"%3 = lt 0 %0\n%4 = log %0\n%5 = mul %4 %1\n%6 = select %3 %5 %2\n", {0, 1, 1}, {0, 0, 1}},
+  };
+  for (Corner const &corner : corners) {
+    auto const count = std::ranges::count(std::string_view(corner.lines), '\n'); // of nodes, the last is the result
+    std::string const result = "%" + std::to_string(2 + count);
+    Graph const graph = with(function(corner.lines, result), {"gradient(y)", "hessian(y, x)"});
+    std::vector<double> const found = outputs(graph, corner.at);
+    for (std::size_t k = 0; k < 3; ++k) EXPECT_EQ(found[1 + k], corner.gradient[k]) << corner.lines << " by x" << k;
+    for (double const number : found) EXPECT_TRUE(std::isfinite(number)) << corner.lines;
+  }
+}
+
+TEST(Differentiate, ForwardAndReverseAgree) {
+  Graph const graph = read_graph(
+      "symreal-graph 1\nkernel \"k\"\ninput \"x\" [2]\noutput \"y\" [2]\n%0 = input 0\n%1 = input 1\n%2 = sin %0\n"
+      "%3 = mul %2 %1\n%4 = exp %3\n%5 = div %4 %0\nresult 0 %5\nresult 1 %3\n",
+      "test");
+  Graph const all = with(graph, {"jacobian(y, x)", "jvp(y, x)", "vjp(y, x)"});
+  double const direction[] = {2, -3}, weights[] = {0.5, 7};
+  std::vector<double> const found = outputs(all, {1.25, 0.75, 2, -3, 0.5, 7});
+  ASSERT_EQ(found.size(), 2u + 4 + 2 + 2);
+  double const *const jacobian = &found[2];
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_NEAR(found[6 + i], jacobian[2 * i] * direction[0] + jacobian[2 * i + 1] * direction[1], 1e-12);
+    EXPECT_NEAR(found[8 + i], jacobian[i] * weights[0] + jacobian[2 + i] * weights[1], 1e-12);
+  }
+}
+
+// A chain of products of sines: by the linear cost of the reverse way, a gradient costs a few times the function.
+TEST(Differentiate, GradientsCostAFewTimesTheFunction) {
+  std::string text = "symreal-graph 1\nkernel \"k\"\ninput \"x\" [200]\noutput \"y\"\n";
+  for (std::size_t k = 0; k < 200; ++k) text += "%" + std::to_string(k) + " = input " + std::to_string(k) + "\n";
+  std::size_t last = 0, next = 200;
+  for (std::size_t k = 1; k < 200; ++k) {
+    text += "%" + std::to_string(next) + " = mul %" + std::to_string(last) + " %" + std::to_string(k) + "\n";
+    text += "%" + std::to_string(next + 1) + " = add %" + std::to_string(next) + " %" + std::to_string(k - 1) + "\n";
+    last = next + 1, next += 2;
+  }
+  Graph const graph = read_graph(text + "result 0 %" + std::to_string(last) + "\n", "test");
+  std::size_t const before = live_operations(graph).arithmetic();
+  EXPECT_LE(live_operations(with(graph, {"gradient(y)"})).arithmetic(), 4 * before);
+}
+
+} // namespace
+} // namespace symreal

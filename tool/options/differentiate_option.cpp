@@ -1,0 +1,20 @@
+#include "tool/options/differentiate_option.h"
+
+#include "differentiate/differentiate.h"
+
+namespace symreal::tool {
+
+void DifferentiateOption::add_to(CLI::App &app) {
+  app.add_option("--differentiate", requests,
+                 "Derivatives as further outputs: jacobian(y, x), gradient(y), hessian(y, x), jvp(y, x), vjp(y, x) of "
+                 "outputs by inputs, several in brackets: jacobian(tau, [q, qd]); may be given again")
+      ->type_name("DERIVATIVE")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
+Graph DifferentiateOption::applied(Graph graph, std::function<void(Diagnostic const &)> const &report) const {
+  return is_given() ? differentiate(std::move(graph), requests, report) : std::move(graph);
+}
+
+} // namespace symreal::tool

@@ -1,0 +1,17 @@
+// --differentiate 'jacobian(tau, q)': derivatives as further outputs of a kernel.
+#pragma once
+
+#include "tool/options/options.h"
+
+namespace symreal::tool {
+
+struct DifferentiateOption {
+  std::vector<std::string> requests;
+
+  bool is_given() const { return !requests.empty(); }
+  void add_to(CLI::App &app);
+  // The graph as it is, if nothing was asked for. Throws what differentiate throws.
+  Graph applied(Graph graph, std::function<void(Diagnostic const &)> const &report) const;
+};
+
+} // namespace symreal::tool
