@@ -26,8 +26,9 @@ Recorded const &require_match(std::vector<Recorded> const &kernels, Banner const
   if (found == kernels.end())
     fail(DiagnosticId::foreign_file, {path, 1, 1}, "the sources have no kernel '" + banner.kernel + "'");
   Graph const &graph = found->graph;
-  if (graph.input_count() != banner.inputs || graph.parameter_count() != banner.parameters ||
-      graph.output_count() != banner.outputs)
+  Differences const added(graph, banner.derivatives);
+  if (graph.input_count() + added.seed_count() != banner.inputs || graph.parameter_count() != banner.parameters ||
+      graph.output_count() + added.output_count() != banner.outputs)
     fail(DiagnosticId::foreign_file, {path, 1, 1},
          fmt::format("kernel '{}' has {} inputs, {} parameters and {} outputs, the file {}, {} and {}", banner.kernel,
                      graph.input_count(), graph.parameter_count(), graph.output_count(), banner.inputs,
@@ -72,6 +73,7 @@ public:
         source_(graph_, options.seed),
         exact_(graph_),
         decisions_(counts_decisions() ? decisions_of(graph_) : std::vector<symreal::Decision>()) {
+    if (!banner.derivatives.empty()) derivatives_.emplace(graph_, path, banner, derivative_tolerance());
     bool const by_hand = front.original_program.empty();
     auto const start = [&](std::unique_ptr<Replay> &program, char const *what, std::string const &executable,
                            GeneratedCode const *code) {
@@ -120,6 +122,7 @@ public:
     keep_named();
     if (threads_) result_.threads = threads_->finish(code_, timed_ ? &*timed_ : nullptr);
     result_.exact = exact_.judgement();
+    if (derivatives_) result_.derivatives = derivatives_->result();
     return std::move(result_);
   }
 
@@ -129,6 +132,15 @@ private:
 
   // Whether it decides as the original does, wherever that may be. Otherwise rounding moves the boundaries.
   bool is_exact() const { return banner_.mode != FloatingPoint::fast && !banner_.is_single; }
+
+  // Modes that promise equal numbers have no tolerance of their own for what the original does not have.
+  double derivative_tolerance() const {
+    return banner_.mode == FloatingPoint::fast ? options_.tolerance : VerificationOptions().tolerance;
+  }
+
+  std::vector<double> with_seeds(std::vector<double> const &inputs) const {
+    return derivatives_ ? derivatives_->with_seeds(inputs) : inputs;
+  }
 
   // The generated code as the user's project would compile it.
   void compile_with_own_flags(Front const &front, std::string const &path) {
@@ -190,10 +202,10 @@ private:
     bool const in_program = code_.needs_program();
     Evaluation const evaluated = evaluate_recorded(sample);
     GeneratedCode::Result const computed =
-        in_program ? original_->run_generated(sample) : code_.run(sample.inputs, sample.parameters);
+        in_program ? original_->run_generated(sample) : code_.run(with_seeds(sample.inputs), sample.parameters);
     // What the functions that it calls have left, as those of the original do.
     left_by_generated_ = in_program ? original_->left_behind() : std::vector<replay::LeftBehind>();
-    if (threads_) threads_->compare(sample, computed);
+    if (threads_) threads_->compare({with_seeds(sample.inputs), sample.parameters}, computed);
     if (banner_.is_single) single_.emplace(graph_, sample);
     Premises const premises = single_ && evaluated.premises.hold() ? single_->premises() : evaluated.premises;
     bool const is_strict = banner_.mode == FloatingPoint::strict && !banner_.is_single;
@@ -212,12 +224,15 @@ private:
     // Beyond a guard the original goes where the recording has not been, and nothing is promised.
     if (evaluated.failing_guard < graph_.guards.size() || computed.failed != 0 || !premises.defined) return;
     std::vector<double> const original = original_->run(sample);
+    std::vector<double> const generated(computed.outputs.begin(),
+                                        computed.outputs.begin() + static_cast<std::ptrdiff_t>(original.size()));
     if (inside)
-      compare_inside(k, sample, original, computed.outputs, evaluated.outputs);
+      compare_inside(k, sample, original, generated, evaluated.outputs);
     else
-      result_.outside_different +=
-          !(banner_.is_single ? all_near(original, computed.outputs) : all_same(original, computed.outputs));
-    if (inside && !timed_) timed_ = sample;
+      result_.outside_different += !(banner_.is_single ? all_near(original, generated) : all_same(original, generated));
+    if (inside && derivatives_)
+      derivatives_->compare(sample, std::span<double const>(computed.outputs).subspan(original.size()));
+    if (inside && !timed_) timed_ = {with_seeds(sample.inputs), sample.parameters};
     result_.inside += inside;
   }
 
@@ -243,7 +258,8 @@ private:
     }
     if (own_flags_) keep_worst(result_.own_flags_ulp, own_flags_->run(sample), generated);
     if (wrapped_) compare_wrapper(k, sample, generated);
-    if (own_code_) keep_worst(result_.own_code_ulp, original, own_code_->run(sample.inputs, sample.parameters).outputs);
+    if (own_code_)
+      keep_worst(result_.own_code_ulp, original, own_code_->run(with_seeds(sample.inputs), sample.parameters).outputs);
   }
 
   // Called again and again on the state that it leaves, the generated code must stay with the original. It stops where
@@ -256,7 +272,7 @@ private:
                           (banner_.mode == FloatingPoint::strict || evaluated.premises.hold()) &&
                           evaluated.failing_guard >= graph_.guards.size();
       GeneratedCode::Result const computed =
-          inside ? code_.run(inputs, sample.parameters) : GeneratedCode::Result{1, {}};
+          inside ? code_.run(with_seeds(inputs), sample.parameters) : GeneratedCode::Result{1, {}};
       if (computed.failed != 0) return;
       generated = computed.outputs;
       std::vector<double> const original = original_->outputs_of(call);
@@ -325,6 +341,7 @@ private:
   SampleSource source_;
   ExactValues exact_;
   std::optional<ThreadVerification> threads_;
+  std::optional<DerivativeVerification> derivatives_;
   std::optional<Sample> timed_;      // the first within the premises and all guards
   std::optional<SingleRuns> single_; // of the sample that is tried, where the code is in single precision
   std::unique_ptr<Replay> original_, rewritten_, own_flags_, wrapped_;

@@ -1,6 +1,7 @@
 // The proof by samples: the original against the generated code, and against the rewritten text that was recorded.
 #pragma once
 
+#include "program/derivative_verification.h"
 #include "program/exact_values.h"
 #include "program/front.h"
 #include "program/generated_code.h"
@@ -88,6 +89,7 @@ struct Verification {
   std::optional<GuardMismatch> guard_mismatch; // the first of them
   std::optional<ThreadResult> threads;         // of code whose threads share an evaluation
   ExactJudgement exact;                        // of mode fast, beyond the tolerance
+  std::optional<DerivativeResult> derivatives; // of code that has some
 };
 
 // Adds what other samples of the same kernel and file have shown.

@@ -196,8 +196,11 @@ int run(CLI::App &command, Options &options, Session &session) {
     }
     console.stage("verifying");
     program::Recorded const &recorded = program::require_match(front->kernels, banner, generated[k]);
+    if (!options.shard.empty() && !banner.derivatives.empty())
+      fail(DiagnosticId::bad_option, {},
+           "--shard makes records that can be joined, and those of derivatives cannot: leave it out");
     program::VerificationOptions asked = options.verification;
-    asked.wrapper = !banner.is_single && has_wrapper(generated[k], recorded);
+    asked.wrapper = !banner.is_single && banner.derivatives.empty() && has_wrapper(generated[k], recorded);
     if (banner.is_single && options.tolerance->count() == 0 && !wanted) asked.tolerance = program::single_tolerance;
     if (!options.replay.empty()) asked.replayed = read_samples(options.replay, recorded.graph);
     program::Verification const verification = program::verify(*front, as, recorded, generated[k], banner, asked);

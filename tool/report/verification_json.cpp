@@ -3,6 +3,7 @@
 #include "graph/names.h"
 #include "support/files.h"
 #include "support/number.h"
+#include "tool/report/derivative_report.h"
 #include "tool/report/thread_report.h"
 #include "tool/report/verification_record.h"
 
@@ -324,6 +325,7 @@ Json to_json(VerificationRecord const &record) {
     json["decided_otherwise"] = verification.decided_otherwise;
     json["lost"] = verification.lost;
   }
+  if (verification.derivatives) json["derivatives"] = to_json(*verification.derivatives);
   if (verification.threads) json["parallel"] = to_json(*verification.threads);
   if (verification.exact.calls != 0) json["extended"] = exact_json(record.graph, verification.exact);
   json["rewritten_different"] = program::count_different(verification.rewritten);

@@ -3,6 +3,8 @@
 #include "graph/extended.h"
 #include "graph/names.h"
 #include "support/number.h"
+#include "tool/report/derivative_report.h"
+#include "tool/report/number_list.h"
 #include "tool/report/thread_report.h"
 
 #include <algorithm>
@@ -45,13 +47,6 @@ std::string ulp_column(Object const &object, std::vector<std::uint64_t> const &u
   return fmt::format("{:>22}", ulp_text(*std::max_element(first, first + object.count)));
 }
 
-std::string list(std::vector<double> const &values) {
-  constexpr std::size_t most = 16;
-  std::string text;
-  for (std::size_t i = 0; i < values.size() && i < most; ++i) text += (i ? ", " : "") + shortest(values[i]);
-  return values.size() > most ? text + ", ..." : text;
-}
-
 // Of the first object that differs, the element that is worst. `what` stands against the original.
 std::string first_difference(Graph const &graph, program::Verification const &verification,
                              std::vector<OutputComparison> const &outputs, std::string_view what) {
@@ -63,7 +58,7 @@ std::string first_difference(Graph const &graph, program::Verification const &ve
     OutputComparison const &worst = outputs[object.first + element];
     return fmt::format("{}: original {}, {} {}, {} ULP apart, inputs {}", element_name(names[i], object, element),
                        shortest(worst.original), what, shortest(worst.generated), ulp_text(worst.worst_ulp),
-                       list(verification.named.at(worst.worst_sample).inputs));
+                       number_list(verification.named.at(worst.worst_sample).inputs));
   }
   return {};
 }
@@ -200,7 +195,7 @@ std::string guard_difference(program::Verification const &verification) {
   return fmt::format("the original {}, the code returned {}, inputs {}",
                      mismatch.expected.empty() ? "decides as it did while it was recorded"
                                                : "does not satisfy the guard " + mismatch.expected,
-                     mismatch.found, list(verification.named.at(mismatch.sample).inputs));
+                     mismatch.found, number_list(verification.named.at(mismatch.sample).inputs));
 }
 
 // How many must lie inside. What a shard lacks others may have, and who asks for certain samples knows them.
@@ -249,6 +244,7 @@ void print_verification(std::ostream &out, Graph const &graph, program::Verifica
                different_elements(object, verification.outputs), ulp_column(object, verification.own_flags_ulp),
                ulp_column(object, verification.own_code_ulp));
   }
+  if (verification.derivatives) print_derivatives(out, *verification.derivatives);
 }
 
 std::optional<Diagnostic> verification_failure(Graph const &graph, program::Verification const &verification,
@@ -304,7 +300,7 @@ std::optional<Diagnostic> verification_failure(Graph const &graph, program::Veri
                       fmt::format("only {} samples can be compared in single precision, and {} are required: --tol {} "
                                   "asks for more than float holds of the others",
                                   verification.inside - lost, wanted, verification.tolerance)};
-  return {};
+  return verification.derivatives ? derivative_failure(*verification.derivatives, file) : std::nullopt;
 }
 
 } // namespace symreal::tool

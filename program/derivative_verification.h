@@ -1,0 +1,58 @@
+// Derivatives in generated code, against differences of the recorded graph: the original has none to compare with.
+#pragma once
+
+#include "differentiate/differences.h"
+#include "program/generated_code.h"
+#include "verify/samples.h"
+
+#include <span>
+
+namespace symreal::program {
+
+// What is known of one element after the samples so far.
+struct DerivativeElement {
+  std::size_t judged = 0, different = 0; // samples: with differences that are sharp, and off them
+  // Of the worst: how far off, relative to the larger of its magnitude and 1.
+  double error = 0, expected = 0, found = 0;
+  Sample worst = {};
+  // Samples at which it is not the number that the mode promises: that of the formulas before any pass. Of the first:
+  std::size_t broken = 0;
+  double promised = 0, given = 0;
+  Sample first_broken = {};
+};
+
+struct DerivativeResult {
+  std::vector<Object> objects; // that were added; their slots begin behind the original's
+  std::vector<DerivativeElement> elements;
+  std::size_t tried = 0, promised = 0; // samples, and those at which the mode promises equal numbers
+  double tolerance = 0;
+};
+
+class DerivativeVerification {
+public:
+  // Throws derivative_unverified for what cannot be checked at all: code in single precision, or that calls functions,
+  // and graphs that extended precision cannot evaluate. `recorded` outlives this.
+  DerivativeVerification(Graph const &recorded, std::string const &path, Banner const &banner, double tolerance);
+
+  // What is added to the original's inputs: the same for the same seed.
+  std::vector<double> with_seeds(std::vector<double> inputs) const;
+  // `found`: the outputs that are added, at a sample within the premises and all guards. After as many samples as time
+  // allows it does nothing.
+  void compare(Sample const &sample, std::span<double const> found);
+  DerivativeResult const &result() const { return result_; }
+
+private:
+  void compare_with_formulas(Sample const &sample, std::span<double const> values, std::span<double const> found);
+
+  Differences differences_;
+  Graph differentiated_; // the formulas before any pass; they also tell how much rounding costs at a sample
+  FloatingPoint mode_;
+  DerivativeResult result_;
+  std::vector<double> seeds_;
+  std::size_t most_ = 0; // samples
+};
+
+// Fewer judged samples than this, and an element counts as unverified: half of those tried, if these are fewer.
+inline constexpr std::size_t least_judged = 10;
+
+} // namespace symreal::program

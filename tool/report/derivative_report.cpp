@@ -1,0 +1,121 @@
+#include "tool/report/derivative_report.h"
+
+#include "graph/names.h"
+#include "support/number.h"
+#include "tool/report/number_list.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <fmt/ostream.h>
+#include <nlohmann/json.hpp>
+#include <span>
+#include <tuple>
+
+namespace symreal::tool {
+namespace {
+
+using Element = program::DerivativeElement;
+using Result = program::DerivativeResult;
+
+std::size_t first_of(Result const &result, Object const &object) { return object.first - result.objects.front().first; }
+
+std::string name_of(Result const &result, std::size_t k) {
+  std::size_t const slot = result.objects.front().first + k;
+  return *element_name(result.objects, static_cast<std::uint32_t>(slot));
+}
+
+// The element that is farthest off: of those that differ, if some do.
+std::size_t worst_of(Result const &result, Object const &object) {
+  std::size_t const first = first_of(result, object);
+  auto key = [&](std::size_t k) {
+    Element const &element = result.elements[k];
+    return std::tuple(element.different != 0, element.broken != 0, std::isnan(element.error), element.error);
+  };
+  std::size_t worst = first;
+  for (std::size_t k = first; k < first + object.count; ++k)
+    if (key(k) > key(worst)) worst = k;
+  return worst;
+}
+
+std::string count_of(Result const &result, std::size_t Element::*samples) {
+  auto const is_meant = [&](Element const &element) { return element.*samples != 0; };
+  return fmt::format("{} of {} elements of derivatives", std::ranges::count_if(result.elements, is_meant),
+                     result.elements.size());
+}
+
+Diagnostic mismatch(std::string const &file, std::string message, std::string note) {
+  return {DiagnosticId::verification_mismatch, {file}, std::move(message), {{{}, std::move(note)}}};
+}
+
+std::optional<Diagnostic> off_differences(Result const &result, std::string const &file) {
+  for (Object const &object : result.objects) {
+    std::size_t const worst = worst_of(result, object);
+    Element const &element = result.elements[worst];
+    if (element.different != 0)
+      return mismatch(file, count_of(result, &Element::different) + " differ from differences of the original",
+                      fmt::format("{}: differences give {}, generated {}, inputs {}", name_of(result, worst),
+                                  shortest(element.expected), shortest(element.found),
+                                  number_list(element.worst.inputs)));
+  }
+  return {};
+}
+
+std::optional<Diagnostic> off_formulas(Result const &result, std::string const &file) {
+  auto const broken = std::ranges::find_if(result.elements, [](Element const &element) { return element.broken != 0; });
+  if (broken == result.elements.end()) return {};
+  auto const k = static_cast<std::size_t>(broken - result.elements.begin());
+  return mismatch(file, count_of(result, &Element::broken) + " differ from their formulas before any pass",
+                  fmt::format("{}: the formulas give {}, generated {}, inputs {}", name_of(result, k),
+                              shortest(broken->promised), shortest(broken->given),
+                              number_list(broken->first_broken.inputs)));
+}
+
+} // namespace
+
+void print_derivatives(std::ostream &out, Result const &result) {
+  fmt::print(out, "  {:<28}{:>10}{:>22}{:>12}{:>16}\n", "derivative", "elements", "worst relative error", "different",
+             "samples judged");
+  for (Object const &object : result.objects) {
+    std::size_t const worst = worst_of(result, object);
+    auto const elements = std::span(result.elements).subspan(first_of(result, object), object.count);
+    auto const is_wrong = [](Element const &element) { return element.different != 0 || element.broken != 0; };
+    auto const least = std::ranges::min_element(elements, {}, &Element::judged);
+    fmt::print(out, "  {:<28}{:>10}{:>22.1e}{:>12}{:>16}\n", name_of(result, worst), object.count,
+               result.elements[worst].error, std::ranges::count_if(elements, is_wrong),
+               fmt::format("{} of {}", least->judged, result.tried));
+  }
+}
+
+nlohmann::ordered_json to_json(Result const &result) {
+  nlohmann::ordered_json json = {{"samples", result.tried},
+                                 {"samples_compared_with_formulas", result.promised},
+                                 {"tolerance", result.tolerance},
+                                 {"elements", nlohmann::ordered_json::array()}};
+  for (std::size_t k = 0; k < result.elements.size(); ++k) {
+    Element const &element = result.elements[k];
+    json["elements"].push_back(
+        {{"name", name_of(result, k)},
+         {"judged", element.judged},
+         {"different", element.different},
+         {"different_from_formulas", element.broken},
+         {"worst_relative_error", std::isfinite(element.error) ? nlohmann::ordered_json(element.error)
+                                                               : nlohmann::ordered_json(shortest(element.error))}});
+  }
+  return json;
+}
+
+std::optional<Diagnostic> derivative_failure(Result const &result, std::string const &file) {
+  if (std::optional<Diagnostic> failure = off_differences(result, file)) return failure;
+  if (std::optional<Diagnostic> failure = off_formulas(result, file)) return failure;
+  std::size_t const wanted = std::min(program::least_judged, std::max<std::size_t>(result.tried / 2, 1));
+  for (std::size_t k = 0; k < result.elements.size(); ++k)
+    if (result.elements[k].judged < wanted)
+      return Diagnostic{DiagnosticId::derivative_unverified,
+                        {file},
+                        fmt::format("{} can be checked on {} of {} samples, and {} are required", name_of(result, k),
+                                    result.elements[k].judged, result.tried, wanted)};
+  return {};
+}
+
+} // namespace symreal::tool

@@ -1,0 +1,11 @@
+// The inputs of a sample in a message: the first 16.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace symreal::tool {
+
+std::string number_list(std::vector<double> const &values);
+
+} // namespace symreal::tool
