@@ -32,7 +32,15 @@ void add_columns(DerivativeRequest const &request, PointDifferences const &point
     for (SharpVector const &column : columns) result.push_back(column[row]);
 }
 
-// Of directions u and v the derivative is half of what u + v has more than both, and less sharp where these are large.
+// What u + v has more than u and v, unless these are so large that the rest is not sharp.
+SharpNumber mixed(SharpNumber const &whole, SharpNumber const &one, SharpNumber const &other, long double scale) {
+  if (!whole || !one || !other) return {};
+  long double const rest = *whole - *one - *other;
+  long double const parts = std::max({std::abs(*whole), std::abs(*one), std::abs(*other)});
+  return parts > most_cancelled * std::max(scale, std::abs(rest)) ? std::nullopt : SharpNumber(rest);
+}
+
+// Of directions u and v the derivative is half of what u + v has more than both.
 void add_hessian(DerivativeRequest const &request, PointDifferences const &point, SharpVector &result) {
   std::vector<std::uint32_t> const &slots = request.input_slots;
   std::uint32_t const row = request.output_slots[0];
@@ -48,12 +56,7 @@ void add_hessian(DerivativeRequest const &request, PointDifferences const &point
       if (i != j) {
         Vector both = unit(point, slots[i], point.scale(slots[i]));
         both[slots[j]] = point.scale(slots[j]);
-        SharpNumber const whole = along(both);
-        element = sum(sum(whole, diagonal[i], -1), diagonal[j], -1);
-        if (element) {
-          long double const parts = std::max({std::abs(*whole), std::abs(*diagonal[i]), std::abs(*diagonal[j])});
-          if (parts > most_cancelled * std::max(2 * scales, std::abs(*element))) element = std::nullopt;
-        }
+        element = mixed(along(both), diagonal[i], diagonal[j], 2 * scales);
       }
       if (element) *element /= i == j ? scales : 2 * scales;
       result[first + i * count + j] = result[first + j * count + i] = element;

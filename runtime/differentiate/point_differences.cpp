@@ -52,7 +52,7 @@ private:
 
 } // namespace
 
-std::size_t const PointDifferences::evaluations = 2 * (levels + perturbations);
+std::size_t const PointDifferences::evaluations = 2 * std::size_t{levels + perturbations};
 
 PointDifferences::PointDifferences(Graph const &graph, std::span<double const> inputs,
                                    std::span<double const> parameters, double tolerance)
@@ -61,7 +61,8 @@ PointDifferences::PointDifferences(Graph const &graph, std::span<double const> i
       parameters_(parameters),
       tolerance_(tolerance / 16),
       values_(evaluate(graph, inputs, parameters)),
-      middle_(evaluate_extended(graph, std::span<long double const>(inputs_), parameters, values_)) {}
+      middle_(evaluate_extended(graph, std::span<long double const>(inputs_), parameters, values_).value_or(Vector())) {
+}
 
 std::vector<SharpNumber> PointDifferences::along(Vector const &direction, int order) const {
   std::size_t const count = graph_.results.size();
@@ -77,8 +78,8 @@ std::vector<SharpNumber> PointDifferences::along(Vector const &direction, int or
     }
     long double const step = pair.step;
     for (std::size_t k = 0; k < count; ++k) {
-      long double const high = (*pair.high)[k], low = (*pair.low)[k];
-      long double const second = high - 2 * (*middle_)[k] + low;
+      long double const high = pair.high[k], low = pair.low[k];
+      long double const second = high - 2 * middle_[k] + low;
       if (order == 1)
         numbers[k].add((high - low) / (2 * step), noise[k] / step);
       else
@@ -99,7 +100,7 @@ long double PointDifferences::scale(std::uint32_t slot) const { return std::max(
 
 bool PointDifferences::Neighbours::are_finite() const {
   auto const is_finite = [](long double number) { return std::isfinite(number); };
-  return high && low && std::ranges::all_of(*high, is_finite) && std::ranges::all_of(*low, is_finite);
+  return !high.empty() && !low.empty() && std::ranges::all_of(high, is_finite) && std::ranges::all_of(low, is_finite);
 }
 
 long double PointDifferences::first_step(Vector const &direction) const {
@@ -112,16 +113,16 @@ long double PointDifferences::first_step(Vector const &direction) const {
 std::vector<PointDifferences::Neighbours> PointDifferences::neighbours_along(Vector const &direction) const {
   std::vector<Neighbours> all;
   long double step = first_step(direction);
-  for (int level = 0; middle_ && level < levels; ++level, step /= 4)
+  for (int level = 0; !middle_.empty() && level < levels; ++level, step /= 4)
     all.push_back({step, moved(direction, step), moved(direction, -step)});
   return all;
 }
 
-std::optional<Vector> PointDifferences::moved(Vector const &direction, long double step,
-                                              std::uint64_t perturbation) const {
+Vector PointDifferences::moved(Vector const &direction, long double step, std::uint64_t perturbation) const {
   Vector at = inputs_;
   for (std::size_t k = 0; k < at.size(); ++k) at[k] += step * direction[k];
-  return evaluate_extended(graph_, std::span<long double const>(at), parameters_, values_, perturbation);
+  return evaluate_extended(graph_, std::span<long double const>(at), parameters_, values_, perturbation)
+      .value_or(Vector());
 }
 
 // How far rounding moves each output, from results that are moved by as much.
@@ -129,9 +130,10 @@ Vector PointDifferences::noise_beside(Vector const &direction, Neighbours const 
   Vector noise(graph_.results.size(), 0);
   for (auto const &[side, step] : {std::pair(&pair.high, pair.step), std::pair(&pair.low, -pair.step)})
     for (std::uint64_t perturbation = 1; perturbation <= perturbations; ++perturbation) {
-      std::optional<Vector> const other = moved(direction, step, perturbation);
+      Vector const other = moved(direction, step, perturbation);
       for (std::size_t k = 0; k < noise.size(); ++k) {
-        long double const seen = *side && other ? most_noise * std::abs((*other)[k] - (**side)[k]) : unknown;
+        long double const seen =
+            side->empty() || other.empty() ? unknown : most_noise * std::abs(other[k] - (*side)[k]);
         noise[k] = seen <= noise[k] ? noise[k] : std::isnan(seen) ? unknown : seen;
       }
     }

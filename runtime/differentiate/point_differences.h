@@ -32,17 +32,17 @@ public:
   static std::size_t const evaluations;
 
 private:
-  // The outputs on both sides of the point.
+  // The outputs on both sides of the point; empty where a decision falls otherwise.
   struct Neighbours {
     long double step;
-    std::optional<Vector> high, low;
+    Vector high, low;
 
     bool are_finite() const;
   };
 
   long double first_step(Vector const &direction) const;
   std::vector<Neighbours> neighbours_along(Vector const &direction) const;
-  std::optional<Vector> moved(Vector const &direction, long double step, std::uint64_t perturbation = 0) const;
+  Vector moved(Vector const &direction, long double step, std::uint64_t perturbation = 0) const;
   Vector noise_beside(Vector const &direction, Neighbours const &pair) const;
 
   Graph const &graph_;
@@ -50,7 +50,7 @@ private:
   std::span<double const> parameters_;
   long double tolerance_;
   std::vector<double> values_;
-  std::optional<Vector> middle_;
+  Vector middle_; // as high and low
 };
 
 } // namespace symreal
