@@ -1,4 +1,5 @@
-// Pinocchio's analytic derivatives on the robot of inputs/chain, as a contender: the function, then its Jacobian in q and qd.
+// Pinocchio's analytic derivatives on the robot of inputs/chain, as a contender: the function, then its Jacobian in q
+// and qd.
 #include <pinocchio/algorithm/aba-derivatives.hpp>
 #include <pinocchio/algorithm/rnea-derivatives.hpp>
 #include <pinocchio/multibody.hpp>

@@ -65,8 +65,8 @@ public:
   // What is baked in. Reports state that was written and is no output, and makes its numbers ordinary again.
   // `kernel`: its place.
   std::vector<Frozen> end(Place const &kernel = {});
-  // Of a program that tells nothing of what it reads and writes: nothing is reported, the numbers in all that has changed
-  // are ordinary again.
+  // Of a program that tells nothing of what it reads and writes: nothing is reported, the numbers in all that has
+  // changed are ordinary again.
   void end_untold();
 
 private:
