@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <charconv>
 #include <fmt/format.h>
+#include <map>
 #include <string_view>
+#include <tuple>
 
 namespace symreal::program {
 namespace {
 
-constexpr std::string_view policy = "explore:", zeros = ":zeros";
+constexpr std::string_view explores = "explore:", selects = "auto:", zeros = ":zeros";
 
 RecordedPath recorded_path(PathRun run) {
   RecordedPath path{std::move(*run.graph), {}, run.events.is_cut_off};
@@ -93,6 +95,7 @@ std::optional<Graph> explore(std::size_t kernel, Place const &place, ExploreBoun
   exploration.selects = tree.selects();
   exploration.open = tree.open_branches();
   exploration.zeros = tree.assumed();
+  exploration.explored = tree.decided_at();
   exploration.guards = graph.guards.size();
   return graph;
 }
@@ -121,18 +124,44 @@ std::vector<Diagnostic> open_branches(rewrite::Kernel const &kernel, Exploration
   return {std::move(warning)};
 }
 
+std::vector<DecidedPlace> decided_places(Graph const &graph, std::vector<Place> const &explored) {
+  auto const order = [](Place const &a, Place const &b) {
+    return std::tie(a.file, a.line, a.column) < std::tie(b.file, b.line, b.column);
+  };
+  std::map<Place, DecidedPlace, decltype(order)> all(order);
+  auto const at = [&](LocationId location) -> DecidedPlace * {
+    if (location == no_location || graph.locations[location].places.empty()) return nullptr;
+    return &all[graph.locations[location].places.front()];
+  };
+  for (Place const &place : explored) all[place].is_explored = true;
+  for (Guard const &guard : graph.guards)
+    if (DecidedPlace *const place = at(guard.location)) place->is_guarded = true;
+  for (std::size_t id = 0; id < graph.node_location.size(); ++id) // those between paths stand where these part
+    if (DecidedPlace *const place = graph.nodes[id].op == Op::select ? at(graph.node_location[id]) : nullptr)
+      place->is_selected = !place->is_explored;
+  std::vector<DecidedPlace> places;
+  for (auto &[place, decided] : all) {
+    decided.place = place;
+    if (decided.is_selected || decided.is_explored || decided.is_guarded) places.push_back(decided);
+  }
+  return places;
+}
+
 std::optional<ExploreBounds> explore_bounds(std::string const &decisions) {
-  if (!decisions.starts_with(policy)) return std::nullopt;
   ExploreBounds bounds;
+  bounds.selects = decisions.starts_with(selects);
+  if (!bounds.selects && !decisions.starts_with(explores)) return std::nullopt;
   char const *const end = decisions.data() + decisions.size();
-  char const *const colon = std::from_chars(decisions.data() + policy.size(), end, bounds.paths).ptr;
+  char const *const numbers = decisions.data() + (bounds.selects ? selects : explores).size();
+  char const *const colon = std::from_chars(numbers, end, bounds.paths).ptr;
   if (colon != end) std::from_chars(colon + 1, end, bounds.depth);
   bounds.zeros = decisions.ends_with(zeros);
   return bounds;
 }
 
 std::string explore_policy(ExploreBounds const &bounds) {
-  return fmt::format("{}{}:{}{}", policy, bounds.paths, bounds.depth, bounds.zeros ? zeros : "");
+  return fmt::format("{}{}:{}{}", bounds.selects ? selects : explores, bounds.paths, bounds.depth,
+                     bounds.zeros ? zeros : "");
 }
 
 } // namespace symreal::program

@@ -17,7 +17,14 @@ namespace symreal::program {
 struct ExploreBounds {
   std::size_t paths = 128; // of a kernel
   std::size_t depth = 64;  // decisions on a path
+  bool selects = false;    // where the source allows it there is a select, and no paths: policy auto
   bool zeros = false;      // tests for exact zero are decisions as any
+};
+
+// What became of the decisions at one place of the source.
+struct DecidedPlace {
+  Place place;
+  bool is_selected = false, is_explored = false, is_guarded = false;
 };
 
 // What became of a kernel's decisions.
@@ -33,6 +40,8 @@ struct Exploration {
   std::size_t zeros = 0;    // tests for exact zero that are taken as not met: a guard each
   std::size_t guards = 0;   // these, and those that pragmas ask for
   bool paths_left = false;  // beyond the number of paths
+  std::vector<std::vector<std::uint64_t>> explored = {}; // where the program decides, as addresses
+  std::vector<DecidedPlace> places = {};                 // under policy auto
 
   // Whether the graph is right wherever the program may go, but for exact zeros and guards that pragmas ask for.
   bool is_complete() const { return open == 0 && beyond == 0; }
@@ -60,7 +69,11 @@ std::optional<Graph> explore(std::size_t kernel, Place const &place, ExploreBoun
 std::vector<Diagnostic> open_branches(rewrite::Kernel const &kernel, Exploration const &exploration,
                                       ExploreBounds const &bounds);
 
-// What --decisions has said, with the bounds: "explore:128:64", "explore:128:64:zeros". Nothing for another policy.
+// In the order of the source, once the graph's locations are places. `explored`: where paths part.
+std::vector<DecidedPlace> decided_places(Graph const &graph, std::vector<Place> const &explored);
+
+// What --decisions has said, with the bounds: "explore:128:64", "explore:128:64:zeros", "auto:128:64". Nothing for
+// another policy.
 std::optional<ExploreBounds> explore_bounds(std::string const &decisions);
 std::string explore_policy(ExploreBounds const &bounds);
 

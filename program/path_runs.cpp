@@ -14,7 +14,8 @@ Command recording_command(std::string const &executable, RunOptions const &optio
                   .standard_input = options.standard_input,
                   .time_limit = options.time_limit};
   command.arguments.insert(command.arguments.end(), options.arguments.begin(), options.arguments.end());
-  std::string const policy = explore_bounds(options.decisions) ? "explore" : options.decisions;
+  std::optional<ExploreBounds> const bounds = explore_bounds(options.decisions);
+  std::string const policy = !bounds ? options.decisions : bounds->selects ? "auto" : "explore";
   command.environment = {"SYMREAL_RECORD=" + directory, "SYMREAL_DECISIONS=" + policy,
                          "SYMREAL_FP=" + options.floating_point,
                          options.places ? "SYMREAL_PLACES=1" : "SYMREAL_PLACES=0"};

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <bit>
 #include <cstring>
+#include <set>
 
 namespace symreal::program {
 namespace {
@@ -146,6 +147,16 @@ std::optional<Outcomes> PathTree::next() const {
     return outcomes;
   }
   return std::nullopt;
+}
+
+std::vector<std::vector<std::uint64_t>> PathTree::decided_at() const {
+  std::set<LocationId> locations;
+  for (Node const &node : tree_)
+    if (node.condition != no_node && !node.is_assumed) locations.insert(node.location);
+  std::vector<std::vector<std::uint64_t>> at;
+  for (auto const &[addresses, location] : locations_)
+    if (locations.contains(location)) at.push_back(addresses);
+  return at;
 }
 
 NodeId PathTree::record(Op op, NodeId a, NodeId b, NodeId c, LocationId location) {

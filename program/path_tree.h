@@ -46,6 +46,8 @@ public:
   // After `merge`: the selects between paths, and the branches that are open.
   std::size_t selects() const { return selects_; }
   std::size_t open_branches() const { return open_branches_; }
+  // Where the program decides, each once, but for what is assumed.
+  std::vector<std::vector<std::uint64_t>> decided_at() const;
   // Those whose other side was not to be tried, which are not counted among these.
   std::size_t assumed() const { return assumed_; }
 

@@ -42,11 +42,10 @@ std::vector<Note> read_notes(Frozen const &state, FrozenRead const &read, Symbol
   return notes;
 }
 
-// What comes from outside of the program is met where the program calls for it.
-Place own_place(FrozenRead const &read, Symbolizer &symbolizer) {
-  for (Frame const &frame : symbolizer.frames(read.addresses))
+std::optional<Place> own_place(std::vector<std::uint64_t> const &addresses, Symbolizer &symbolizer) {
+  for (Frame const &frame : symbolizer.frames(addresses))
     if (frame.rewritten) return frame.place;
-  return {};
+  return std::nullopt;
 }
 
 void locate_frozen(Recorded &recorded, std::vector<FrozenRead> const &reads, Symbolizer &symbolizer) {
@@ -57,7 +56,9 @@ void locate_frozen(Recorded &recorded, std::vector<FrozenRead> const &reads, Sym
              !met.contains(&one);
     });
     if (read != reads.end()) met.insert(&*read);
-    if (read != reads.end() && state.place.file.empty()) state.place = own_place(*read, symbolizer);
+    // What comes from outside of the program is met where the program calls for it.
+    if (read != reads.end() && state.place.file.empty())
+      state.place = own_place(read->addresses, symbolizer).value_or(Place());
     recorded.frozen_reads.push_back(read == reads.end() ? std::vector<Note>() : read_notes(state, *read, symbolizer));
   }
 }
@@ -156,6 +157,16 @@ std::vector<rewrite::Kernel> kernels_of(Events const &events) {
     kernels.back().output_file = recorded.output_file;
   }
   return kernels;
+}
+
+// Under policy auto, of a kernel that needed no exploration as well.
+void tell_places(Graph const &graph, Symbolizer &symbolizer, std::optional<Exploration> &exploration) {
+  if (!exploration) exploration.emplace().paths = 1;
+  exploration->guards = graph.guards.size();
+  std::vector<Place> explored;
+  for (std::vector<std::uint64_t> const &addresses : exploration->explored)
+    if (std::optional<Place> const place = own_place(addresses, symbolizer)) explored.push_back(*place);
+  exploration->places = decided_places(graph, explored);
 }
 
 bool is_same_place(Diagnostic const &a, Diagnostic const &b) {
@@ -260,6 +271,7 @@ Recording record(std::string const &executable, RunOptions const &options, rewri
         add_news(open_branches(kernel, *exploration, *bounds), recording.diagnostics);
       }
       resolve(graph, symbolizer);
+      if (bounds && bounds->selects) tell_places(graph, symbolizer, exploration);
       say_in_words_of_source(graph, texts);
       graph.decisions = options.decisions;
       name_nodes(graph, rewritten.names);

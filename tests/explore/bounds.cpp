@@ -37,7 +37,7 @@
 // RUN: %symreal generate %s -o %t/configured.c --kernel wide --config c.yaml && tail -n +7 %t/wide.c > %t/wide
 // RUN: tail -n +7 %t/configured.c | sed s/configured/wide/ | diff - %t/wide
 // RUN: not %symreal generate %s -o %t/none.c --max-paths=6 2>&1 | FileCheck %s --check-prefix=NONE
-// NONE: error: --max-paths has no effect without --decisions=explore [SYM010]
+// NONE: error: --max-paths has no effect without --decisions=explore or auto [SYM010]
 #include <cstdio>
 
 #pragma symreal function input(x) range(0, 100) output(return)

@@ -5,7 +5,7 @@
 // RUN: FileCheck %s < %t/table
 // CHECK-NOT: warning
 // CHECK: kernel mixed:
-// CHECK: explored 3 paths, 2 selects between them; complete but for the guards of pragmas
+// CHECK: explored 3 paths, 2 selects between them; complete but for the guards of pragmas and conversions
 // CHECK-NEXT: guard 1 pragmas.cpp:[[#@LINE+25]]:5: y < 1.5 where x > 0
 // CHECK-NEXT: guard 2 pragmas.cpp:[[#@LINE+30]]:10: f > 0.3{{$}}
 // CHECK-NOT: guard {{[0-9]}}

@@ -14,6 +14,7 @@ struct DecisionsOption {
   program::ExploreBounds bounds;
   CLI::Option const *max_paths = nullptr, *max_depth = nullptr, *zero_tests = nullptr;
 
+  bool is_exploring() const { return policy == "explore" || policy == "auto"; }
   void add_to(CLI::App &app);
   // Throws bad_option, option_without_effect.
   void require_sense() const;

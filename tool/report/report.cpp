@@ -7,6 +7,7 @@
 #include "tool/report/source_lines.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <fmt/format.h>
 #include <fmt/ostream.h>
 #include <nlohmann/json.hpp>
@@ -76,11 +77,20 @@ void print_gain(std::ostream &out, Graph const &graph) {
       after, before);
 }
 
+// In words.
+std::string became(program::DecidedPlace const &decision) {
+  std::string text;
+  for (auto const &[is_so, word] :
+       {std::pair(decision.is_selected, "select"), {decision.is_explored, "paths"}, {decision.is_guarded, "guard"}})
+    if (is_so) text += (text.empty() ? "" : " and ") + std::string(word);
+  return text;
+}
+
 char const *completeness(program::Exploration const &exploration) {
   if (!exploration.is_complete()) return "not complete: see the guards";
   if (exploration.guards == 0) return "complete: no guards";
   return exploration.zeros != 0 ? "complete but for exact zeros: see the guards"
-                                : "complete but for the guards of pragmas";
+                                : "complete but for the guards of pragmas and conversions";
 }
 
 void print_exploration(std::ostream &out, program::Exploration const &exploration) {
@@ -92,17 +102,28 @@ void print_exploration(std::ostream &out, program::Exploration const &exploratio
   if (exploration.zeros != 0)
     fmt::print(out, "                 {} test{} for exact zero taken as not met\n", exploration.zeros,
                exploration.zeros == 1 ? "" : "s");
+  for (program::DecidedPlace const &one : exploration.places)
+    fmt::print(out, "  decision        {}:{}:{}: {}\n", std::filesystem::path(one.place.file).filename().string(),
+               one.place.line, one.place.column, became(one));
   if (exploration.cut_off + exploration.ended + exploration.late != 0)
     fmt::print(out, "                 {} cut off by the depth, {} ended by the program, {} not in time\n",
                exploration.cut_off, exploration.ended, exploration.late);
 }
 
 Json to_json(program::Exploration const &exploration) {
-  return {{"paths", exploration.paths},           {"selects", exploration.selects},
-          {"followed", exploration.followed},     {"cut_off", exploration.cut_off},
-          {"ended", exploration.ended},           {"late", exploration.late},
-          {"zeros", exploration.zeros},           {"more_paths", exploration.paths_left},
-          {"complete", exploration.is_complete()}};
+  Json json = {{"paths", exploration.paths},           {"selects", exploration.selects},
+               {"followed", exploration.followed},     {"cut_off", exploration.cut_off},
+               {"ended", exploration.ended},           {"late", exploration.late},
+               {"zeros", exploration.zeros},           {"more_paths", exploration.paths_left},
+               {"complete", exploration.is_complete()}};
+  for (program::DecidedPlace const &one : exploration.places)
+    json["decisions"].push_back({{"file", one.place.file},
+                                 {"line", one.place.line},
+                                 {"column", one.place.column},
+                                 {"select", one.is_selected},
+                                 {"paths", one.is_explored},
+                                 {"guard", one.is_guarded}});
+  return json;
 }
 
 // Numbered as `compute` returns them.

@@ -57,7 +57,7 @@ template <class C, class Yes, class No>
     static_assert(std::is_constructible_v<Result, YesArm> && std::is_constructible_v<Result, NoArm>,
                   "symreal: only numbers can be chosen symbolically");
     SymbolicBool const chosen(symreal_truth(condition));
-    if (!chosen.is_symbolic() || decisions() != Decisions::select) {
+    if (!chosen.is_symbolic() || !detail::selects()) {
       if (chosen) return Result(yes());
       return Result(no());
     }
@@ -233,7 +233,7 @@ public:
       outcome_ = static_cast<bool>(condition);
     } else {
       condition_ = symreal_truth(condition);
-      is_select_ = condition_.is_symbolic() && decisions() == Decisions::select;
+      is_select_ = condition_.is_symbolic() && detail::selects();
       if (is_select_) collect(targets_);
       is_select_ = is_select_ && !targets_.has_others();
       if (!is_select_) outcome_ = static_cast<bool>(condition_);

@@ -11,6 +11,7 @@ enum class Decisions {
   guard,   // the path taken is recorded with its conditions
   select,  // both arms are recorded where the source allows it; elsewhere as error
   explore, // one path, which the driver chooses among all: it runs the program once for each
+  best,    // select where the source allows it, elsewhere explore, and guard what has no paths: conversions
   carry, // the carried value is taken, and the place noted: the word of a pragma that no output depends on the outcome
 };
 

@@ -71,7 +71,7 @@ extern __thread std::uint64_t executed[static_cast<unsigned>(Op::count)];
 [[gnu::noinline]] double convert(RealNumber x) noexcept;
 // The program computes x by a function that may set errno.
 [[gnu::noinline]] void may_set_error(RealNumber x) noexcept;
-// Whether truth values become numbers without a decision.
+// Whether both arms of a decision are recorded where the source allows it, and truth values become numbers without one.
 bool selects() noexcept;
 
 template <class> inline constexpr bool is_symbolic_int = false;

@@ -89,7 +89,8 @@ static void report(std::string const &decision) {
 bool decide(RealNumber condition) noexcept {
   double value = Pool::current().carried_value(condition);
   if (trace::is_missing(value)) require_value(value, "the decision on " + trace::describe(condition));
-  if (decisions() == Decisions::explore) return trace::ExploredPath::current().decide(condition, value != 0);
+  if (decisions() == Decisions::explore || decisions() == Decisions::best)
+    return trace::ExploredPath::current().decide(condition, value != 0);
   if (decisions() == Decisions::guard)
     trace::Guards::current().add(SymbolicBool::from_condition(condition), value != 0);
   else
@@ -97,11 +98,14 @@ bool decide(RealNumber condition) noexcept {
   return value != 0;
 }
 
+// Of a conversion: it has too many outcomes for a path each.
+static bool is_guarded() { return decisions() == Decisions::guard || decisions() == Decisions::best; }
+
 static std::string conversion(RealNumber x) { return "the conversion of " + trace::describe(x); }
 
 double convert_to_integer(RealNumber x) noexcept {
   double value = needed_value(x);
-  if (decisions() == Decisions::guard)
+  if (is_guarded())
     trace::Guards::current().add(trunc(x) == RealNumber(std::trunc(value)),
                                  conversion(x) + std::string(guard_gives) + shortest(std::trunc(value)));
   else
@@ -111,7 +115,7 @@ double convert_to_integer(RealNumber x) noexcept {
 
 std::uint64_t convert_wide(RealNumber integer) noexcept {
   double const value = needed_value(integer);
-  if (decisions() == Decisions::guard)
+  if (is_guarded())
     trace::Guards::current().add(wide_equal(integer64_of_bits(integer), integer64(bits(value))),
                                  conversion(integer) + std::string(guard_gives) +
                                      std::to_string(static_cast<std::int64_t>(bits(value))));

@@ -19,8 +19,9 @@ static Decisions program_policy() {
     char const *text = std::getenv("SYMREAL_DECISIONS");
     if (text && std::strcmp(text, "guard") == 0) return Decisions::guard;
     if (text && std::strcmp(text, "select") == 0) return Decisions::select;
-    if (text && std::strcmp(text, "explore") == 0) {
-      if (trace::ExploredPath::is_asked_for()) return Decisions::explore;
+    bool const is_best = text && std::strcmp(text, "auto") == 0;
+    if (is_best || (text && std::strcmp(text, "explore") == 0)) {
+      if (trace::ExploredPath::is_asked_for()) return is_best ? Decisions::best : Decisions::explore;
       trace::report(
           {DiagnosticId::explore_by_hand, {}, "one run of a program explores nothing: each decision is an error"});
     }
@@ -33,7 +34,10 @@ Decisions decisions() noexcept {
   return scoped_policy == as_the_program ? program_policy() : static_cast<Decisions>(scoped_policy);
 }
 
-bool detail::selects() noexcept { return decisions() == Decisions::select; }
+bool detail::selects() noexcept {
+  Decisions const policy = decisions();
+  return policy == Decisions::select || policy == Decisions::best;
+}
 
 DecisionScope::DecisionScope(Decisions policy) noexcept : before_(scoped_policy) {
   scoped_policy = static_cast<int>(policy);
