@@ -73,10 +73,11 @@ void DerivativeVerification::compare(Sample const &sample, std::span<double cons
   std::vector<SharpNumber> const expected = differences_.at(inputs, sample.parameters, result_.tolerance);
   std::size_t const first = exact->size() - expected.size();
   for (std::size_t k = 0; k < expected.size(); ++k) {
-    if (!expected[k]) continue;
+    SharpNumber const &sharp = expected[k];
+    if (!sharp) continue;
     DerivativeElement &element = result_.elements[k];
     ++element.judged;
-    auto const wanted = static_cast<double>(*expected[k]);
+    auto const wanted = static_cast<double>(*sharp);
     double const scale = std::max(1.0, std::abs(wanted));
     double const rounding =
         std::abs(static_cast<double>(values[differentiated_.results[first + k]] - (*exact)[first + k]));

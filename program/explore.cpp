@@ -12,9 +12,9 @@ namespace {
 
 constexpr std::string_view explores = "explore:", selects = "auto:", zeros = ":zeros";
 
-RecordedPath recorded_path(PathRun run) {
-  RecordedPath path{std::move(*run.graph), {}, run.events.is_cut_off};
-  for (DecidedEvent &one : run.events.decided)
+RecordedPath recorded_path(Graph graph, Events const &events) {
+  RecordedPath path{std::move(graph), {}, events.is_cut_off};
+  for (DecidedEvent const &one : events.decided)
     path.steps.push_back({static_cast<NodeId>(one.condition), one.outcome, one.is_assumed, one.text, one.addresses});
   return path;
 }
@@ -76,20 +76,21 @@ std::optional<Graph> explore(std::size_t kernel, Place const &place, ExploreBoun
       if (!run) return std::nullopt;
       if (!run->graph) fail_to_repeat(place);
     }
-    if (run->graph->last_effect != no_node && !run->events.decided.empty())
+    Graph &graph = *run->graph;
+    if (graph.last_effect != no_node && !run->events.decided.empty())
       fail(DiagnosticId::effect_on_path, place,
            fmt::format("the kernel decides on values and calls '{}', which has an effect",
-                       std::ranges::find(run->graph->externals, false, &External::pure)->name));
+                       std::ranges::find(graph.externals, false, &External::pure)->name));
     bool const is_cut_off = run->events.is_cut_off;
-    if (tried == 0) first = without_nodes(*run->graph);
-    require_same_interface(first, *run->graph, is_cut_off, place);
+    if (tried == 0) first = without_nodes(graph);
+    require_same_interface(first, graph, is_cut_off, place);
     ++(is_late      ? exploration.late
        : has_ended  ? exploration.ended
        : is_cut_off ? exploration.cut_off
                     : exploration.paths);
     exploration.followed += run->events.followed;
     exploration.beyond += run->events.beyond;
-    if (!tree.add(recorded_path(std::move(*run)))) fail_to_repeat(place);
+    if (!tree.add(recorded_path(std::move(graph), run->events))) fail_to_repeat(place);
   }
   Graph graph = tree.merge();
   exploration.selects = tree.selects();

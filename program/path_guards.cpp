@@ -55,11 +55,12 @@ NodeId PathTree::asked_at_root(Needed const &needed) {
   for (std::size_t at : needed.at) asked[at] = needed.guard.condition;
   for (auto &[at, here] : asked) {
     if (here != no_node) continue;
+    Node const &decision = tree_[at];
     auto const below = [&](bool outcome) {
-      auto const found = asked.find(tree_[at].branches[outcome]);
+      auto const found = asked.find(decision.branches[outcome]);
       return found == asked.end() ? no_node : found->second;
     };
-    here = asked_at(tree_[at], below(true), below(false));
+    here = asked_at(decision, below(true), below(false));
   }
   return asked.rbegin()->second;
 }

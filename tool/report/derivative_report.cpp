@@ -22,7 +22,7 @@ std::size_t first_of(Result const &result, Object const &object) { return object
 
 std::string name_of(Result const &result, std::size_t k) {
   std::size_t const slot = result.objects.front().first + k;
-  return *element_name(result.objects, static_cast<std::uint32_t>(slot));
+  return element_name(result.objects, static_cast<std::uint32_t>(slot)).value_or("element " + std::to_string(k));
 }
 
 // The element that is farthest off: of those that differ, if some do.

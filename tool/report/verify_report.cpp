@@ -191,6 +191,7 @@ void add_exact_notes(Diagnostic &diagnostic, program::ExactJudgement const &exac
 }
 
 std::string guard_difference(program::Verification const &verification) {
+  if (!verification.guard_mismatch) return {};
   program::GuardMismatch const &mismatch = *verification.guard_mismatch;
   return fmt::format("the original {}, the code returned {}, inputs {}",
                      mismatch.expected.empty() ? "decides as it did while it was recorded"

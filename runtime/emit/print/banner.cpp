@@ -53,6 +53,11 @@ static std::string json_string(std::string const &text) {
   return result + '"';
 }
 
+static std::optional<std::size_t> vector_width(Emission const &emission) {
+  if (!emission.lanes || !emission.lanes->compute) return std::nullopt;
+  return emission.lanes->compute->width;
+}
+
 std::string banner(Emission const &emission) {
   Graph const &graph = emission.graph();
   EmitOptions const &options = emission.options;
@@ -60,7 +65,8 @@ std::string banner(Emission const &emission) {
   if (emission.language.is_single) more += "\"real\":\"float\",";
   if (!graph.guards.empty()) more += fmt::format("\"guards\":{},", graph.guards.size());
   if (emission.plan.threads > 1) more += fmt::format("\"threads\":{},", emission.plan.threads);
-  if (emission.lanes) more += fmt::format("\"vector\":{},", emission.lanes->compute->width);
+  std::optional<std::size_t> const width = vector_width(emission);
+  if (width) more += fmt::format("\"vector\":{},", *width);
   if (graph.decisions != "error") more += fmt::format("\"decisions\":{},", json_string(graph.decisions));
   if (!graph.derivatives.empty()) {
     std::string all;
@@ -83,11 +89,11 @@ std::string banner(Emission const &emission) {
     lines.push_back(
         fmt::format("With -fopenmp {} threads share an evaluation, without it one thread computes the same numbers.",
                     emission.plan.threads));
-  if (emission.lanes)
+  if (width)
     lines.push_back(
         fmt::format("Where compiler and processor have vectors of {} numbers, these are computed side by side, "
                     "elsewhere the same numbers one by one.",
-                    emission.lanes->compute->width));
+                    *width));
   return comment(emission.language, lines) + "\n";
 }
 

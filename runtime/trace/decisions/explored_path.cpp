@@ -46,7 +46,8 @@ void ExploredPath::begin() {
   is_explored_ = is_hypothetical_ = is_cut_at_end_ = false;
   prescribed_.clear();
   known_ = KnownOutcomes(floating_point() == FloatingPoint::strict);
-  std::string_view const path = is_asked_for() ? std::getenv("SYMREAL_PATH") : "";
+  char const *const asked = std::getenv("SYMREAL_PATH");
+  std::string_view const path = asked ? asked : "";
   std::size_t const first = path.find(':'), last = path.rfind(':');
   if (first == path.npos || number(path.substr(0, first)) != kernel) return;
   is_explored_ = true;
