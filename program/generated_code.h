@@ -18,11 +18,11 @@ struct Banner {
   std::string kernel, prefix, version;
   FloatingPoint mode = FloatingPoint::finite;
   std::size_t inputs = 0, parameters = 0, constants = 0, outputs = 0, guards = 0;
-  std::string decisions = "error";           // the policy under which the kernel was recorded
-  bool is_single = false;                    // its numbers are float
-  unsigned threads = 1;                      // that share an evaluation
-  unsigned vector = 1;                       // numbers that are computed side by side, where the processor can
-  std::vector<std::string> derivatives = {}; // that were added, as in Graph
+  std::string decisions = "error";              // the policy under which the kernel was recorded
+  bool is_single = false;                       // its numbers are float
+  unsigned threads = 1;                         // that share an evaluation
+  unsigned vector = 1;                          // numbers that are computed side by side, where the processor can
+  std::vector<DerivativeWish> derivatives = {}; // that were added, as in Graph
 };
 // Does the file begin as a generated one?
 bool is_generated(std::string const &path);

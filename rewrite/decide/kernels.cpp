@@ -116,6 +116,9 @@ void check(PragmaFact const &pragma, Result &result) {
       report(result, DiagnosticId::pragma_syntax, clause.place,
              "state(x, dx) stands after input(...) or output(...), and names an input and the output that is its "
              "derivative by time");
+    if (info(clause.clause).has(trait::WORDS) && !has_begun)
+      report(result, DiagnosticId::pragma_syntax, clause.place,
+             "'" + name_of(clause.clause) + "' stands after input(...) or output(...)");
     if (clause.clause == Clause::generate && (clause.items.size() != 1 || clause.argument.front() != '"'))
       report(result, DiagnosticId::pragma_syntax, clause.place,
              "generate takes the name of a file, as in generate(\"step.c\")");

@@ -15,7 +15,7 @@ enum class Clause {
 };
 
 namespace trait {
-enum Of : unsigned { OBJECTS = 1, GIVEN = 2, KEPT = 4, RESULTS = 8, SETTING = 16, SINGLE = 32, BARE = 64 };
+enum Of : unsigned { OBJECTS = 1, GIVEN = 2, KEPT = 4, RESULTS = 8, SETTING = 16, SINGLE = 32, BARE = 64, WORDS = 128 };
 enum Where : unsigned { BLOCK = 1, FUNCTION = 2 };
 } // namespace trait
 

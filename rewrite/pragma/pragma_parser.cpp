@@ -44,6 +44,11 @@ private:
     std::size_t const open = at_;
     std::size_t const close = matching(open);
     clause.arguments = {open + 1, close};
+    if (info(*find_clause(name)).has(trait::WORDS)) {
+      if (clause.arguments.empty()) fail(close, "expected the name of an output in '" + name + "'");
+      at_ = close + 1;
+      return clause;
+    }
     for (std::size_t begin = open + 1; begin <= close;) {
       std::size_t const end = end_of_item(begin, close);
       if (begin == end) fail(end, "expected an expression in '" + name + "'");

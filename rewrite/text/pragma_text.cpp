@@ -49,6 +49,9 @@ std::string clause_text(PragmaFact const &pragma, ClauseFact const &clause) {
   if (clause.clause == Clause::state) // two items, or it is an error
     return "SYMREAL_STATE(" + place_arguments(clause.items.front().label, clause.place) + ", " +
            in_quotes(clause.items.back().label) + ") ";
+  if (info(clause.clause).has(trait::WORDS))
+    return "SYMREAL_DIFFERENTIATE(" +
+           place_arguments(name_of(clause.clause) + "(" + clause.argument + ")", clause.place) + ") ";
   std::string text;
   if (clause.clause == Clause::table) {
     for (ItemFact const &item : clause.items)

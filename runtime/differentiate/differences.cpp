@@ -88,10 +88,10 @@ std::size_t seeds_of(DerivativeRequest const &request) {
 
 } // namespace
 
-Differences::Differences(Graph const &graph, std::span<std::string const> requests)
+Differences::Differences(Graph const &graph, std::span<DerivativeWish const> wishes)
     : graph_(graph),
       obstacle_(obstacle_to_extended(graph)) {
-  for (std::string const &request : requests) requests_.push_back(read_request(request, graph));
+  for (DerivativeWish const &wish : wishes) requests_.push_back(read_request(wish, graph));
 }
 
 std::size_t Differences::evaluations() const {

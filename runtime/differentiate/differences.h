@@ -14,7 +14,7 @@ namespace symreal {
 class Differences {
 public:
   // `graph` is as recorded, without derivatives, and outlives this.
-  Differences(Graph const &graph, std::span<std::string const> requests);
+  Differences(Graph const &graph, std::span<DerivativeWish const> wishes);
 
   // Why there are none, in words; empty where there are.
   std::string const &obstacle() const { return obstacle_; }

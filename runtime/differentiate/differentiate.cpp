@@ -195,12 +195,17 @@ void add_derivative(Graph &graph, DerivativeRequest const &request, Report const
 
 } // namespace
 
-Graph differentiate(Graph graph, std::span<std::string const> requests, Report const &report) {
+Graph differentiate(Graph graph, std::span<DerivativeWish const> wishes, Report const &report) {
   std::vector<DerivativeRequest> read; // before inputs and outputs are added
-  for (std::string const &request : requests) read.push_back(read_request(request, graph));
-  for (std::size_t k = 0; k < requests.size(); ++k) {
+  for (DerivativeWish const &wish : wishes) {
+    read.push_back(read_request(wish, graph));
+    for (DerivativeRequest const &other : std::span(read).first(read.size() - 1))
+      if (other.name == read.back().name)
+        fail(DiagnosticId::bad_derivative, wish.place, wish.text + " is asked for twice");
+  }
+  for (std::size_t k = 0; k < wishes.size(); ++k) {
     add_derivative(graph, read[k], report);
-    graph.derivatives.push_back(requests[k]);
+    graph.derivatives.push_back(wishes[k].text);
   }
   return graph;
 }

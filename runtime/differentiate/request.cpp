@@ -11,8 +11,10 @@ namespace {
 
 constexpr std::array<std::string_view, 5> kinds = {"jacobian", "gradient", "hessian", "jvp", "vjp"};
 
-[[noreturn]] void refuse(std::string const &text, std::string const &why) {
-  fail(DiagnosticId::bad_derivative, {}, "--differentiate '" + text + "': " + why);
+[[noreturn]] void refuse(DerivativeWish const &wish, std::string const &why,
+                         DiagnosticId id = DiagnosticId::bad_derivative) {
+  bool const is_option = wish.place.file.empty();
+  fail(id, wish.place, (is_option ? "--differentiate '" + wish.text + "'" : wish.text) + ": " + why);
 }
 
 std::string trimmed(std::string_view text) {
@@ -47,7 +49,7 @@ struct Found {
   std::vector<std::uint32_t> slots;
 };
 
-Found find(std::vector<std::string> const &wanted, std::vector<Object> const &objects, std::string const &text,
+Found find(std::vector<std::string> const &wanted, std::vector<Object> const &objects, DerivativeWish const &wish,
            std::string const &what) {
   std::vector<std::string> const known = identifiers(objects);
   Found found;
@@ -59,10 +61,10 @@ Found find(std::vector<std::string> const &wanted, std::vector<Object> const &ob
     if (k == objects.size()) {
       std::string all;
       for (std::string const &other : known) all += (all.empty() ? "" : ", ") + other;
-      refuse(text, "'" + name + "' is no " + what + " of the kernel, which has " + (all.empty() ? "none" : all));
+      refuse(wish, "'" + name + "' is no " + what + " of the kernel, which has " + (all.empty() ? "none" : all));
     }
     if (std::ranges::find(found.names, known[k]) != found.names.end())
-      refuse(text, "'" + name + "' stands there twice");
+      refuse(wish, "'" + name + "' stands there twice");
     found.names.push_back(known[k]);
     for (std::uint32_t element = 0; element < objects[k].count; ++element)
       found.slots.push_back(objects[k].first + element);
@@ -72,23 +74,23 @@ Found find(std::vector<std::string> const &wanted, std::vector<Object> const &ob
 
 } // namespace
 
-DerivativeRequest read_request(std::string const &text, Graph const &graph) {
-  std::string const whole = trimmed(text);
+DerivativeRequest read_request(DerivativeWish const &wish, Graph const &graph) {
+  std::string const whole = trimmed(wish.text);
   std::size_t const open = whole.find('(');
   auto const kind = std::ranges::find(kinds, trimmed(std::string_view(whole).substr(0, open)));
   if (open == whole.npos || !whole.ends_with(')') || kind == kinds.end())
-    refuse(text, "this is none of jacobian(y, x), gradient(y), hessian(y, x), jvp(y, x) and vjp(y, x)");
+    refuse(wish, "this is none of jacobian(y, x), gradient(y), hessian(y, x), jvp(y, x) and vjp(y, x)");
   std::vector<std::string> const items = items_of(std::string_view(whole).substr(open + 1, whole.size() - open - 2));
-  if (items.size() > 2) refuse(text, "more than two items; several objects stand in brackets, as in [q, qd]");
-  Found const outputs = find(names_of(items[0]), graph.outputs, text, "output");
+  if (items.size() > 2) refuse(wish, "more than two items; several objects stand in brackets, as in [q, qd]");
+  Found const outputs = find(names_of(items[0]), graph.outputs, wish, "output");
   Found inputs;
   if (items.size() == 2) {
-    inputs = find(names_of(items[1]), graph.inputs, text, "input");
+    inputs = find(names_of(items[1]), graph.inputs, wish, "input");
   } else {
     inputs.names = identifiers(graph.inputs);
     for (std::uint32_t slot = 0; slot < graph.input_count(); ++slot) inputs.slots.push_back(slot);
   }
-  if (inputs.slots.empty()) refuse(text, "the kernel has no inputs");
+  if (inputs.slots.empty()) refuse(wish, "the kernel has no inputs");
   DerivativeRequest request{static_cast<DerivativeKind>(kind - kinds.begin()),
                             outputs.names,
                             inputs.names,
@@ -104,8 +106,7 @@ DerivativeRequest read_request(std::string const &text, Graph const &graph) {
     for (std::string const &name : inputs.names) request.name += "_" + name;
   bool const is_scalar = request.kind == DerivativeKind::gradient || request.kind == DerivativeKind::hessian;
   if (is_scalar && outputs.slots.size() != 1)
-    fail(DiagnosticId::not_a_scalar, request.place,
-         "--differentiate '" + text + "': what is named has " + std::to_string(outputs.slots.size()) + " numbers");
+    refuse(wish, "what is named has " + std::to_string(outputs.slots.size()) + " numbers", DiagnosticId::not_a_scalar);
   return request;
 }
 

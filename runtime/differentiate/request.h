@@ -19,8 +19,9 @@ struct DerivativeRequest {
   std::string name; // of the object that is added: jacobian_tau_q_qd
 };
 
-// Throws bad_derivative for another form and for names that the graph does not have, not_a_scalar. An object is named
-// by its label, with sections or without, or as the header spells it. Without inputs: all of them.
-DerivativeRequest read_request(std::string const &text, Graph const &graph);
+// Throws, at the place of the wish, bad_derivative for another form and for names that the graph does not have,
+// not_a_scalar. An object is named by its label, with sections or without, or as the header spells it. Without inputs:
+// all of them.
+DerivativeRequest read_request(DerivativeWish const &wish, Graph const &graph);
 
 } // namespace symreal

@@ -24,6 +24,7 @@ Graph without_nodes(Graph const &graph) {
   rest.parameters = graph.parameters;
   rest.outputs = graph.outputs;
   rest.states = graph.states;
+  rest.wishes = graph.wishes;
   rest.derivatives = graph.derivatives;
   rest.input_values = graph.input_values;
   rest.parameter_values = graph.parameter_values;

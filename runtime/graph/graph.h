@@ -39,6 +39,12 @@ struct Object {
   std::vector<Member> members = {}; // of each element, if these are structures
 };
 
+// A derivative that is asked for, as in jacobian(tau, [q, qd]): differentiate/request.h reads it.
+struct DerivativeWish {
+  std::string text;
+  Place place; // nowhere, if an option asks for it
+};
+
 // An input and the output that is its derivative by time, by their labels or the names in these; states.h finds them.
 struct StatePair {
   std::string state, derivative;
@@ -85,7 +91,8 @@ struct Graph {
   std::string kernel;
   std::vector<Object> inputs, parameters, outputs;
   std::vector<StatePair> states;
-  std::vector<std::string> derivatives; // that were added, as they were asked for: differentiate/request.h
+  std::vector<DerivativeWish> wishes;   // derivatives that the program asks for
+  std::vector<std::string> derivatives; // those that were added, as they were asked for
 
   Nodes nodes;                     // topological order
   std::vector<NodeId> results;     // per output slot

@@ -22,6 +22,7 @@ template <class Archive> void serialize(Archive &file, Object &x) {
   file(x.label, x.extents, x.first, x.count, x.place, x.range, x.members);
 }
 template <class Archive> void serialize(Archive &file, StatePair &x) { file(x.state, x.derivative, x.place); }
+template <class Archive> void serialize(Archive &file, DerivativeWish &x) { file(x.text, x.place); }
 template <class Archive> void serialize(Archive &file, Frozen &x) {
   file(x.name, x.place, x.values, x.is_around, x.is_member, x.stack);
 }
@@ -42,7 +43,7 @@ template <class Archive> static void serialize_nodes(Archive &file, Nodes &nodes
 }
 
 template <class Archive> void serialize(Archive &file, Graph &x) {
-  file(x.kernel, x.inputs, x.parameters, x.outputs, x.states);
+  file(x.kernel, x.inputs, x.parameters, x.outputs, x.states, x.wishes);
   serialize_nodes(file, x.nodes);
   file(x.results, x.precomputed, x.guards, x.decisions, x.tables, x.externals, x.last_effect);
   file(x.locations, x.node_location, x.names, x.node_name, x.node_exact, x.input_values, x.parameter_values, x.frozen,

@@ -58,6 +58,8 @@ private:
       read_object(line, graph_.outputs, nullptr);
     else if (head == "state")
       read_state(line);
+    else if (head == "differentiate")
+      read_wish(line);
     else if (head == "derivative")
       graph_.derivatives.push_back(line.string("what was differentiated"));
     else if (head == "frozen")
@@ -115,6 +117,12 @@ private:
     }
     if (members.empty()) line.error("a structure without members");
     return members;
+  }
+
+  void read_wish(Line &line) {
+    DerivativeWish wish{line.string("what to differentiate"), {}};
+    wish.place = line.optional_place();
+    graph_.wishes.push_back(std::move(wish));
   }
 
   void read_state(Line &line) {

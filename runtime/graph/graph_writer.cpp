@@ -64,6 +64,11 @@ void write_graph(std::ostream &out, Graph const &graph) {
     write_place(out, pair.place);
     out << '\n';
   }
+  for (DerivativeWish const &wish : graph.wishes) {
+    out << "differentiate " << in_quotes(wish.text);
+    write_place(out, wish.place);
+    out << '\n';
+  }
   for (std::string const &derivative : graph.derivatives) out << "derivative " << in_quotes(derivative) << '\n';
   for (Frozen const &frozen : graph.frozen) {
     out << "frozen " << in_quotes(frozen.name);

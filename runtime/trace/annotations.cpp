@@ -42,6 +42,10 @@ void symreal_set_state(char const *state, char const *derivative, SourcePlace pl
   Kernel::current().set_state({state, derivative, {place.file, place.line, place.column}});
 }
 
+void symreal_differentiate(char const *wish, SourcePlace place) noexcept {
+  Kernel::current().differentiate({wish, {place.file, place.line, place.column}});
+}
+
 void FunctionKernel::accept_annotations() noexcept { Kernel::current().accept_annotations(); }
 void FunctionKernel::begin_outputs() noexcept { Kernel::current().begin_outputs(); }
 

@@ -1,5 +1,6 @@
 #include "trace/deliver.h"
 
+#include "differentiate/differentiate.h"
 #include "emit/emit.h"
 #include "emit/language/banner.h"
 #include "graph/frozen.h"
@@ -51,8 +52,9 @@ static void generate_here(Graph const &graph, std::string const &output_file) {
   report_frozen(graph);
   if (anything_wrong()) give_up(); // what is wrong is printed; nothing is generated
   std::vector<std::string> const passes = default_passes();
+  Graph const wanted = differentiate(graph, graph.wishes, [](Diagnostic const &warning) { report(warning); });
   std::filesystem::path const path = output_file.empty() ? graph.kernel + ".c" : output_file;
-  Graph const optimised = run_passes(graph, passes, FloatingPoint::finite);
+  Graph const optimised = run_passes(wanted, passes, FloatingPoint::finite);
   std::vector<EmittedFile> const files =
       emit(schedule(optimised), *find_language("c"), {.base_name = path.stem().string()});
   for (EmittedFile const &file : files) require_ours((path.parent_path() / file.name).string(), file.text);

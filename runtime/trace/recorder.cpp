@@ -154,6 +154,8 @@ public:
 
   void set_state(StatePair const &state) override { graph_.states.push_back(state); }
 
+  void differentiate(DerivativeWish const &wish) override { graph_.wishes.push_back(wish); }
+
   void end(std::string const &name, std::string const &output_file, Place const &place) override {
     if (!disable_trap())
       report({DiagnosticId::trap_lost, place,

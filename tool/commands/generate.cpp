@@ -59,6 +59,9 @@ bool calls_c(Options const &options) {
   return std::ranges::find(languages, find_language("c")) != languages.end();
 }
 
+constexpr char const *no_derivatives_in_wrapper =
+    "--wrapper defines the original's function, which has no place for derivatives";
+
 void require_sense(Options const &options) {
   require_one_language(options.language.languages(), options.emitter);
   if (options.wrapper && !calls_c(options))
@@ -66,8 +69,7 @@ void require_sense(Options const &options) {
   if (options.wrapper && options.emitter.is_single())
     fail(DiagnosticId::bad_option, {}, "--wrapper hands on doubles: leave --real=float out");
   if (options.wrapper && options.differentiate.is_given())
-    fail(DiagnosticId::bad_option, {},
-         "--wrapper defines the original's function, which has no place for derivatives: leave --differentiate out");
+    fail(DiagnosticId::bad_option, {}, no_derivatives_in_wrapper);
   (void)options.emitter.is_single();
   options.vector.require_sense(options.emitter, options.parallel.is_given(), options.reroll.is_given);
   options.parallel.require_sense(options.emitter);
@@ -143,6 +145,8 @@ std::optional<std::vector<Product>> generate(program::FrontRequest const &reques
     (void)find_states(recorded.graph);
     std::ostringstream graph;
     if (!options.graph_file.empty()) write_graph(graph, recorded.graph);
+    if (options.wrapper && !recorded.graph.wishes.empty())
+      fail(DiagnosticId::bad_option, recorded.graph.wishes.front().place, no_derivatives_in_wrapper);
     recorded.graph = options.differentiate.applied(std::move(recorded.graph),
                                                    [&](Diagnostic const &warning) { console.report(warning); });
     product.optimised =

@@ -37,6 +37,19 @@ void add_inputs(std::vector<ConfiguredClause> &clauses, ConfiguredText const &na
   }
 }
 
+// "jacobian(tau, [q, qd])" is what the pragma has.
+void add_derivatives(std::vector<ConfiguredClause> &clauses, Yaml const &node) {
+  for (Yaml const &one : node.list()) {
+    ConfiguredText const whole = one.text();
+    std::size_t const open = whole.text.find('(');
+    std::optional<Clause> const clause = rewrite::find_clause(whole.text.substr(0, open));
+    if (!clause || !rewrite::info(*clause).has(rewrite::trait::WORDS) || !whole.text.ends_with(')'))
+      one.fail("'" + whole.text + "' is no derivative, as jacobian(tau, [q, qd]) is");
+    std::string const inner = whole.text.substr(open + 1, whole.text.size() - open - 2);
+    clauses.push_back({{name_of(*clause), whole.place}, {{inner, whole.place}}});
+  }
+}
+
 ConfiguredText required_function(std::vector<Yaml::Entry> const &entries, Yaml const &node) {
   for (auto const &[key, value] : entries)
     if (key.text == "function") return value.text();
@@ -71,8 +84,10 @@ rewrite::ConfiguredKernel read_kernel(Yaml const &node, std::string const &direc
       std::error_code error;
       kernel.file = std::filesystem::canonical(std::filesystem::path(directory) / value.text().text, error).string();
       if (error) value.fail("'" + value.text().text + "' does not exist");
-    } else if (!clause)
-      refuse_key(key, "function, file, " + keys());
+    } else if (key.text == "derivatives")
+      add_derivatives(kernel.clauses, value);
+    else if (!clause)
+      refuse_key(key, "function, file, " + keys() + ", derivatives");
     else if (*clause == Clause::input)
       add_inputs(kernel.clauses, {name_of(*clause), key.place}, value, range);
     else {

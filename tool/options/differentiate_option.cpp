@@ -14,7 +14,10 @@ void DifferentiateOption::add_to(CLI::App &app) {
 }
 
 Graph DifferentiateOption::applied(Graph graph, std::function<void(Diagnostic const &)> const &report) const {
-  return is_given() ? differentiate(std::move(graph), requests, report) : std::move(graph);
+  std::vector<DerivativeWish> wishes = std::move(graph.wishes);
+  graph.wishes.clear();
+  for (std::string const &request : requests) wishes.push_back({request, {}});
+  return wishes.empty() ? std::move(graph) : differentiate(std::move(graph), wishes, report);
 }
 
 } // namespace symreal::tool

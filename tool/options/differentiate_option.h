@@ -1,4 +1,4 @@
-// --differentiate 'jacobian(tau, q)': derivatives as further outputs of a kernel.
+// Derivatives as further outputs of a kernel: those that the program asks for, and those of --differentiate.
 #pragma once
 
 #include "tool/options/options.h"
@@ -10,7 +10,7 @@ struct DifferentiateOption {
 
   bool is_given() const { return !requests.empty(); }
   void add_to(CLI::App &app);
-  // The graph as it is, if nothing was asked for. Throws what differentiate throws.
+  // The graph as it is, if nobody asks for any. Throws what differentiate throws.
   Graph applied(Graph graph, std::function<void(Diagnostic const &)> const &report) const;
 };
 

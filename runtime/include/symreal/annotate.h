@@ -199,6 +199,9 @@ void symreal_set_range(double low, double high) noexcept;
 // The labels of an input and of the output that is its derivative by time.
 void symreal_set_state(char const *state, char const *derivative, SourcePlace place) noexcept;
 
+// A derivative of outputs by inputs, as further outputs: "jacobian(tau, [q, qd])".
+void symreal_differentiate(char const *wish, SourcePlace place) noexcept;
+
 // Ends a region kernel: its outputs become ordinary numbers.
 inline void symreal_generate(char const *file_name, SourcePlace place) noexcept {
   detail::end_region(detail::compiled_as, file_name, place);

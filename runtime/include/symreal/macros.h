@@ -71,6 +71,7 @@
 #define SYMREAL_LAYOUT_SECTION(...)
 #define SYMREAL_RANGE(...)
 #define SYMREAL_STATE(...)
+#define SYMREAL_DIFFERENTIATE(...)
 #define SYMREAL_TABLE(...)
 #define SYMREAL_REBIND(...)
 #define SYMREAL_FUNCTION(...)
@@ -286,6 +287,8 @@ public:                                                                         
 #define SYMREAL_RANGE(low, high) ::symreal::symreal_set_range(low, high);
 #define SYMREAL_STATE(state, file, line, column, derivative)                                                           \
   ::symreal::symreal_set_state(state, derivative, SYMREAL_PLACE(file, line, column));
+#define SYMREAL_DIFFERENTIATE(wish, file, line, column)                                                                \
+  ::symreal::symreal_differentiate(wish, SYMREAL_PLACE(file, line, column));
 #ifdef MBD_SYMBOLIC
 #define SYMREAL_TABLE(pointer, ...) ::symreal::symreal_declare_table(pointer, static_cast<__SIZE_TYPE__>(__VA_ARGS__));
 #else

@@ -53,6 +53,10 @@ inline void output(char const *name, ::symreal::LaidOut &&object, SYMREAL_CALLER
 template <class T> void output(char const *name, T &&object, SYMREAL_CALLER) {
   ::symreal::symreal_annotate(::symreal::Kind::output, name, place, static_cast<T &&>(object));
 }
+// Further outputs: the derivatives of outputs by inputs, as in differentiate("jacobian(y, [q, qd])").
+inline void differentiate(char const *derivative, SYMREAL_CALLER) {
+  ::symreal::symreal_differentiate(derivative, place);
+}
 // Ends the kernel and writes its code.
 inline void generate_code(char const *file_name, SYMREAL_CALLER) { ::symreal::symreal_generate(file_name, place); }
 
@@ -65,6 +69,7 @@ static inline double create_parameter(char const *name, double value) { return (
 template <class T> void input(char const *, T const &) {}
 template <class T> void parameter(char const *, T const &) {}
 template <class T> void output(char const *, T const &) {}
+static inline void differentiate(char const *derivative) { (void)derivative; }
 static inline void generate_code(char const *file_name) { (void)file_name; }
 
 #endif

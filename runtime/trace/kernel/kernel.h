@@ -42,6 +42,7 @@ public:
   virtual void end_object(std::vector<std::size_t> extents) = 0;
   virtual void set_range(double low, double high) = 0;
   virtual void set_state(StatePair const &) {}
+  virtual void differentiate(DerivativeWish const &) {}
   // `place`: where the kernel ends, or a function kernel's pragma.
   virtual void end(std::string const &name, std::string const &output_file, Place const &place) = 0;
   // The kernel is left in its middle: what is recorded is handed over without outputs, and the program ends.
@@ -70,6 +71,9 @@ public:
   }
   void set_state(StatePair const &state) {
     if (takes_clauses()) sink_->set_state(state);
+  }
+  void differentiate(DerivativeWish const &wish) {
+    if (takes_clauses()) sink_->differentiate(wish);
   }
 
   bool is_entering_function() const { return phase_ == Phase::entering; }

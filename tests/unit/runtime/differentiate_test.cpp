@@ -16,8 +16,14 @@
 namespace symreal {
 namespace {
 
+std::vector<DerivativeWish> wishes(std::vector<std::string> const &texts) {
+  std::vector<DerivativeWish> result;
+  for (std::string const &text : texts) result.push_back({text, {}});
+  return result;
+}
+
 Graph with(Graph graph, std::vector<std::string> const &requests) {
-  Graph result = differentiate(std::move(graph), requests, [](Diagnostic const &) {});
+  Graph result = differentiate(std::move(graph), wishes(requests), [](Diagnostic const &) {});
   EXPECT_EQ(find_violation(result), "");
   return result;
 }
@@ -47,7 +53,7 @@ TEST(Differentiate, EachRowIsAsItsDifferences) {
     std::string const lines = test::lines_on_numbers(row, 0, next);
     Graph const graph = function(lines, "%" + std::to_string(next - 1));
     std::vector<std::string> const request = {"jacobian(y, x)", "hessian(y, x)"};
-    Differences const differences(graph, request);
+    Differences const differences(graph, wishes(request));
     if (!differences.obstacle().empty()) {
       EXPECT_TRUE(row.op == Op::f32 || row.op == Op::nextafter) << row.name;
       continue;
@@ -75,7 +81,7 @@ TEST(Differentiate, DifferencesKnowWhatRoundingHides) {
     Graph const graph = function(lines, "%4");
     std::vector<std::string> const request = {"gradient(y)"};
     std::vector<double> const x = {0.5, 0.25, 0};
-    EXPECT_FALSE(Differences(graph, request).at(x, {}, 1e-9)[0]) << lines;
+    EXPECT_FALSE(Differences(graph, wishes(request)).at(x, {}, 1e-9)[0]) << lines;
   }
 }
 
