@@ -11,10 +11,12 @@ namespace {
 
 constexpr std::array<std::string_view, 5> kinds = {"jacobian", "gradient", "hessian", "jvp", "vjp"};
 
+// `object`: the place of what is wrong, for an option, which has none itself.
 [[noreturn]] void refuse(DerivativeWish const &wish, std::string const &why,
-                         DiagnosticId id = DiagnosticId::bad_derivative) {
+                         DiagnosticId id = DiagnosticId::bad_derivative, Place const &object = {}) {
   bool const is_option = wish.place.file.empty();
-  fail(id, wish.place, (is_option ? "--differentiate '" + wish.text + "'" : wish.text) + ": " + why);
+  fail(id, is_option ? object : wish.place,
+       (is_option ? "--differentiate '" + wish.text + "'" : wish.text) + ": " + why);
 }
 
 std::string trimmed(std::string_view text) {
@@ -106,7 +108,8 @@ DerivativeRequest read_request(DerivativeWish const &wish, Graph const &graph) {
     for (std::string const &name : inputs.names) request.name += "_" + name;
   bool const is_scalar = request.kind == DerivativeKind::gradient || request.kind == DerivativeKind::hessian;
   if (is_scalar && outputs.slots.size() != 1)
-    refuse(wish, "what is named has " + std::to_string(outputs.slots.size()) + " numbers", DiagnosticId::not_a_scalar);
+    refuse(wish, "what is named has " + std::to_string(outputs.slots.size()) + " numbers", DiagnosticId::not_a_scalar,
+           request.place);
   return request;
 }
 

@@ -20,8 +20,8 @@ struct DerivativeRequest {
 };
 
 // Throws, at the place of the wish, bad_derivative for another form and for names that the graph does not have,
-// not_a_scalar. An object is named by its label, with sections or without, or as the header spells it. Without inputs:
-// all of them.
+// not_a_scalar (of an option at the place of the output). An object is named by its label, with sections or without, or
+// as the header spells it. Without inputs: all of them.
 DerivativeRequest read_request(DerivativeWish const &wish, Graph const &graph);
 
 } // namespace symreal
