@@ -36,7 +36,8 @@ private:
     std::string const &name = tokens_[at_].text;
     if (!tokens_[at_].is_name) fail(at_, "expected the name of a clause, found '" + name + "'");
     check_name(name, is_function);
-    if (info(*find_clause(name)).has(trait::BARE)) {
+    auto const known = find_clause(name); // which check_name has looked for
+    if (known && info(*known).has(trait::BARE)) {
       clause.arguments = {++at_, at_};
       return clause;
     }

@@ -13,7 +13,7 @@ namespace {
 using Vector = PointDifferences::Vector;
 
 constexpr int levels = 8;             // steps, each a quarter of the one before
-constexpr int perturbations = 2;      // on each side
+constexpr int perturbations = 3;      // on each side
 constexpr long double most_noise = 4; // times the largest that is seen
 constexpr long double unknown = std::numeric_limits<long double>::infinity();
 

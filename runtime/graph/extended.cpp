@@ -67,12 +67,13 @@ template <class Number> Number choice_of(Op op, Number x, Number y, Number resul
   }
 }
 
-// By a unit in the last place or two, up or down at random, but always the same of a node.
+// By a unit in the last place or two: the first time up; then up or down at random, but always the same of a node. At
+// random alone two nodes in a row may cancel each time.
 long double moved(long double number, std::size_t id, std::uint64_t perturbation) {
   std::uint64_t mixed = (4 * id + perturbation) * 0x9e3779b97f4a7c15;
   mixed = (mixed ^ (mixed >> 31)) * 0xbf58476d1ce4e5b9;
   long double const unit = std::numeric_limits<long double>::epsilon();
-  return number * (1 + (mixed >> 63 != 0 ? unit : -unit));
+  return number * (1 + (perturbation == 1 || mixed >> 63 != 0 ? unit : -unit));
 }
 
 } // namespace

@@ -29,7 +29,8 @@ std::optional<std::vector<long double>> evaluate_extended(Graph const &graph, st
                                                           std::span<double const> parameters,
                                                           std::span<double const> values);
 // The same at inputs in extended precision, near those at which the nodes have these values. With a `perturbation`
-// other than 0 every result is moved by a unit in the last place, up or down as its number says: so rounding shows.
+// other than 0 every result is moved by a unit in the last place, by 1 up, by others as its number says: so rounding
+// shows.
 std::optional<std::vector<long double>> evaluate_extended(Graph const &graph, std::span<long double const> inputs,
                                                           std::span<double const> parameters,
                                                           std::span<double const> values,
