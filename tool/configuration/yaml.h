@@ -14,7 +14,7 @@ namespace symreal::tool {
 
 class Yaml {
 public:
-  Yaml(std::string file, YAML::Node node) : file_(std::move(file)), node_(std::move(node)) {}
+  Yaml(std::string file, YAML::Node const &node) : file_(std::move(file)), node_(node) {}
 
   Place place() const;
   [[noreturn]] void fail(std::string const &message) const {
