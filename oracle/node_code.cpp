@@ -2,6 +2,7 @@
 
 #include <llvm/IR/Module.h>
 #include <llvm/Transforms/Utils/BasicBlockUtils.h>
+#include <symreal/real_number.h>
 
 namespace symreal::oracle {
 
@@ -9,8 +10,6 @@ using llvm::IRBuilder;
 using llvm::Value;
 
 namespace {
-
-constexpr std::uint64_t node_tag = 0xFFF2C3; // bits 63..40
 
 llvm::FunctionCallee declare(llvm::Module &module, char const *name, llvm::Type *result,
                              llvm::ArrayRef<llvm::Type *> parameters) {
@@ -60,7 +59,7 @@ Value *Recorder::shown(IRBuilder<> &at, Value *x) const { return at.CreateCall(s
 Value *is_node(IRBuilder<> &at, Value *number) {
   if (llvm::isa<llvm::Constant>(number)) return at.getFalse();
   Value *bits = at.CreateBitCast(number, at.getInt64Ty());
-  return at.CreateICmpEQ(at.CreateLShr(bits, 40), at.getInt64(node_tag));
+  return at.CreateICmpEQ(at.CreateLShr(bits, 40), at.getInt64(detail::node_tag));
 }
 
 Value *either(llvm::Instruction *before, llvm::ArrayRef<Value *> numbers, Make const &if_node, Make const &otherwise) {
@@ -81,6 +80,19 @@ Value *either(llvm::Instruction *before, llvm::ArrayRef<Value *> numbers, Make c
   result->addIncoming(of_node, then->getParent());
   result->addIncoming(of_numbers, other->getParent());
   return result;
+}
+
+void record_in_place(llvm::Instruction &computed, llvm::ArrayRef<Value *> numbers, Make const &if_node) {
+  computed.replaceAllUsesWith(
+      either(&computed, numbers, if_node, [&](IRBuilder<> &at) { return at.Insert(computed.clone()); }));
+  computed.eraseFromParent();
+}
+
+void hand_over(llvm::Instruction &user, unsigned operand, Recorder const &recorder, Carried carried) {
+  Value *x = user.getOperand(operand);
+  user.setOperand(operand, either(
+                               &user, {x}, [&](IRBuilder<> &at) { return (recorder.*carried)(at, x); },
+                               [&](IRBuilder<> &) { return x; }));
 }
 
 } // namespace symreal::oracle

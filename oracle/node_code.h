@@ -29,9 +29,16 @@ private:
 // An i1: whether the number is a node. False at once for a constant.
 llvm::Value *is_node(llvm::IRBuilder<> &at, llvm::Value *number);
 
+inline bool is_number(llvm::Value const *value) { return value->getType()->isDoubleTy(); }
+
 using Make = std::function<llvm::Value *(llvm::IRBuilder<> &)>;
 // Before the instruction: `if_node` where one of the numbers is a node, else `otherwise`, of one type.
 llvm::Value *either(llvm::Instruction *before, llvm::ArrayRef<llvm::Value *> numbers, Make const &if_node,
                     Make const &otherwise);
+// The same of a value that is computed from numbers: where one of them is a node, `if_node` takes its place.
+void record_in_place(llvm::Instruction &computed, llvm::ArrayRef<llvm::Value *> numbers, Make const &if_node);
+// The operand becomes what the recorder makes of it where it is a node, an ordinary number.
+using Carried = llvm::Value *(Recorder::*)(llvm::IRBuilder<> &, llvm::Value *) const;
+void hand_over(llvm::Instruction &user, unsigned operand, Recorder const &recorder, Carried carried);
 
 } // namespace symreal::oracle

@@ -8,15 +8,10 @@ namespace {
 
 // Only what is spelled as a call: operators are instructions.
 llvm::StringMap<Operation> make_functions() {
+  enum Form { infix, prefix, call, cast, select, local, external };
   llvm::StringMap<Operation> functions;
-#define SYMREAL_FORM_infix(...)
-#define SYMREAL_FORM_prefix(...)
-#define SYMREAL_FORM_cast(...)
-#define SYMREAL_FORM_select(...)
-#define SYMREAL_FORM_local(...)
-#define SYMREAL_FORM_external(...)
-#define SYMREAL_FORM_call(id, arity, name) functions.insert({name, {Op::id, arity}});
-#define OPERATION(id, arity, form, name, ...) SYMREAL_FORM_##form(id, arity, name)
+#define OPERATION(id, arity, form, name, ...)                                                                          \
+  if constexpr (form == call) functions.insert({name, {Op::id, arity}});
 #include <symreal/operations.def>
 #undef OPERATION
   functions.insert({"nearbyint", functions.lookup("rint")});

@@ -12,27 +12,16 @@ using llvm::Value;
 
 namespace {
 
-bool is_number(Value const *value) { return value->getType()->isDoubleTy(); }
-
-void replace(CallInst &call, Value *by) {
-  call.replaceAllUsesWith(by);
-  call.eraseFromParent();
-}
-
 std::vector<Value *> arguments_of(CallInst const &call) { return {call.arg_begin(), call.arg_end()}; }
 
 bool has_form(CallInst const &call, unsigned arity) {
   return is_number(&call) && call.arg_size() == arity && std::all_of(call.arg_begin(), call.arg_end(), is_number);
 }
 
-Value *half_recorded(CallInst &call, std::vector<Value *> const &numbers, Make const &if_node) {
-  return either(&call, numbers, if_node, [&](IRBuilder<> &at) { return at.Insert(call.clone()); });
-}
-
 // Functions that are several operations: as symreal/real_math.h has them.
 bool record_composed(CallInst &call, llvm::StringRef name, Recorder const &recorder) {
   std::vector<Value *> const x = arguments_of(call);
-  auto const on_nodes = [&](Make const &make) { replace(call, half_recorded(call, {x[0]}, make)); };
+  auto const on_nodes = [&](Make const &make) { record_in_place(call, {x[0]}, make); };
   if (name == "ldexp" || name == "scalbn" || name == "llvm.ldexp.f64.i32")
     on_nodes([&](IRBuilder<> &at) {
       Value *power = at.CreateCall(call.getCalledFunction(), {llvm::ConstantFP::get(at.getDoubleTy(), 1.0), x[1]});
@@ -59,8 +48,7 @@ void record_class(CallInst &call, Recorder const &recorder, Conditions &conditio
         call, either(&call, {x}, [&](IRBuilder<> &at) { return recorder.comparison(at, Op::ne, x, x); }, otherwise));
   if (mask == llvm::fcFinite)
     return conditions.add(call, either(&call, {x}, [&](IRBuilder<> &at) { return recorder.finite(at, x); }, otherwise));
-  call.setArgOperand(
-      0, either(&call, {x}, [&](IRBuilder<> &at) { return recorder.number(at, x); }, [&](IRBuilder<> &) { return x; }));
+  hand_over(call, 0, recorder, &Recorder::number);
 }
 
 } // namespace
@@ -68,15 +56,9 @@ void record_class(CallInst &call, Recorder const &recorder, Conditions &conditio
 void record_call(CallInst &call, Recorder const &recorder, Conditions &conditions,
                  llvm::TargetLibraryInfo const &library) {
   llvm::Function const *callee = call.getCalledFunction();
-  auto const hand_over = [&](unsigned k, Value *(Recorder::*value)(IRBuilder<> &, Value *) const) {
-    Value *x = call.getArgOperand(k);
-    call.setArgOperand(k, either(
-                              &call, {x}, [&](IRBuilder<> &at) { return (recorder.*value)(at, x); },
-                              [&](IRBuilder<> &) { return x; }));
-  };
   if (call.getFunctionType()->isVarArg())
     for (unsigned k = call.getFunctionType()->getNumParams(); k < call.arg_size(); ++k)
-      if (is_number(call.getArgOperand(k))) hand_over(k, &Recorder::shown);
+      if (is_number(call.getArgOperand(k))) hand_over(call, k, recorder, &Recorder::shown);
   if (!callee || !callee->isDeclaration()) return;
   llvm::StringRef const name = callee->getName();
   if (callee->getIntrinsicID() == llvm::Intrinsic::is_fpclass && is_number(call.getArgOperand(0)))
@@ -84,14 +66,14 @@ void record_call(CallInst &call, Recorder const &recorder, Conditions &condition
   auto const known = callee->isIntrinsic() ? operation_of_intrinsic(name) : operation_of_function(name);
   if (known && has_form(call, known->arity)) {
     std::vector<Value *> const x = arguments_of(call);
-    return replace(call, half_recorded(call, x, [&](IRBuilder<> &at) { return recorder.operation(at, known->op, x); }));
+    return record_in_place(call, x, [&](IRBuilder<> &at) { return recorder.operation(at, known->op, x); });
   }
   if (call.arg_size() != 0 && is_number(call.getArgOperand(0)) && record_composed(call, name, recorder)) return;
   llvm::LibFunc function;
   if (!library.getLibFunc(*callee, function)) return;
   for (unsigned k = 0; k < call.getFunctionType()->getNumParams(); ++k)
     if (is_number(call.getArgOperand(k)))
-      hand_over(k, call.getType()->isIntegerTy() ? &Recorder::integer : &Recorder::number);
+      hand_over(call, k, recorder, call.getType()->isIntegerTy() ? &Recorder::integer : &Recorder::number);
 }
 
 } // namespace symreal::oracle

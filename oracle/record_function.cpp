@@ -24,8 +24,6 @@ std::optional<Op> operation_of(Instruction const &instruction) {
   }
 }
 
-bool is_number(Value const *value) { return value->getType()->isDoubleTy(); }
-
 class FunctionRecorder {
 public:
   FunctionRecorder(Recorder const &recorder, llvm::TargetLibraryInfo const &library)
@@ -51,27 +49,15 @@ private:
     if (auto *cast = llvm::dyn_cast<llvm::CastInst>(&one); cast && is_number(one.getOperand(0))) record_cast(*cast);
   }
 
-  void replace(Instruction &one, Value *by) {
-    one.replaceAllUsesWith(by);
-    one.eraseFromParent();
-  }
-
   void record_operation(Instruction &one, Op op) {
     std::vector<Value *> const operands(one.op_begin(), one.op_end());
-    replace(one, either(
-                     &one, operands, [&](IRBuilder<> &at) { return recorder_.operation(at, op, operands); },
-                     [&](IRBuilder<> &at) { return at.Insert(one.clone()); }));
+    record_in_place(one, operands, [&](IRBuilder<> &at) { return recorder_.operation(at, op, operands); });
   }
 
   void record_cast(llvm::CastInst &cast) {
     bool const is_conversion = llvm::isa<llvm::FPToSIInst, llvm::FPToUIInst>(cast);
     if (!is_conversion && !llvm::isa<llvm::FPExtInst, llvm::FPTruncInst>(cast) && !looks_at_bits(cast)) return;
-    Value *x = cast.getOperand(0);
-    cast.setOperand(
-        0, either(
-               &cast, {x},
-               [&](IRBuilder<> &at) { return is_conversion ? recorder_.integer(at, x) : recorder_.number(at, x); },
-               [&](IRBuilder<> &) { return x; }));
+    hand_over(cast, 0, recorder_, is_conversion ? &Recorder::integer : &Recorder::number);
   }
 
   // Bits that are only moved are no matter.
@@ -88,13 +74,13 @@ private:
     if (!condition) return;
     Value *yes = llvm::ConstantFP::get(one.getType(), 1.0), *no = llvm::ConstantFP::get(one.getType(), 0.0);
     if (llvm::isa<llvm::SelectInst>(one)) yes = one.getOperand(1), no = one.getOperand(2);
-    replace(one, either(
-                     &one, {condition},
-                     [&](IRBuilder<> &at) { return recorder_.operation(at, Op::select, {condition, yes, no}); },
-                     [&](IRBuilder<> &at) {
-                       Value *holds = at.CreateFCmpUNE(condition, llvm::ConstantFP::get(at.getDoubleTy(), 0.0));
-                       return at.CreateSelect(holds, yes, no);
-                     }));
+    one.replaceAllUsesWith(either(
+        &one, {condition}, [&](IRBuilder<> &at) { return recorder_.operation(at, Op::select, {condition, yes, no}); },
+        [&](IRBuilder<> &at) {
+          Value *holds = at.CreateFCmpUNE(condition, llvm::ConstantFP::get(at.getDoubleTy(), 0.0));
+          return at.CreateSelect(holds, yes, no);
+        }));
+    one.eraseFromParent();
   }
 
   Recorder const &recorder_;
