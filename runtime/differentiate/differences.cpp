@@ -81,11 +81,6 @@ void add_vjp(DerivativeRequest const &request, PointDifferences const &point, st
   }
 }
 
-std::size_t seeds_of(DerivativeRequest const &request) {
-  if (request.kind == DerivativeKind::jvp) return request.input_slots.size();
-  return request.kind == DerivativeKind::vjp ? request.output_slots.size() : 0;
-}
-
 } // namespace
 
 Differences::Differences(Graph const &graph, std::span<DerivativeWish const> wishes)
@@ -108,22 +103,13 @@ std::size_t Differences::evaluations() const {
 
 std::size_t Differences::seed_count() const {
   std::size_t count = 0;
-  for (DerivativeRequest const &request : requests_) count += seeds_of(request);
+  for (DerivativeRequest const &request : requests_) count += request.seed_count();
   return count;
 }
 
 std::size_t Differences::output_count() const {
   std::size_t count = 0;
-  for (DerivativeRequest const &request : requests_) {
-    std::size_t const rows = request.output_slots.size(), columns = request.input_slots.size();
-    switch (request.kind) {
-    case DerivativeKind::jacobian: count += rows * columns; break;
-    case DerivativeKind::hessian: count += columns * columns; break;
-    case DerivativeKind::jvp: count += rows; break;
-    case DerivativeKind::gradient:
-    case DerivativeKind::vjp: count += columns; break;
-    }
-  }
+  for (DerivativeRequest const &request : requests_) count += number_count(request.extents(), {});
   return count;
 }
 
@@ -134,7 +120,7 @@ std::vector<SharpNumber> Differences::at(std::span<double const> inputs, std::sp
   std::span<double const> seeds = inputs.subspan(graph_.input_count());
   SharpVector result;
   for (DerivativeRequest const &request : requests_) {
-    std::span<double const> const own = seeds.first(seeds_of(request));
+    std::span<double const> const own = seeds.first(request.seed_count());
     seeds = seeds.subspan(own.size());
     switch (request.kind) {
     case DerivativeKind::jacobian:

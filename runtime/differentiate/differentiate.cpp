@@ -14,12 +14,9 @@ namespace symreal {
 
 namespace {
 
-using Report = std::function<void(Diagnostic const &)>;
-
-Place place_of(Graph const &graph, NodeId id, Place const &otherwise) {
-  LocationId const location = graph.node_location.empty() ? no_location : graph.node_location[id];
-  if (location == no_location || graph.locations[location].places.empty()) return otherwise;
-  return graph.locations[location].places.front();
+Place place_or(Graph const &graph, NodeId id, Place const &otherwise) {
+  Place const place = place_of(graph, id);
+  return place.file.empty() ? otherwise : place;
 }
 
 // What stands behind a node without a derivative, in words.
@@ -32,7 +29,7 @@ std::string name_of(Graph const &graph, NodeId id) {
 void require_differentiable(Graph const &graph, DerivativePath const &path, DerivativeRequest const &request) {
   if (path.unknown.empty()) return;
   NodeId const id = path.unknown.back();
-  fail(DiagnosticId::not_differentiable, place_of(graph, id, request.place),
+  fail(DiagnosticId::not_differentiable, place_or(graph, id, request.place),
        "'" + name_of(graph, id) + "' has no derivative that " + request.name + " could go through");
 }
 
@@ -42,7 +39,7 @@ void report_jumps(Graph const &graph, DerivativePath const &path, DerivativeRequ
   std::set<std::pair<Op, std::string>> told;
   for (NodeId const id : path.jumps) {
     Op const op = graph.nodes[id].op;
-    Place const place = place_of(graph, id, request.place);
+    Place const place = place_or(graph, id, request.place);
     if (!told.emplace(op, to_string(place)).second) continue;
     report({DiagnosticId::derivative_of_steps, place,
             request.name + " leads through '" + std::string(info(op).name) + "', which jumps"});
@@ -142,8 +139,8 @@ Elements product_with_seeds(Graph &graph, DerivativeRequest const &request, std:
   bool const is_forward = request.kind == DerivativeKind::jvp;
   std::vector<char> carries = find_path(graph, rows, request.input_slots).carries;
   std::vector<std::uint32_t> const seeds =
-      is_forward ? add_seeds(graph, joined("direction", request.inputs), request.input_slots.size())
-                 : add_seeds(graph, joined("weights", request.outputs), rows.size());
+      add_seeds(graph, is_forward ? joined("direction", request.inputs) : joined("weights", request.outputs),
+                request.seed_count());
   Expressions expressions(graph);
   Elements elements, seed_nodes;
   for (std::uint32_t const slot : seeds) seed_nodes.push_back(expressions.input(slot));
@@ -158,18 +155,6 @@ Elements product_with_seeds(Graph &graph, DerivativeRequest const &request, std:
   for (NodeId &element : elements) element = expressions.number(element);
   expressions.finish();
   return elements;
-}
-
-std::vector<std::size_t> extents_of(DerivativeRequest const &request) {
-  std::size_t const rows = request.output_slots.size(), columns = request.input_slots.size();
-  switch (request.kind) {
-  case DerivativeKind::jacobian: return {rows, columns};
-  case DerivativeKind::hessian: return {columns, columns};
-  case DerivativeKind::jvp: return {rows};
-  case DerivativeKind::gradient:
-  case DerivativeKind::vjp: break;
-  }
-  return {columns};
 }
 
 void add_derivative(Graph &graph, DerivativeRequest const &request, Report const &report) {
@@ -189,7 +174,7 @@ void add_derivative(Graph &graph, DerivativeRequest const &request, Report const
   case DerivativeKind::jvp:
   case DerivativeKind::vjp: elements = product_with_seeds(graph, request, rows); break;
   }
-  add_object(graph.outputs, request.name, extents_of(request), request.place);
+  add_object(graph.outputs, request.name, request.extents(), request.place);
   graph.results.insert(graph.results.end(), elements.begin(), elements.end());
 }
 

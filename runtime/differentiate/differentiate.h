@@ -5,7 +5,6 @@
 
 #include "graph/graph.h"
 
-#include <functional>
 #include <span>
 
 namespace symreal {
@@ -13,7 +12,6 @@ namespace symreal {
 // `graph` is as recorded: no pass has split it. One output for each request, behind those that there are. A Jacobian
 // goes forward or backward, whichever costs less by the table. `report` is told what jumps. Throws bad_derivative,
 // not_a_scalar, not_differentiable.
-Graph differentiate(Graph graph, std::span<DerivativeWish const> wishes,
-                    std::function<void(Diagnostic const &)> const &report);
+Graph differentiate(Graph graph, std::span<DerivativeWish const> wishes, Report const &report);
 
 } // namespace symreal

@@ -1,6 +1,7 @@
 #include "differentiate/request.h"
 
 #include "graph/names.h"
+#include "support/items.h"
 
 #include <algorithm>
 #include <optional>
@@ -17,27 +18,6 @@ constexpr std::array<std::string_view, 5> kinds = {"jacobian", "gradient", "hess
   bool const is_option = wish.place.file.empty();
   fail(id, is_option ? object : wish.place,
        (is_option ? "--differentiate '" + wish.text + "'" : wish.text) + ": " + why);
-}
-
-std::string trimmed(std::string_view text) {
-  std::size_t const first = text.find_first_not_of(' ');
-  if (first == text.npos) return "";
-  return std::string(text.substr(first, text.find_last_not_of(' ') + 1 - first));
-}
-
-// At commas that no bracket encloses.
-std::vector<std::string> items_of(std::string_view text) {
-  std::vector<std::string> items(1);
-  int depth = 0;
-  for (char const c : text) {
-    depth += (c == '[' || c == '(') - (c == ']' || c == ')');
-    if (c == ',' && depth == 0)
-      items.emplace_back();
-    else
-      items.back() += c;
-  }
-  for (std::string &item : items) item = trimmed(item);
-  return items;
 }
 
 // "q" or "[q, qd]".
@@ -76,13 +56,30 @@ Found find(std::vector<std::string> const &wanted, std::vector<Object> const &ob
 
 } // namespace
 
+std::vector<std::size_t> DerivativeRequest::extents() const {
+  std::size_t const rows = output_slots.size(), columns = input_slots.size();
+  switch (kind) {
+  case DerivativeKind::jacobian: return {rows, columns};
+  case DerivativeKind::hessian: return {columns, columns};
+  case DerivativeKind::jvp: return {rows};
+  case DerivativeKind::gradient:
+  case DerivativeKind::vjp: break;
+  }
+  return {columns};
+}
+
+std::size_t DerivativeRequest::seed_count() const {
+  if (kind == DerivativeKind::jvp) return input_slots.size();
+  return kind == DerivativeKind::vjp ? output_slots.size() : 0;
+}
+
 DerivativeRequest read_request(DerivativeWish const &wish, Graph const &graph) {
-  std::string const whole = trimmed(wish.text);
+  std::string_view const whole = trimmed(wish.text);
   std::size_t const open = whole.find('(');
-  auto const kind = std::ranges::find(kinds, trimmed(std::string_view(whole).substr(0, open)));
+  auto const kind = std::ranges::find(kinds, trimmed(whole.substr(0, open)));
   if (open == whole.npos || !whole.ends_with(')') || kind == kinds.end())
     refuse(wish, "this is none of jacobian(y, x), gradient(y), hessian(y, x), jvp(y, x) and vjp(y, x)");
-  std::vector<std::string> const items = items_of(std::string_view(whole).substr(open + 1, whole.size() - open - 2));
+  std::vector<std::string> const items = items_of(whole.substr(open + 1, whole.size() - open - 2));
   if (items.size() > 2) refuse(wish, "more than two items; several objects stand in brackets, as in [q, qd]");
   Found const outputs = find(names_of(items[0]), graph.outputs, wish, "output");
   Found inputs;

@@ -17,6 +17,10 @@ struct DerivativeRequest {
   std::vector<std::uint32_t> output_slots, input_slots;
   Place place = {}; // of the first output
   std::string name; // of the object that is added: jacobian_tau_q_qd
+
+  // Of that object, and how many inputs are added: a direction, or weights.
+  std::vector<std::size_t> extents() const;
+  std::size_t seed_count() const;
 };
 
 // Throws, at the place of the wish, bad_derivative for another form and for names that the graph does not have,

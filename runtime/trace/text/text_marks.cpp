@@ -1,6 +1,7 @@
 #include "trace/text/text_marks.h"
 
 #include "memory/own_memory.h"
+#include "support/items.h"
 #include "trace/describe/describe.h"
 #include "trace/nodes/pool.h"
 #include "trace/report/events.h"
@@ -45,12 +46,6 @@ template <class Found> void each_number(std::string_view text, Found found) {
     found(text.substr(at, end - at));
     at = end;
   }
-}
-
-std::string_view trimmed(std::string_view text) {
-  constexpr char const *blank = " \t\r\n";
-  std::size_t const begin = text.find_first_not_of(blank);
-  return begin == text.npos ? std::string_view() : text.substr(begin, text.find_last_not_of(blank) + 1 - begin);
 }
 
 bool is_standard(std::ios const &stream) {
