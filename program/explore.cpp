@@ -131,8 +131,8 @@ std::vector<DecidedPlace> decided_places(Graph const &graph, std::vector<Place> 
   };
   std::map<Place, DecidedPlace, decltype(order)> all(order);
   auto const at = [&](LocationId location) -> DecidedPlace * {
-    if (location == no_location || graph.locations[location].places.empty()) return nullptr;
-    return &all[graph.locations[location].places.front()];
+    Place const place = place_at(graph, location);
+    return place.file.empty() ? nullptr : &all[place];
   };
   for (Place const &place : explored) all[place].is_explored = true;
   for (Guard const &guard : graph.guards)

@@ -17,6 +17,15 @@ std::size_t number_count(std::vector<std::size_t> const &extents, std::vector<Me
   return members.empty() ? count : count * each;
 }
 
+Place place_at(Graph const &graph, LocationId location) {
+  if (location == no_location || graph.locations[location].places.empty()) return {};
+  return graph.locations[location].places.front();
+}
+
+Place place_of(Graph const &graph, NodeId node) {
+  return place_at(graph, node < graph.node_location.size() ? graph.node_location[node] : no_location);
+}
+
 Graph without_nodes(Graph const &graph) {
   Graph rest;
   rest.kernel = graph.kernel;

@@ -122,6 +122,10 @@ private:
   }
 };
 
+// The user's own place, not one of a library further in; nowhere, where none is known.
+Place place_at(Graph const &graph, LocationId location);
+Place place_of(Graph const &graph, NodeId node);
+
 // Everything but nodes and what names them: what a pass carries over unchanged.
 Graph without_nodes(Graph const &graph);
 

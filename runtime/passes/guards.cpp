@@ -4,6 +4,7 @@
 // What is known after some guards: for a pair of operands which outcomes of comparing them are possible; for an operand
 // that is compared with constants also an interval; for any other condition its truth. A conjunction is two facts. What
 // an operand can be at all counts too: an index that was clamped needs no guard.
+#include "graph/relations.h"
 #include "passes/pass.h"
 #include "passes/value_range.h"
 
@@ -15,24 +16,7 @@ namespace symreal {
 
 namespace {
 
-// How two numbers may compare: a set of these.
-enum Outcome : unsigned { less = 1, equal = 2, greater = 4, unordered = 8, any = 15 };
-
-unsigned outcomes(Op op) {
-  switch (op) {
-  case Op::lt: return less;
-  case Op::le: return less | equal;
-  case Op::gt: return greater;
-  case Op::ge: return greater | equal;
-  case Op::eq: return equal;
-  case Op::ne: return less | greater | unordered;
-  default: return 0;
-  }
-}
-
-unsigned with_operands_exchanged(unsigned set) {
-  return (set & (equal | unordered)) | (set & less ? greater : 0u) | (set & greater ? less : 0u);
-}
+using namespace relation;
 
 struct Literal {
   NodeId condition;
@@ -90,14 +74,14 @@ private:
 
   Comparison view(Literal const &literal) const {
     Node const &node = graph_.nodes[literal.condition];
-    unsigned set = is_leaf(node.op) ? 0 : outcomes(node.op);
+    unsigned set = is_leaf(node.op) ? 0 : held_by(node.op);
     if (set == 0) return {no_node, no_node, 0, {}};
     if (!literal.holds) set = any & ~set;
     NodeId x = node.operand[0], y = node.operand[1];
     bool const x_is_constant = graph_.nodes[x].is_constant();
     if (x_is_constant || (x > y && !graph_.nodes[y].is_constant())) {
       std::swap(x, y);
-      set = with_operands_exchanged(set);
+      set = mirrored(set);
     }
     Comparison result{x, y, set, {}};
     Node const &other = graph_.nodes[y];
@@ -157,10 +141,7 @@ std::vector<Literal> facts(Graph const &graph, NodeId condition) {
 }
 
 [[noreturn]] void report(Graph const &graph, Guard const &guard, FloatingPoint mode) {
-  Place place;
-  if (guard.location != no_location && !graph.locations[guard.location].places.empty())
-    place = graph.locations[guard.location].places.front();
-  fail(DiagnosticId::contradictory_guard, place,
+  fail(DiagnosticId::contradictory_guard, place_at(graph, guard.location),
        "the guard " + guard.text + " can never hold together with those before it in mode " +
            std::string(to_string(mode)));
 }

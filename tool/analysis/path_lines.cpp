@@ -5,12 +5,6 @@
 
 namespace symreal::tool {
 
-Place place_of(Graph const &graph, NodeId node) {
-  if (node >= graph.node_location.size() || graph.node_location[node] == no_location) return {};
-  std::vector<Place> const &places = graph.locations[graph.node_location[node]].places;
-  return places.empty() ? Place{} : places.front();
-}
-
 std::vector<PathLine> path_lines(Graph const &graph, std::vector<PathStep> const &path) {
   std::vector<PathLine> lines;
   NodeId last = no_node;

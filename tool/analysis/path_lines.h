@@ -18,9 +18,6 @@ struct PathLine {
 };
 std::vector<PathLine> path_lines(Graph const &graph, std::vector<PathStep> const &path);
 
-// The user's own place of a node; no place where none is known.
-Place place_of(Graph const &graph, NodeId node);
-
 // "2 mul, add"
 std::string to_string(OperationCounts const &operations);
 

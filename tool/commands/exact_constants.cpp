@@ -14,12 +14,6 @@
 namespace symreal::tool {
 namespace {
 
-// The user's own, not one of a library further in.
-Place place_of(Graph const &graph, SnappedConstant const &constant) {
-  if (constant.location == no_location || graph.locations[constant.location].places.empty()) return {};
-  return graph.locations[constant.location].places.front();
-}
-
 std::string in_words(SnappedConstant const &constant) {
   return fmt::format("{} counts as {}, in {} place{}", shortest(constant.value), shortest(constant.exact),
                      constant.uses, constant.uses == 1 ? "" : "s");
@@ -39,11 +33,12 @@ void tell(Graph const &graph, std::vector<SnappedConstant> const &constants, Rep
                      "verify tries it"});
   if (constants.size() <= most_alone) {
     for (SnappedConstant const &constant : constants)
-      report({DiagnosticId::snapped_constant, place_of(graph, constant), in_words(constant), notes});
+      report({DiagnosticId::snapped_constant, place_at(graph, constant.location), in_words(constant), notes});
     return;
   }
-  for (SnappedConstant const &constant : constants) notes.push_back({place_of(graph, constant), in_words(constant)});
-  report({DiagnosticId::snapped_constant, place_of(graph, constants.front()),
+  for (SnappedConstant const &constant : constants)
+    notes.push_back({place_at(graph, constant.location), in_words(constant)});
+  report({DiagnosticId::snapped_constant, place_at(graph, constants.front().location),
           fmt::format("{} constants count as exact numbers", constants.size()), std::move(notes)});
 }
 
@@ -89,8 +84,8 @@ void require_same_outputs(Graph const &recorded, Snapped const &snapped, double 
     if (changed.empty()) continue;
     std::vector<Note> notes;
     for (SnappedConstant const &constant : snapped.constants)
-      notes.push_back({place_of(recorded, constant), in_words(constant)});
-    fail(DiagnosticId::snap_changes_output, place_of(recorded, snapped.constants.front()),
+      notes.push_back({place_at(recorded, constant.location), in_words(constant)});
+    fail(DiagnosticId::snap_changes_output, place_at(recorded, snapped.constants.front().location),
          fmt::format("{}{}, by more than {} of the larger of its magnitude and 1", changed,
                      k == 0 ? " on the recorded inputs" : "", shortest(tolerance)),
          std::move(notes));
@@ -122,7 +117,7 @@ void tell_of_exact_constants(Graph const &recorded, PassSettings const &settings
   std::size_t const now = operations(recorded, settings), then = operations(snapped.graph, settings);
   if (then >= now) return;
   SnappedConstant const &first = snapped.constants.front();
-  report({DiagnosticId::snap_would_save, place_of(recorded, first),
+  report({DiagnosticId::snap_would_save, place_at(recorded, first.location),
           fmt::format("{} of {} operations compute with constants that are nearly exact, such as {} for {}", now - then,
                       now, shortest(first.value), shortest(first.exact))});
 }

@@ -13,7 +13,7 @@ void DifferentiateOption::add_to(CLI::App &app) {
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
 
-Graph DifferentiateOption::applied(Graph graph, std::function<void(Diagnostic const &)> const &report) const {
+Graph DifferentiateOption::applied(Graph graph, Report const &report) const {
   std::vector<DerivativeWish> wishes = std::move(graph.wishes);
   graph.wishes.clear();
   for (std::string const &request : requests) wishes.push_back({request, {}});

@@ -11,7 +11,7 @@ struct DifferentiateOption {
   bool is_given() const { return !requests.empty(); }
   void add_to(CLI::App &app);
   // The graph as it is, if nobody asks for any. Throws what differentiate throws.
-  Graph applied(Graph graph, std::function<void(Diagnostic const &)> const &report) const;
+  Graph applied(Graph graph, Report const &report) const;
 };
 
 } // namespace symreal::tool

@@ -1,29 +1,14 @@
 #include "trace/decisions/known_outcomes.h"
 
+#include "graph/relations.h"
+
 #include <algorithm>
 #include <cmath>
 
 namespace symreal::trace {
 namespace {
 
-constexpr unsigned less = 1, equal = 2, greater = 4, unordered = 8;
-
-// For which relations of its operands the comparison holds; none: it is no comparison of numbers.
-unsigned held_by(Op op) {
-  switch (op) {
-  case Op::lt: return less;
-  case Op::le: return less | equal;
-  case Op::gt: return greater;
-  case Op::ge: return greater | equal;
-  case Op::eq: return equal;
-  case Op::ne: return less | greater | unordered;
-  default: return 0;
-  }
-}
-
-unsigned mirrored(unsigned relations) {
-  return (relations & (equal | unordered)) | (relations & less ? greater : 0) | (relations & greater ? less : 0);
-}
+using namespace relation;
 
 bool is_nan(Node const &node) { return node.is_constant() && std::isnan(node.value()); }
 
