@@ -25,16 +25,6 @@ private:
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-// True when no error is among them.
-bool report_all(std::vector<Diagnostic> const &diagnostics, Talk const &talk) {
-  bool clean = true;
-  for (Diagnostic const &diagnostic : diagnostics) {
-    talk.report(diagnostic);
-    clean &= diagnostic.severity != Severity::error;
-  }
-  return clean;
-}
-
 std::vector<rewrite::Kernel> wanted_kernels(rewrite::Result const &rewritten, FrontRequest const &request) {
   std::vector<rewrite::Kernel> wanted = rewritten.kernels;
   if (!request.called.empty())
@@ -127,7 +117,7 @@ bool rewrite_sources(FrontRequest const &request, Front &front, Talk const &talk
   front.rewritten = rewrite::run(request.source);
   // The compiler's messages and debug information are read here, wherever it runs.
   for (rewrite::File &file : front.rewritten.files) file.compiled_name = file.display_path;
-  if (!report_all(front.rewritten.diagnostics, talk)) return false;
+  if (!report_all(front.rewritten.diagnostics, talk.report)) return false;
   note_unreached(front.rewritten, rewrite::compilations_of(request.source).size(), talk);
   front.read = front.rewritten.read;
   for (rewrite::TextSource const &one : request.source.texts)
@@ -150,16 +140,18 @@ bool build_programs(FrontRequest const &request, Front &front, Talk const &talk)
   return true;
 }
 
+RunOptions run_of(Front const &front, RunOptions run) {
+  run.run_on |= front.wanted.size() < front.rewritten.kernels.size();
+  return run;
+}
+
 bool record_kernels(FrontRequest const &request, Front &front, Talk const &talk) {
   talk.stage("recording");
   Stopwatch const watch(front.run_seconds);
-  RunOptions run = request.run;
-  // Which kernel comes first is not known before the run, so one among several is waited for to the program's end.
-  run.run_on |= front.wanted.size() < front.rewritten.kernels.size();
-  Recording recording = record(front.symbolic_program, run, front.rewritten, front.wanted, *front.overlay,
-                               *front.workspace, talk.program_output);
+  Recording recording = record(front.symbolic_program, run_of(front, request.run), front.rewritten, front.wanted,
+                               *front.overlay, *front.workspace, talk.program_output);
   explain_refusals(recording.diagnostics, front.rewritten.refusals);
-  if (!report_all(recording.diagnostics, talk)) {
+  if (!report_all(recording.diagnostics, talk.report)) {
     for (Recorded const &kernel : recording.kernels)
       if (talk.lacking && !kernel.clauses.empty()) talk.lacking(kernel);
     return false;

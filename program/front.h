@@ -60,6 +60,10 @@ bool build_programs(FrontRequest const &request, Front &front, Talk const &talk)
 // The symbolic program, run once, to graphs.
 bool record_kernels(FrontRequest const &request, Front &front, Talk const &talk);
 
+// How the front's programs run. Which kernel comes first is not known before the run, so one among several is waited
+// for to the program's end.
+RunOptions run_of(Front const &front, RunOptions run);
+
 // All three. Nothing when an error was reported.
 std::optional<Front> run_front(FrontRequest const &request, Talk const &talk);
 

@@ -16,17 +16,12 @@ namespace {
 bool is_operation(Node const &node) { return !is_leaf(node.op); }
 
 std::size_t count_operations(Graph const &graph) {
-  std::size_t count = 0;
-  for (NodeId id = 0; id < graph.nodes.size(); ++id) count += is_operation(graph.nodes[id]);
-  return count;
+  return static_cast<std::size_t>(std::count_if(graph.nodes.begin(), graph.nodes.end(), is_operation));
 }
 
-// Of the user's text, which comes first.
 std::string line_of(Graph const &graph, NodeId id) {
-  LocationId const location = id < graph.node_location.size() ? graph.node_location[id] : no_location;
-  if (location == no_location || graph.locations[location].places.empty()) return {};
-  Place const &place = graph.locations[location].places.front();
-  return fmt::format("{}:{}", place.file, place.line);
+  Place const place = place_of(graph, id);
+  return place.file.empty() ? "" : fmt::format("{}:{}", place.file, place.line);
 }
 
 // What a node is worth on a few samples: operations with the same values are taken for the same.
@@ -71,8 +66,7 @@ public:
   bool evaluate(Sample const &sample) {
     values_ = symreal::evaluate(graph_, sample.inputs, sample.parameters);
     evaluation_ = evaluation_of(graph_, values_);
-    return evaluation_.premises.defined && (mode_ == FloatingPoint::strict || evaluation_.premises.hold()) &&
-           evaluation_.failing_guard == graph_.guards.size();
+    return evaluation_.premises.hold_in(mode_) && evaluation_.failing_guard == graph_.guards.size();
   }
   void keep_values() {
     if (!kept_.is_full()) kept_.add(values_, active_nodes(graph_, values_));
@@ -121,8 +115,7 @@ Recording record_instructions(Front const &front, RunOptions run, LineSink const
   std::string const executable =
       build_variants(front.build, variants, *front.overlay, overlay, *front.workspace).front();
   run.decisions = "guard";
-  run.run_on |= front.wanted.size() < front.rewritten.kernels.size();
-  return record(executable, run, annotated, front.wanted, overlay, *front.workspace, sink);
+  return record(executable, run_of(front, std::move(run)), annotated, front.wanted, overlay, *front.workspace, sink);
 }
 
 OracleComparison compare_recordings(Graph const &graph, Graph const &oracle, OracleOptions const &options) {

@@ -208,8 +208,7 @@ private:
     if (threads_) threads_->compare({with_seeds(sample.inputs), sample.parameters}, computed);
     if (banner_.is_single) single_.emplace(graph_, sample);
     Premises const premises = single_ && evaluated.premises.hold() ? single_->premises() : evaluated.premises;
-    bool const is_strict = banner_.mode == FloatingPoint::strict && !banner_.is_single;
-    bool const inside = premises.defined && (is_strict || premises.hold());
+    bool const inside = premises.hold_in(banner_.is_single ? FloatingPoint::finite : banner_.mode);
     if (!premises.defined)
       ++result_.undefined;
     else if (!inside)
@@ -268,9 +267,7 @@ private:
     for (std::size_t call = 1; call < original_->calls(); ++call) {
       std::vector<double> const inputs = original_->next_inputs(sample, generated);
       Evaluation const evaluated = evaluate_sample(graph_, inputs, sample.parameters);
-      bool const inside = evaluated.premises.defined &&
-                          (banner_.mode == FloatingPoint::strict || evaluated.premises.hold()) &&
-                          evaluated.failing_guard >= graph_.guards.size();
+      bool const inside = evaluated.premises.hold_in(banner_.mode) && evaluated.failing_guard >= graph_.guards.size();
       GeneratedCode::Result const computed =
           inside ? code_.run(with_seeds(inputs), sample.parameters) : GeneratedCode::Result{1, {}};
       if (computed.failed != 0) return;

@@ -28,6 +28,15 @@ Severity usual_severity(DiagnosticId id) {
   return id == DiagnosticId{} ? Severity::error : info(id).severity; // none yet: it is read from somewhere
 }
 
+bool report_all(std::vector<Diagnostic> const &diagnostics, Report const &report) {
+  bool is_clean = true;
+  for (Diagnostic const &diagnostic : diagnostics) {
+    report(diagnostic);
+    is_clean &= diagnostic.severity != Severity::error;
+  }
+  return is_clean;
+}
+
 DiagnosticInfo const *find_diagnostic(std::string_view wanted) {
   for (DiagnosticInfo const &row : diagnostic_table())
     if (code(row.id) == wanted) return &row;

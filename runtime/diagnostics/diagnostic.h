@@ -58,6 +58,9 @@ struct Diagnostic {
 // Who tells the user what is no error.
 using Report = std::function<void(Diagnostic const &)>;
 
+// True when no error is among them.
+bool report_all(std::vector<Diagnostic> const &diagnostics, Report const &report);
+
 // The row with this code ("SYM012"), or null.
 DiagnosticInfo const *find_diagnostic(std::string_view code);
 // "SYM012"

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "graph/graph.h"
+#include "ops/floating_point.h"
 
 #include <cstdint>
 #include <functional>
@@ -44,6 +45,8 @@ struct Premises {
   // In every mode: indices lie in their tables, and integers in their types. Elsewhere the original has no meaning.
   bool defined = true;
   bool hold() const { return finite && zero_sign_unseen && defined; }
+  // `strict` promises equality wherever the original has a meaning.
+  bool hold_in(FloatingPoint mode) const { return mode == FloatingPoint::strict ? defined : hold(); }
 };
 Premises check_premises(Graph const &graph, std::span<double const> values);
 

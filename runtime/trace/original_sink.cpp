@@ -269,12 +269,7 @@ void symreal_original_returned(int active, char const *label, char const *file, 
 
 void symreal_original_settle(void volatile *begin, std::size_t size) {
   OwnWork const own;
-  symreal::trace::Pool const &pool = symreal::trace::Pool::current();
-  auto *bytes = static_cast<char *>(const_cast<void *>(begin));
-  for (std::size_t k = 0; k + sizeof(symreal::RealNumber) <= size; k += sizeof(symreal::RealNumber)) {
-    auto &number = *reinterpret_cast<symreal::RealNumber *>(bytes + k);
-    if (pool.owns(number)) number = pool.final_value(number);
-  }
+  symreal::trace::Pool::current().make_plain(const_cast<void *>(begin), size);
 }
 
 int symreal_original_compute(double const *input, double const *parameters, double *output) {

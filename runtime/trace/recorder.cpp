@@ -175,8 +175,7 @@ public:
     else
       State::current().end_untold();
     TextMarks::current().end();
-    for (RealNumber *number : written_)
-      if (pool.owns(*number)) *number = pool.final_value(*number);
+    for (RealNumber *number : written_) pool.make_plain(*number);
     Guards::current().end(graph_);
     ExploredPath::current().end();
     hand_over(output_file);

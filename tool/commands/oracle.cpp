@@ -76,15 +76,6 @@ std::optional<Diagnostic> failure_of(Graph const &graph, program::OracleComparis
   return {};
 }
 
-bool report_all(std::vector<Diagnostic> const &diagnostics, Console &console) {
-  bool is_clean = true;
-  for (Diagnostic const &one : diagnostics) {
-    console.report(one);
-    is_clean &= one.severity != Severity::error;
-  }
-  return is_clean;
-}
-
 struct Recordings {
   std::vector<Graph> graphs, by_oracle; // of the kernels, in one order
 };
@@ -105,7 +96,7 @@ std::optional<Recordings> record(program::FrontRequest const &request, Options c
                 if (called.keep) console.note("the build directory is " + front->workspace->path());
                 talk.stage("recording instructions");
                 program::Recording oracle = program::record_instructions(*front, called.run, talk.program_output);
-                if (report_all(oracle.diagnostics, console))
+                if (report_all(oracle.diagnostics, talk.report))
                   recordings = {graphs_of(std::move(front->kernels)), graphs_of(std::move(oracle.kernels))};
               });
   return recordings;

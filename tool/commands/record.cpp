@@ -39,12 +39,8 @@ int run(Options options, Session const &session) {
   program::Overlay const overlay;
   program::Recording recording = program::record(program_path(session.flags.front()), options.run, {}, {}, overlay,
                                                  workspace, console.talk().program_output);
-  bool failed = false;
-  for (Diagnostic const &diagnostic : recording.diagnostics) {
-    console.report(diagnostic);
-    failed |= diagnostic.severity == Severity::error;
-  }
-  if (failed || !report_frozen(recording.kernels, options.frozen, console)) return error;
+  bool const is_clean = report_all(recording.diagnostics, console.talk().report);
+  if (!is_clean || !report_frozen(recording.kernels, options.frozen, console)) return error;
   make_directory(options.directory);
   std::vector<OutputFile> files;
   for (program::Recorded const &recorded : recording.kernels) {

@@ -63,6 +63,14 @@ public:
 
   // What a number becomes when its kernel ends.
   double final_value(RealNumber number) const { return value(static_cast<NodeId>(number.to_bits())); }
+  void make_plain(RealNumber &number) const {
+    if (owns(number)) number = final_value(number); // what is no node may lie in constant memory
+  }
+  // All numbers that lie in these bytes, from the first on.
+  void make_plain(void *begin, std::size_t size) const {
+    auto *numbers = static_cast<RealNumber *>(begin);
+    for (std::size_t k = 0; k < size / sizeof *numbers; ++k) make_plain(numbers[k]);
+  }
 
   NodeTable const &nodes() const { return table_; }
   // From now on what is recorded is exact, or no longer; returns what held before.

@@ -242,9 +242,7 @@ void State::moved(void *block, std::size_t size, void *to, std::size_t new_size)
 }
 
 // A number that holds a node is an ordinary one again.
-void State::make_plain(RealNumber const *number) {
-  if (Pool::current().owns(*number)) *const_cast<RealNumber *>(number) = Pool::current().final_value(*number);
-}
+void State::make_plain(RealNumber const *number) { Pool::current().make_plain(*const_cast<RealNumber *>(number)); }
 
 void State::report_lost(Site const &site) {
   if (is_private(site) || !reported_.insert(site).second) return;
@@ -382,11 +380,11 @@ void State::judge_writes() {
 void State::end_untold() {
   detail::recording = false;
   std::vector<memory::Change> const changes = image_ ? image_->changes({}) : std::vector<memory::Change>();
-  for (memory::Change const &change : changes)
-    for (char *at = change.object + change.first / sizeof(RealNumber) * sizeof(RealNumber);
-         at + sizeof(RealNumber) <= change.object + change.size && at < change.object + change.end;
-         at += sizeof(RealNumber))
-      make_plain(reinterpret_cast<RealNumber const *>(at));
+  for (memory::Change const &change : changes) {
+    std::size_t const first = change.first / sizeof(RealNumber) * sizeof(RealNumber);
+    Pool::current().make_plain(change.object + first,
+                               std::min(change.size, change.end + sizeof(RealNumber) - 1) - first);
+  }
   image_.reset();
   shadow_.clear();
 }
