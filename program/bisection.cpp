@@ -70,10 +70,10 @@ private:
 
 } // namespace
 
-std::vector<NamedPass> default_pipeline() {
+std::vector<NamedPass> default_pipeline(FloatingPoint mode) {
   std::vector<NamedPass> passes;
   for (PassInfo const &pass : pass_table())
-    if (pass.by_default) passes.push_back({std::string(pass.name), pass.run});
+    if (pass.by_default && pass.mode <= mode) passes.push_back({std::string(pass.name), pass.run});
   return passes;
 }
 

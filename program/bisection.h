@@ -24,8 +24,8 @@ struct Culprit {
   LocationId location = no_location; // of what was rewritten
 };
 
-// The default passes of the table.
-std::vector<NamedPass> default_pipeline();
+// The default passes of a mode.
+std::vector<NamedPass> default_pipeline(FloatingPoint mode);
 
 // Outputs are the same by `mode` and `tolerance`. Nothing where no pass changes them. `graph` calls no function of a
 // program.

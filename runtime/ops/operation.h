@@ -30,7 +30,7 @@ struct OperationInfo {
   Domain domain;
   std::string_view doc;
 
-  bool has(unsigned flag) const { return (flags & flag) != 0; }
+  constexpr bool has(unsigned flag) const { return (flags & flag) != 0; }
 };
 
 namespace flag {

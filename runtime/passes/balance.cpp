@@ -63,7 +63,6 @@ private:
 
 // Sums and products of several terms as balanced trees: the critical path is shorter, the work the same.
 Graph pass_balance(Graph graph, PassSettings const &settings) {
-  if (settings.mode != FloatingPoint::fast) return graph;
   Balance balance(settings.costs);
   return regrouped(graph, [&](Group const &group, NodeTable &table) { return balance(group, table); });
 }

@@ -9,7 +9,7 @@ namespace symreal {
 
 std::span<PassInfo const> pass_table() {
   static constexpr PassInfo table[] = {
-#define PASS(name, by_default, doc) {#name, pass_##name, by_default, doc},
+#define PASS(name, by_default, mode, doc) {#name, pass_##name, by_default, FloatingPoint::mode, doc},
 #include "passes/passes.def"
 #undef PASS
   };
@@ -23,7 +23,7 @@ std::vector<std::string> default_passes() {
   return names;
 }
 
-static PassInfo const &find_pass(std::string_view name) {
+PassInfo const &find_pass(std::string_view name) {
   auto table = pass_table();
   auto found = std::find_if(table.begin(), table.end(), [name](PassInfo const &pass) { return pass.name == name; });
   if (found == table.end()) fail(DiagnosticId::unknown_pass, {}, "no pass is named '" + std::string(name) + "'");
@@ -46,7 +46,9 @@ std::vector<std::string> parse_passes(std::string_view text) {
 
 Graph run_passes(Graph graph, std::span<std::string const> names, PassSettings const &settings) {
   for (std::string const &name : names) {
-    graph = find_pass(name).run(std::move(graph), settings);
+    PassInfo const &pass = find_pass(name);
+    if (settings.mode < pass.mode) continue;
+    graph = pass.run(std::move(graph), settings);
     if (std::string violation = find_violation(graph); !violation.empty()) {
       std::fprintf(stderr, "symreal: after pass %s: %s\n", name.c_str(), violation.c_str());
       internal_check(false && "a pass left the graph invalid");

@@ -36,20 +36,25 @@ struct PassSettings {
 #include "passes/passes.def"
 #undef PASS
 
+// One of passes.def.
 struct PassInfo {
   std::string_view name;
   Graph (*run)(Graph, PassSettings const &);
   bool by_default;
+  FloatingPoint mode; // the first in which it runs
   std::string_view doc;
 };
 std::span<PassInfo const> pass_table();
+// Throws unknown_pass.
+PassInfo const &find_pass(std::string_view name);
 
 std::vector<std::string> default_passes();
 
 // "a,b,c", where "default" stands for those that run by default; or "none". Throws unknown_pass.
 std::vector<std::string> parse_passes(std::string_view text);
 
-// Runs the passes one after the other and validates the graph after each. Throws unknown_pass.
+// Runs those of the passes that the mode allows, one after the other, and validates the graph after each. Throws
+// unknown_pass.
 Graph run_passes(Graph graph, std::span<std::string const> names, PassSettings const &settings);
 
 } // namespace symreal

@@ -90,7 +90,6 @@ int halves_of(Graph const &graph, NodeId id) {
 
 // Powers of one base share their products: x^2, x^3 and x^6 take three multiplications.
 Graph pass_powers(Graph graph, PassSettings const &settings) {
-  if (settings.mode != FloatingPoint::fast) return graph;
   std::vector<char> const live = live_nodes(graph);
   std::map<NodeId, std::map<int, std::vector<NodeId>>> bases; // exponents and nodes
   for (NodeId id = 0; id < graph.nodes.size(); ++id)

@@ -5,8 +5,8 @@ namespace symreal {
 
 // The terms of a sum, and the factors of a product, that depend on parameters or numbers alone are brought together:
 // a + x + b is x + (a + b), whose second sum `preprocess` computes. What comes from inputs stays in its order.
-Graph pass_regroup(Graph graph, PassSettings const &settings) {
-  if (settings.mode != FloatingPoint::fast || !graph.precomputed.empty()) return graph;
+Graph pass_regroup(Graph graph, PassSettings const & /*settings*/) {
+  if (!graph.precomputed.empty()) return graph;
   return regrouped(graph, [](Group const &group, NodeTable &table) -> std::optional<SignedNode> {
     std::optional<SignedNode> free, variable;
     std::size_t free_terms = 0;

@@ -52,7 +52,7 @@ TEST(Bisection, NamesTheRewrite) {
 
 TEST(Bisection, FindsNothingWhereNothingIsWrong) {
   Graph const graph = graph_of("%0 = input 0\n%1 = mul %0 1\n%2 = add %1 %1\nresult 0 %2\n");
-  EXPECT_FALSE(find_culprit(graph, default_pipeline(), FloatingPoint::finite, 0, {{5, 0}, {}}));
+  EXPECT_FALSE(find_culprit(graph, default_pipeline(FloatingPoint::finite), FloatingPoint::finite, 0, {{5, 0}, {}}));
 }
 
 } // namespace

@@ -122,7 +122,7 @@ std::string bisected(program::Recorded const &recorded, program::Banner const &b
   if (!graph.externals.empty() || banner.is_single)
     return "bisection: a graph of code in single precision, or that calls functions, cannot be evaluated pass by pass";
   std::optional<program::Culprit> const culprit =
-      program::find_culprit(graph, program::default_pipeline(), PassSettings(banner.mode), options.tolerance,
+      program::find_culprit(graph, program::default_pipeline(banner.mode), PassSettings(banner.mode), options.tolerance,
                             verification.named.at(output->worst_sample));
   if (!culprit)
     return "bisection: no pass of the usual ones changes an output there: the difference comes with the recording, "
