@@ -12,8 +12,8 @@ import lit.formats
 config.name = "symreal"
 config.test_format = lit.formats.ShTest(execute_external=False)
 config.suffixes = [".test", ".cpp", ".c", ".graph", ".txt", ".facts"]
-# Unit tests are GoogleTest's; a directory "Inputs" holds what tests read; the files of CMake and pip are no tests.
-config.excludes = ["unit", "tools", "Inputs", "CMakeLists.txt", "requirements.txt"]
+# Unit tests are GoogleTest's, fuzzers are programs; a directory "Inputs" holds what tests read; the files of CMake and pip are no tests.
+config.excludes = ["unit", "tools", "Inputs", "fuzzers", "CMakeLists.txt", "requirements.txt"]
 config.test_source_root = os.path.join(config.source_dir, "tests")
 config.test_exec_root = os.path.join(config.binary_dir, "tests")
 

@@ -1,5 +1,7 @@
 #include "graph/graph.h"
 
+#include <limits>
+
 namespace symreal {
 
 // Here, since code that is compiled without optimisation copies and destroys graphs too.
@@ -11,10 +13,13 @@ Graph &Graph::operator=(Graph &&) noexcept = default;
 Graph::~Graph() = default;
 
 std::size_t number_count(std::vector<std::size_t> const &extents, std::vector<Member> const &members) {
-  std::size_t count = 1, each = 0;
-  for (std::size_t extent : extents) count *= extent;
-  for (Member const &member : members) each += number_count(member.extents, member.members);
-  return members.empty() ? count : count * each;
+  constexpr std::size_t most = std::numeric_limits<std::size_t>::max();
+  std::size_t count = members.empty() ? 1 : 0;
+  for (Member const &member : members)
+    if (__builtin_add_overflow(count, number_count(member.extents, member.members), &count)) count = most;
+  for (std::size_t const extent : extents)
+    if (__builtin_mul_overflow(count, extent, &count)) count = most;
+  return count;
 }
 
 Place place_at(Graph const &graph, LocationId location) {

@@ -24,7 +24,8 @@ struct Member {
   bool operator==(Member const &) const = default;
 };
 
-// How many numbers there are in an array of this, or of these members one after the other.
+// How many numbers there are in an array of this, or of these members one after the other; the largest std::size_t if
+// more.
 std::size_t number_count(std::vector<std::size_t> const &extents, std::vector<Member> const &members);
 
 // An annotated object: `label` is the text of its annotation, its numbers occupy slots first .. first+count-1 of the

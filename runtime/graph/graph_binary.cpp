@@ -1,5 +1,6 @@
 #include "graph/graph_binary.h"
 
+#include "graph/bounded_input.h"
 #include "graph/validate.h"
 #include "support/version.h"
 
@@ -10,6 +11,7 @@
 #include <cereal/types/vector.hpp>
 #include <cerrno>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 
 namespace symreal {
@@ -78,7 +80,7 @@ Graph read_binary_graph(std::string const &path) {
          "the recording is not of this version of Symreal, " + std::string(version));
   Graph graph;
   try {
-    cereal::BinaryInputArchive archive(file);
+    BoundedInput archive(file, std::filesystem::file_size(path) - head.size());
     archive(graph);
   } catch (std::bad_alloc const &) {
     throw;

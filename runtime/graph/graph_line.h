@@ -7,8 +7,8 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cmath>
 #include <iosfwd>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,6 +16,13 @@
 namespace symreal {
 
 // The words of one line. A quoted string is one word, kept with its opening quote to tell it from a bare one.
+// The whole text as a number from 0 on that the type has.
+template <class Number = std::uint32_t> std::optional<Number> parse_natural(std::string_view text) {
+  Number value = 0;
+  auto [end, failed] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return failed == std::errc() && end == text.data() + text.size() ? std::optional(value) : std::nullopt;
+}
+
 class Line {
 public:
   Line(std::string_view text, Place place) : place_(std::move(place)) {
@@ -60,10 +67,9 @@ public:
   }
   std::uint32_t count(char const *what) {
     std::string const &text = word(what);
-    std::uint32_t value = 0;
-    auto [end, failed] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (failed != std::errc() || end != text.data() + text.size()) error("'" + text + "' is no " + what);
-    return value;
+    std::optional<std::uint32_t> const value = parse_natural(text);
+    if (!value) error("'" + text + "' is no " + what);
+    return *value;
   }
   double number(char const *what) {
     std::string const &text = word(what);
@@ -83,10 +89,9 @@ public:
     std::vector<std::size_t> result;
     while (!done() && peek()[0] == '[') {
       std::string const &text = word("extent");
-      auto extent = parse_number(std::string_view(text).substr(1, text.size() - 2));
-      if (text.back() != ']' || !extent || *extent < 0 || *extent != std::floor(*extent))
-        error("'" + text + "' is not an extent");
-      result.push_back(static_cast<std::size_t>(*extent));
+      std::optional<std::uint32_t> const extent = parse_natural(std::string_view(text).substr(1, text.size() - 2));
+      if (text.back() != ']' || !extent) error("'" + text + "' is not an extent");
+      result.push_back(*extent);
     }
     return result;
   }

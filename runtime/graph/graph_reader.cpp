@@ -4,8 +4,6 @@
 #include "graph/validate.h"
 #include "support/number.h"
 
-#include <charconv>
-#include <cmath>
 #include <map>
 
 namespace symreal {
@@ -41,6 +39,8 @@ public:
   }
 
 private:
+  static constexpr std::size_t most_slots = std::size_t{1} << 28; // as many as a recording has room for
+
   void read_line(Line &line) {
     std::string head = line.word("a line");
     if (!headed_) {
@@ -92,13 +92,16 @@ private:
     object.extents = line.extents();
     object.members = read_members(line);
     std::size_t const count = number_count(object.extents, object.members);
+    std::size_t const before = objects.empty() ? 0 : objects.back().first + objects.back().count;
+    if (count > most_slots - before)
+      line.error("the objects have more than " + std::to_string(most_slots) + " numbers");
     object.place = line.optional_place();
     if (line.accept("range")) {
       double low = line.number("lower end of the range");
       object.range = {low, line.number("upper end of the range")};
     }
     object.count = static_cast<std::uint32_t>(count);
-    object.first = objects.empty() ? 0 : objects.back().first + objects.back().count;
+    object.first = static_cast<std::uint32_t>(before);
     objects.push_back(object);
     if (!values) return;
     bool given = line.accept("=");
@@ -187,9 +190,9 @@ private:
   static LocationId read_location_use(Line &line) {
     if (line.done() || line.peek()[0] != '@') return no_location;
     std::string text = line.word("a location");
-    auto id = parse_number(std::string_view(text).substr(1));
-    if (!id || *id < 0 || *id != std::floor(*id)) line.error("'" + text + "' is not a location");
-    return static_cast<LocationId>(*id);
+    std::optional<LocationId> const id = parse_natural(std::string_view(text).substr(1));
+    if (!id) line.error("'" + text + "' is not a location");
+    return *id;
   }
 
   void read_guard(Line &line) {
@@ -204,7 +207,12 @@ private:
     Location location;
     while (!line.done() && line.peek() == "at") location.places.push_back(line.optional_place());
     if (line.accept("stack"))
-      while (!line.done()) location.addresses.push_back(static_cast<std::uint64_t>(line.number("an address")));
+      while (!line.done()) {
+        std::string const &text = line.word("an address");
+        std::optional<std::uint64_t> const address = parse_natural<std::uint64_t>(text);
+        if (!address) line.error("'" + text + "' is not an address");
+        location.addresses.push_back(*address);
+      }
     graph_.locations.push_back(std::move(location));
   }
 
@@ -216,11 +224,9 @@ private:
   NodeId read_operand(Line &line) {
     if (!line.done() && line.peek()[0] != '%') return table_.constant(line.number("an operand"));
     std::string text = line.word("an operand");
-    std::uint32_t id = 0;
-    auto [end, failed] = std::from_chars(text.data() + 1, text.data() + text.size(), id);
-    if (failed != std::errc() || end != text.data() + text.size() || id >= named_.size())
-      line.error("'" + text + "' is not a node above this line");
-    return named_[id];
+    std::optional<NodeId> const id = parse_natural(std::string_view(text).substr(1));
+    if (!id || *id >= named_.size()) line.error("'" + text + "' is not a node above this line");
+    return named_[*id];
   }
 
   Graph graph_;

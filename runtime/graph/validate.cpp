@@ -69,6 +69,11 @@ std::string find_violation(Graph const &graph) {
   if (graph.results.size() != graph.output_count()) return "the number of results differs from the outputs' size";
   if (graph.input_values.size() != graph.input_count()) return "the number of input values differs";
   if (graph.parameter_values.size() != graph.parameter_count()) return "the number of parameter values differs";
+  for (std::size_t id = 0; id < graph.nodes.size(); ++id)
+    if (char const *violation = is_sound_arithmetic(graph.nodes, static_cast<NodeId>(id))
+                                    ? nullptr
+                                    : find_node_violation(graph, static_cast<NodeId>(id)))
+      return "node " + std::to_string(id) + " " + violation;
   for (auto const *roots : {&graph.results, &graph.precomputed})
     for (NodeId root : *roots)
       if (root >= graph.nodes.size()) return "a result names a node that does not exist";
@@ -94,11 +99,6 @@ std::string find_violation(Graph const &graph) {
     return "the number of nodes that may be exact differs";
   for (NodeId stored : graph.precomputed)
     if (graph.nodes[stored].attribute != Attribute::parametric) return "a precomputed node is not parametric";
-  for (std::size_t id = 0; id < graph.nodes.size(); ++id)
-    if (char const *violation = is_sound_arithmetic(graph.nodes, static_cast<NodeId>(id))
-                                    ? nullptr
-                                    : find_node_violation(graph, static_cast<NodeId>(id)))
-      return "node " + std::to_string(id) + " " + violation;
   return {};
 }
 

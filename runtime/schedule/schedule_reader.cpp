@@ -5,7 +5,6 @@
 #include "schedule/schedule_text.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace symreal {
 
@@ -167,13 +166,11 @@ private:
   // %4, ?0, or a constant of the graph.
   NodeId value(Line &line, std::string const &word) {
     if (word[0] == '%' || word[0] == '?') {
-      auto const number = parse_number(std::string_view(word).substr(1));
-      std::size_t const count = word[0] == '%' ? nodes_.size() : body_->regions.gates.size();
-      bool const is_gate_to_come = word[0] == '?' && number && *number >= 0;
-      if (!number || *number < 0 || *number != std::floor(*number) || (*number >= double(count) && !is_gate_to_come))
-        line.error("'" + word + "' is no node of the graph");
-      auto const k = static_cast<NodeId>(*number);
-      return word[0] == '%' ? nodes_[k] : body_->regions.node_count + k;
+      bool const is_gate = word[0] == '?'; // which may be to come
+      std::optional<NodeId> const number = parse_natural(std::string_view(word).substr(1));
+      std::size_t const count = is_gate ? no_node - body_->regions.node_count : nodes_.size();
+      if (!number || *number >= count) line.error("'" + word + "' is no node of the graph");
+      return is_gate ? body_->regions.node_count + *number : nodes_[*number];
     }
     auto const number = parse_number(word);
     if (!number) line.error("'" + word + "' is no node and no number");

@@ -23,6 +23,9 @@
    REDEFINE: %{call} = 'power(v[0:3], n=3, r -> return'
    RUN: %{run}=BRACKET
    BRACKET: --kernel:1:6: error: this '(' is not closed [SYM018]
+   REDEFINE: %{call} = "power(v['(':3]=1, n=3, r) -> return"
+   RUN: %{run}=QUOTED
+   QUOTED: --kernel:1:8: error: this '[' is not closed [SYM018]
    REDEFINE: %{call} = 'powr(v[0:3], n=3, r) -> return'
    RUN: %{run}=NAME
    NAME: --kernel:1:1: error: no source defines a function 'powr' [SYM113]

@@ -107,6 +107,7 @@ void read_item(Part const &part, CallSpec::Item &item) {
       if (part.text[close] == ':' && depth == 1) colon = close;
       if (depth == 0) break;
     }
+    if (close == part.text.size()) refuse(part.from(open, open + 1).place, "this '[' is not closed");
     if (colon == part.text.npos && (close + 1 < part.text.size() || open != end)) { // an index on the way to a member
       open = close + 1;
       continue;

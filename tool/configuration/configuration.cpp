@@ -68,7 +68,9 @@ std::string find_configuration(std::string const &directory) {
 
 Configuration read_configuration(std::string const &file) {
   Configuration result;
-  result.directory = fs::weakly_canonical(file).parent_path().string();
+  std::error_code is_no_file; // a pipe has no other name
+  fs::path const canonical = fs::weakly_canonical(file, is_no_file);
+  result.directory = (is_no_file ? fs::absolute(file) : canonical).parent_path().string();
   auto const below = [&](std::string const &name) { return (fs::path(result.directory) / name).string(); };
   result.exclude.directory = result.directory;
   for (auto const &[key, value] : read_yaml(file).entries()) {
