@@ -11,9 +11,11 @@ namespace symreal::program {
 
 // What is known of one element after the samples so far.
 struct DerivativeElement {
-  std::size_t judged = 0, different = 0; // samples: with differences that are sharp, and off them
-  // Of the worst: how far off, relative to the larger of its magnitude and 1.
+  // Samples: with differences that are sharp; and off these, or off dual numbers, which there are at each.
+  std::size_t judged = 0, different = 0;
+  // Of the worst: how far off, relative to the larger of its magnitude and 1, and by what.
   double error = 0, expected = 0, found = 0;
+  bool is_by_differences = false;
   Sample worst = {};
   // Samples at which it is not the number that the mode promises: that of the formulas before any pass. Of the first:
   std::size_t broken = 0;
@@ -22,7 +24,8 @@ struct DerivativeElement {
 };
 
 struct DerivativeResult {
-  std::vector<Object> objects; // that were added; their slots begin behind the original's
+  // That were added, matrices as wholes, also where they are packed; their slots begin behind the original's.
+  std::vector<Object> objects;
   std::vector<DerivativeElement> elements;
   std::size_t tried = 0, promised = 0; // samples, and those at which the mode promises equal numbers
   double tolerance = 0;
@@ -36,14 +39,19 @@ public:
 
   // What is added to the original's inputs: the same for the same seed.
   std::vector<double> with_seeds(std::vector<double> inputs) const;
-  // `found`: the outputs that are added, at a sample within the premises and all guards. After as many samples as time
+  // `stored`: the outputs that are added, at a sample within the premises and all guards. After as many samples as time
   // allows it does nothing.
-  void compare(Sample const &sample, std::span<double const> found);
+  void compare(Sample const &sample, std::span<double const> stored);
   DerivativeResult const &result() const { return result_; }
 
 private:
-  void compare_with_formulas(Sample const &sample, std::span<double const> values, std::span<double const> found);
+  void compare_with_formulas(Sample const &sample, std::span<double const> promised, std::span<double const> found);
+  void judge(DerivativeElement &element, Sample const &sample, double wanted, double found, double allowed,
+             double rounding, bool is_by_differences);
+  // Of one number for each output that is added, with all elements of matrices that are packed.
+  std::vector<double> unpacked(std::vector<double> const &stored) const;
 
+  Graph const &recorded_;
   Differences differences_;
   Graph differentiated_; // the formulas before any pass; they also tell how much rounding costs at a sample
   FloatingPoint mode_;

@@ -1,5 +1,6 @@
 #include "program/verification.h"
 
+#include "differentiate/differentiate.h"
 #include "emit/origins/origins.h"
 #include "graph/evaluate.h"
 #include "program/guard_verification.h"
@@ -26,13 +27,13 @@ Recorded const &require_match(std::vector<Recorded> const &kernels, Banner const
   if (found == kernels.end())
     fail(DiagnosticId::foreign_file, {path, 1, 1}, "the sources have no kernel '" + banner.kernel + "'");
   Graph const &graph = found->graph;
-  Differences const added(graph, banner.derivatives);
-  if (graph.input_count() + added.seed_count() != banner.inputs || graph.parameter_count() != banner.parameters ||
-      graph.output_count() + added.output_count() != banner.outputs)
+  Graph const with = differentiate(graph, banner.derivatives, [](Diagnostic const &) {});
+  if (with.input_count() != banner.inputs || with.parameter_count() != banner.parameters ||
+      with.output_count() != banner.outputs)
     fail(DiagnosticId::foreign_file, {path, 1, 1},
          fmt::format("kernel '{}' has {} inputs, {} parameters and {} outputs, the file {}, {} and {}", banner.kernel,
-                     graph.input_count(), graph.parameter_count(), graph.output_count(), banner.inputs,
-                     banner.parameters, banner.outputs));
+                     with.input_count(), with.parameter_count(), with.output_count(), banner.inputs, banner.parameters,
+                     banner.outputs));
   return *found;
 }
 

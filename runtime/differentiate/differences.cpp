@@ -32,6 +32,12 @@ void add_columns(DerivativeRequest const &request, PointDifferences const &point
     for (SharpVector const &column : columns) result.push_back(column[row]);
 }
 
+SharpNumber weighted(DerivativeRequest const &request, SharpVector const &all, std::span<double const> weights) {
+  SharpNumber result = 0;
+  for (std::size_t i = 0; i < weights.size(); ++i) result = sum(result, all[request.output_slots[i]], weights[i]);
+  return result;
+}
+
 // What u + v has more than u and v, unless these are so large that the rest is not sharp.
 SharpNumber mixed(SharpNumber const &whole, SharpNumber const &one, SharpNumber const &other, long double scale) {
   if (!whole || !one || !other) return {};
@@ -41,10 +47,13 @@ SharpNumber mixed(SharpNumber const &whole, SharpNumber const &one, SharpNumber 
 }
 
 // Of directions u and v the derivative is half of what u + v has more than both.
-void add_hessian(DerivativeRequest const &request, PointDifferences const &point, SharpVector &result) {
+void add_hessian(DerivativeRequest const &request, PointDifferences const &point, std::span<double const> weights,
+                 SharpVector &result) {
   std::vector<std::uint32_t> const &slots = request.input_slots;
-  std::uint32_t const row = request.output_slots[0];
-  auto const along = [&](Vector const &direction) { return point.along(direction, 2)[row]; };
+  auto const along = [&](Vector const &direction) {
+    SharpVector const all = point.along(direction, 2);
+    return request.is_weighted ? weighted(request, all, weights) : all[request.output_slots[0]];
+  };
   std::vector<SharpNumber> diagonal;
   for (std::uint32_t const slot : slots) diagonal.push_back(along(unit(point, slot, point.scale(slot))));
   std::size_t const first = result.size(), count = slots.size();
@@ -73,12 +82,8 @@ void add_jvp(DerivativeRequest const &request, PointDifferences const &point, st
 
 void add_vjp(DerivativeRequest const &request, PointDifferences const &point, std::span<double const> seeds,
              SharpVector &result) {
-  for (std::uint32_t const slot : request.input_slots) {
-    SharpVector const column = point.along(unit(point, slot, 1), 1);
-    SharpNumber weighted = 0;
-    for (std::size_t i = 0; i < seeds.size(); ++i) weighted = sum(weighted, column[request.output_slots[i]], seeds[i]);
-    result.push_back(weighted);
-  }
+  for (std::uint32_t const slot : request.input_slots)
+    result.push_back(weighted(request, point.along(unit(point, slot, 1), 1), seeds));
 }
 
 } // namespace
@@ -86,7 +91,14 @@ void add_vjp(DerivativeRequest const &request, PointDifferences const &point, st
 Differences::Differences(Graph const &graph, std::span<DerivativeWish const> wishes)
     : graph_(graph),
       obstacle_(obstacle_to_extended(graph)) {
-  for (DerivativeWish const &wish : wishes) requests_.push_back(read_request(wish, graph));
+  for (DerivativeWish const &wish : wishes) {
+    DerivativeRequest const &request = requests_.emplace_back(read_request(wish, graph));
+    std::size_t first = seed_count_;
+    for (std::size_t k = 0; k + 1 < requests_.size(); ++k)
+      if (requests_[k].seed_count() > 0 && requests_[k].seed_label() == request.seed_label()) first = first_seed_[k];
+    first_seed_.push_back(first);
+    seed_count_ = std::max(seed_count_, first + request.seed_count());
+  }
 }
 
 std::size_t Differences::evaluations() const {
@@ -101,31 +113,26 @@ std::size_t Differences::evaluations() const {
   return PointDifferences::evaluations * directions;
 }
 
-std::size_t Differences::seed_count() const {
-  std::size_t count = 0;
-  for (DerivativeRequest const &request : requests_) count += request.seed_count();
-  return count;
-}
-
-std::size_t Differences::output_count() const {
-  std::size_t count = 0;
-  for (DerivativeRequest const &request : requests_) count += number_count(request.extents(), {});
-  return count;
+std::vector<std::span<double const>> Differences::seeds_of_requests(std::span<double const> seeds) const {
+  std::vector<std::span<double const>> result;
+  for (std::size_t k = 0; k < requests_.size(); ++k)
+    result.push_back(seeds.subspan(first_seed_[k], requests_[k].seed_count()));
+  return result;
 }
 
 std::vector<SharpNumber> Differences::at(std::span<double const> inputs, std::span<double const> parameters,
                                          double tolerance) const {
   internal_check(obstacle_.empty() && inputs.size() == graph_.input_count() + seed_count());
   PointDifferences const point(graph_, inputs.first(graph_.input_count()), parameters, tolerance);
-  std::span<double const> seeds = inputs.subspan(graph_.input_count());
+  auto const seeds = seeds_of_requests(inputs.subspan(graph_.input_count()));
   SharpVector result;
-  for (DerivativeRequest const &request : requests_) {
-    std::span<double const> const own = seeds.first(request.seed_count());
-    seeds = seeds.subspan(own.size());
+  for (std::size_t k = 0; k < requests_.size(); ++k) {
+    DerivativeRequest const &request = requests_[k];
+    std::span<double const> const own = seeds[k];
     switch (request.kind) {
     case DerivativeKind::jacobian:
     case DerivativeKind::gradient: add_columns(request, point, result); break;
-    case DerivativeKind::hessian: add_hessian(request, point, result); break;
+    case DerivativeKind::hessian: add_hessian(request, point, own, result); break;
     case DerivativeKind::jvp: add_jvp(request, point, own, result); break;
     case DerivativeKind::vjp: add_vjp(request, point, own, result); break;
     }

@@ -20,11 +20,13 @@ public:
   std::string const &obstacle() const { return obstacle_; }
   // How many evaluations of the graph one sample needs.
   std::size_t evaluations() const;
-  // How many inputs and outputs differentiation adds.
-  std::size_t seed_count() const;
-  std::size_t output_count() const;
+  // How many inputs differentiation adds.
+  std::size_t seed_count() const { return seed_count_; }
+  std::vector<DerivativeRequest> const &requests() const { return requests_; }
+  // Those of each request, of all that are added.
+  std::vector<std::span<double const>> seeds_of_requests(std::span<double const> seeds) const;
 
-  // The outputs that differentiation adds, in order. `inputs` are those of the graph, then the seeds. An element is
+  // What is requested, in order, and matrices as wholes. `inputs` are those of the graph, then the seeds. An element is
   // sharp if its error is estimated to be within `tolerance` of the larger of its magnitude and 1.
   std::vector<SharpNumber> at(std::span<double const> inputs, std::span<double const> parameters,
                               double tolerance) const;
@@ -32,6 +34,8 @@ public:
 private:
   Graph const &graph_;
   std::vector<DerivativeRequest> requests_;
+  std::vector<std::size_t> first_seed_; // of each, among the inputs that are added
+  std::size_t seed_count_ = 0;
   std::string obstacle_;
 };
 

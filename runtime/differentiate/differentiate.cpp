@@ -1,13 +1,14 @@
 #include "differentiate/differentiate.h"
 
+#include "differentiate/matrix.h"
 #include "differentiate/path.h"
 #include "differentiate/request.h"
+#include "differentiate/stored_matrix.h"
 #include "differentiate/sweeps.h"
 #include "graph/opaque.h"
-#include "graph/statistics.h"
-#include "ops/cost_model.h"
 
 #include <algorithm>
+#include <numeric>
 #include <set>
 
 namespace symreal {
@@ -46,13 +47,6 @@ void report_jumps(Graph const &graph, DerivativePath const &path, DerivativeRequ
   }
 }
 
-double cost_of(Graph const &graph) {
-  OperationCounts const counts = live_operations(graph);
-  double cost = 0;
-  for (OperationInfo const &row : operations()) cost += usual_costs()[row.op] * static_cast<double>(counts[row.op]);
-  return cost;
-}
-
 Object &add_object(std::vector<Object> &objects, std::string label, std::vector<std::size_t> extents,
                    Place const &place) {
   std::uint32_t const first = objects.empty() ? 0 : objects.back().first + objects.back().count;
@@ -61,22 +55,23 @@ Object &add_object(std::vector<Object> &objects, std::string label, std::vector<
   return objects.emplace_back(std::move(object));
 }
 
-// The nodes of an input that is added: a direction, or weights. It is 1 where it was recorded.
-std::vector<std::uint32_t> add_seeds(Graph &graph, std::string const &label, std::size_t count) {
-  Object const &object = add_object(graph.inputs, label, {count}, {});
-  graph.input_values.resize(graph.input_values.size() + count, 1);
-  std::vector<std::uint32_t> slots;
-  for (std::uint32_t k = 0; k < object.count; ++k) slots.push_back(object.first + k);
+// The slots of an input that is added: a direction, or weights. It is 1 where it was recorded. One that an earlier
+// request has added, with the object number `recorded` and on, serves again.
+std::vector<std::uint32_t> add_seeds(Graph &graph, DerivativeRequest const &request, std::size_t recorded) {
+  std::string const label = request.seed_label();
+  auto const added = std::span(graph.inputs).subspan(recorded);
+  auto const found = std::ranges::find(added, label, &Object::label);
+  std::uint32_t first = 0;
+  if (found != added.end()) {
+    first = found->first;
+  } else {
+    first = add_object(graph.inputs, label, {request.seed_count()}, {}).first;
+    graph.input_values.resize(graph.input_values.size() + request.seed_count(), 1);
+  }
+  std::vector<std::uint32_t> slots(request.seed_count());
+  std::iota(slots.begin(), slots.end(), first);
   return slots;
 }
-
-std::string joined(std::string text, std::vector<std::string> const &names) {
-  for (std::string const &name : names) text += "_" + name;
-  return text;
-}
-
-// Elements in the order of the added output; no_node is zero.
-using Elements = std::vector<NodeId>;
 
 std::vector<NodeId> nodes_of(Graph const &graph, std::vector<std::uint32_t> const &output_slots) {
   std::vector<NodeId> nodes;
@@ -84,67 +79,15 @@ std::vector<NodeId> nodes_of(Graph const &graph, std::vector<std::uint32_t> cons
   return nodes;
 }
 
-enum class Way { forward, reverse };
-
-// Of nodes of `graph`, row by row: a node by an input a column.
-Elements jacobian_by(Way way, Graph &graph, std::vector<NodeId> const &rows,
-                     std::vector<std::uint32_t> const &columns) {
-  std::vector<char> const carries = find_path(graph, rows, columns).carries;
+// Forward along `seeds`, a direction, or backward from them, weights: an element a row, or a column.
+std::vector<NodeId> product(Way way, Graph &graph, DerivativeRequest const &request, std::vector<NodeId> const &rows,
+                            std::vector<std::uint32_t> const &seeds) {
+  std::vector<char> const carries = find_path(graph, rows, request.input_slots).carries;
   Expressions expressions(graph);
-  Elements elements(rows.size() * columns.size(), no_node);
-  if (way == Way::reverse) {
-    NodeId const one = expressions.constant(1);
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-      auto const row = reverse_sweep(expressions, carries, {&rows[i], 1}, {&one, 1}, graph.input_count());
-      for (std::size_t j = 0; j < columns.size(); ++j) elements[i * columns.size() + j] = row[columns[j]];
-    }
-  } else {
-    for (std::size_t j = 0; j < columns.size(); ++j) {
-      std::vector<NodeId> direction(graph.input_count(), no_node);
-      direction[columns[j]] = expressions.constant(1);
-      auto const column = forward_sweep(expressions, carries, rows, direction);
-      for (std::size_t i = 0; i < rows.size(); ++i) elements[i * columns.size() + j] = column[i];
-    }
-  }
-  for (NodeId &element : elements) element = expressions.number(element);
-  expressions.finish();
-  return elements;
-}
-
-// The cheaper of both ways. Of a symmetric matrix the half above the diagonal is that below.
-Elements cheapest_jacobian(Graph &graph, std::vector<NodeId> const &rows, std::vector<std::uint32_t> const &columns,
-                           bool is_symmetric = false) {
-  auto const made = [&](Way way) {
-    std::pair<Graph, Elements> result{graph, {}};
-    result.second = jacobian_by(way, result.first, rows, columns);
-    for (std::size_t i = 0; is_symmetric && i < rows.size(); ++i)
-      for (std::size_t j = 0; j < i; ++j) result.second[j * columns.size() + i] = result.second[i * columns.size() + j];
-    return result;
-  };
-  auto const cost = [](std::pair<Graph, Elements> const &one) {
-    Graph with = one.first;
-    with.results.insert(with.results.end(), one.second.begin(), one.second.end());
-    return cost_of(with);
-  };
-  if (rows.size() == 1 || columns.size() == 1)
-    return jacobian_by(rows.size() == 1 ? Way::reverse : Way::forward, graph, rows, columns);
-  std::pair<Graph, Elements> forward = made(Way::forward), reverse = made(Way::reverse);
-  std::pair<Graph, Elements> &best = cost(reverse) < cost(forward) ? reverse : forward;
-  graph = std::move(best.first);
-  return std::move(best.second);
-}
-
-// With a direction (jvp) or weights (vjp) as a further input.
-Elements product_with_seeds(Graph &graph, DerivativeRequest const &request, std::vector<NodeId> const &rows) {
-  bool const is_forward = request.kind == DerivativeKind::jvp;
-  std::vector<char> carries = find_path(graph, rows, request.input_slots).carries;
-  std::vector<std::uint32_t> const seeds =
-      add_seeds(graph, is_forward ? joined("direction", request.inputs) : joined("weights", request.outputs),
-                request.seed_count());
-  Expressions expressions(graph);
-  Elements elements, seed_nodes;
+  std::vector<NodeId> elements, seed_nodes;
   for (std::uint32_t const slot : seeds) seed_nodes.push_back(expressions.input(slot));
-  if (is_forward) {
+  if (seeds.empty()) seed_nodes.assign(rows.size(), expressions.constant(1));
+  if (way == Way::forward) {
     std::vector<NodeId> direction(graph.input_count(), no_node);
     for (std::size_t j = 0; j < seeds.size(); ++j) direction[request.input_slots[j]] = seed_nodes[j];
     elements = forward_sweep(expressions, carries, rows, direction);
@@ -157,23 +100,28 @@ Elements product_with_seeds(Graph &graph, DerivativeRequest const &request, std:
   return elements;
 }
 
-void add_derivative(Graph &graph, DerivativeRequest const &request, Report const &report) {
+void add_matrix(Graph &graph, DerivativeRequest const &request, MatrixElements elements) {
+  StoredMatrix stored = store(graph, request, std::move(elements));
+  stored.matrix.output = static_cast<std::uint32_t>(graph.outputs.size());
+  add_object(graph.outputs, request.name, request.is_packed() ? std::vector{stored.results.size()} : request.extents(),
+             request.place);
+  graph.results.insert(graph.results.end(), stored.results.begin(), stored.results.end());
+  graph.matrices.push_back(std::move(stored.matrix));
+}
+
+void add_derivative(Graph &graph, DerivativeRequest const &request, std::size_t recorded, Report const &report) {
   std::vector<NodeId> const rows = nodes_of(graph, request.output_slots);
   DerivativePath const path = find_path(graph, rows, request.input_slots);
   require_differentiable(graph, path, request);
   report_jumps(graph, path, request, report);
-  Elements elements;
-  switch (request.kind) {
-  case DerivativeKind::jacobian: elements = cheapest_jacobian(graph, rows, request.input_slots); break;
-  case DerivativeKind::gradient: elements = jacobian_by(Way::reverse, graph, rows, request.input_slots); break;
-  case DerivativeKind::hessian: {
-    Elements const gradient = jacobian_by(Way::reverse, graph, rows, request.input_slots);
-    elements = cheapest_jacobian(graph, gradient, request.input_slots, true);
-    break;
-  }
-  case DerivativeKind::jvp:
-  case DerivativeKind::vjp: elements = product_with_seeds(graph, request, rows); break;
-  }
+  std::vector<std::uint32_t> const seeds =
+      request.seed_count() == 0 ? std::vector<std::uint32_t>() : add_seeds(graph, request, recorded);
+  if (request.kind == DerivativeKind::jacobian)
+    return add_matrix(graph, request, cheapest_jacobian(graph, rows, request.input_slots));
+  Way const way = request.kind == DerivativeKind::jvp ? Way::forward : Way::reverse;
+  std::vector<NodeId> const elements = product(way, graph, request, rows, seeds);
+  if (request.kind == DerivativeKind::hessian)
+    return add_matrix(graph, request, cheapest_jacobian(graph, elements, request.input_slots, true));
   add_object(graph.outputs, request.name, request.extents(), request.place);
   graph.results.insert(graph.results.end(), elements.begin(), elements.end());
 }
@@ -188,8 +136,9 @@ Graph differentiate(Graph graph, std::span<DerivativeWish const> wishes, Report 
       if (other.name == read.back().name)
         fail(DiagnosticId::bad_derivative, wish.place, wish.text + " is asked for twice");
   }
+  std::size_t const recorded = graph.inputs.size();
   for (std::size_t k = 0; k < wishes.size(); ++k) {
-    add_derivative(graph, read[k], report);
+    add_derivative(graph, read[k], recorded, report);
     graph.derivatives.push_back(wishes[k].text);
   }
   return graph;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace symreal {
 
@@ -12,8 +13,11 @@ namespace {
 
 using Vector = PointDifferences::Vector;
 
-constexpr int levels = 8;             // steps, each a quarter of the one before
-constexpr int perturbations = 3;      // on each side
+constexpr int levels = 8;                         // steps, each a quarter of the one before
+constexpr int probes[] = {9, 11, 12, 13, 15, 17}; // levels of the smaller steps that a result must stand
+constexpr long double telling =
+    0.1L;                        // noise of a probe, relative to the result or to 1, that leaves it something to say
+constexpr int perturbations = 3; // on each side
 constexpr long double most_noise = 4; // times the largest that is seen
 constexpr long double unknown = std::numeric_limits<long double>::infinity();
 
@@ -52,7 +56,7 @@ private:
 
 } // namespace
 
-std::size_t const PointDifferences::evaluations = 2 * std::size_t{levels + perturbations};
+std::size_t const PointDifferences::evaluations = 2 * (levels + perturbations + std::size(probes));
 
 PointDifferences::PointDifferences(Graph const &graph, std::span<double const> inputs,
                                    std::span<double const> parameters, double tolerance)
@@ -65,38 +69,65 @@ PointDifferences::PointDifferences(Graph const &graph, std::span<double const> i
 }
 
 std::vector<SharpNumber> PointDifferences::along(Vector const &direction, int order) const {
-  std::size_t const count = graph_.results.size();
-  std::vector<Extrapolation> numbers(count);
-  std::vector<char> has_kink(count, 0);
-  Vector bends(count, 0);
   std::vector<Neighbours> const neighbours = neighbours_along(direction);
   Vector const noise = neighbours.empty() ? Vector() : noise_beside(direction, neighbours.front());
-  for (Neighbours const &pair : neighbours) {
-    if (!pair.are_finite()) {
-      std::ranges::fill(numbers, Extrapolation());
-      continue;
-    }
-    long double const step = pair.step;
-    for (std::size_t k = 0; k < count; ++k) {
-      long double const high = pair.high[k], low = pair.low[k];
-      long double const second = high - 2 * middle_[k] + low;
-      if (order == 1)
-        numbers[k].add((high - low) / (2 * step), noise[k] / step);
-      else
-        numbers[k].add(second / (step * step), 4 * noise[k] / (step * step));
-      // What bends is bent less by a quarter of the step; a kink is as sharp as before.
-      long double const bend = std::abs(second) / step;
-      has_kink[k] = bend > tolerance_ && 2 * bend > bends[k] && &pair != neighbours.data();
-      bends[k] = bend;
-    }
-  }
   std::vector<SharpNumber> result;
-  for (std::size_t k = 0; k < count; ++k)
-    result.push_back(order == 1 && has_kink[k] ? std::nullopt : numbers[k].result(tolerance_));
+  for (std::size_t k = 0; k < graph_.results.size(); ++k) result.push_back(sharp(neighbours, noise, k, order));
   return result;
 }
 
-long double PointDifferences::scale(std::uint32_t slot) const { return std::max(1.0L, std::abs(inputs_[slot])); }
+SharpNumber PointDifferences::sharp(std::vector<Neighbours> const &neighbours, Vector const &noise, std::size_t output,
+                                    int order) const {
+  Extrapolation number;
+  std::vector<Quotient> smaller;
+  bool has_kink = false;
+  long double bend = 0, last = unknown;
+  for (std::size_t level = 0; level < neighbours.size(); ++level) {
+    Neighbours const &pair = neighbours[level];
+    if (!pair.are_finite()) {
+      number = Extrapolation();
+      continue;
+    }
+    Quotient const found = quotient(pair, noise, output, order);
+    if (level >= levels) {
+      smaller.push_back(found);
+      continue;
+    }
+    number.add(found.value, found.noise);
+    last = found.value;
+    // What bends is bent less by a quarter of the step; a kink is as sharp as before.
+    long double const before = std::exchange(bend, std::abs(bend_of(pair, output)) / pair.step);
+    has_kink = bend > tolerance_ && 2 * bend > before && level != 0;
+  }
+  SharpNumber const result = order == 1 && has_kink ? std::nullopt : number.result(tolerance_);
+  return result && is_confirmed(smaller, *result, last) ? result : std::nullopt;
+}
+
+long double PointDifferences::bend_of(Neighbours const &pair, std::size_t output) const {
+  return pair.high[output] - 2 * middle_[output] + pair.low[output];
+}
+
+PointDifferences::Quotient PointDifferences::quotient(Neighbours const &pair, Vector const &noise, std::size_t output,
+                                                      int order) const {
+  long double const step = pair.step;
+  if (order == 1) return {(pair.high[output] - pair.low[output]) / (2 * step), noise[output] / step};
+  return {bend_of(pair, output) / (step * step), 4 * noise[output] / (step * step)};
+}
+
+bool PointDifferences::is_confirmed(std::vector<Quotient> const &smaller, long double result, long double last) const {
+  long double const scale = std::max(1.0L, std::abs(result));
+  bool is_told = false;
+  for (auto const &[value, noise] : smaller) {
+    if (!(std::abs(value - result) <= std::abs(last - result) + noise + tolerance_ * scale)) return false;
+    is_told |= noise <= telling * scale;
+  }
+  return is_told;
+}
+
+// A power of two, so that most sums with steps are exact.
+long double PointDifferences::scale(std::uint32_t slot) const {
+  return std::exp2(std::floor(std::log2(std::max(1.0L, std::abs(inputs_[slot])))));
+}
 
 bool PointDifferences::Neighbours::are_finite() const {
   auto const is_finite = [](long double number) { return std::isfinite(number); };
@@ -107,20 +138,27 @@ long double PointDifferences::first_step(Vector const &direction) const {
   long double most = 0;
   for (std::uint32_t slot = 0; slot < direction.size(); ++slot)
     most = std::max(most, std::abs(direction[slot]) / scale(slot));
-  return most == 0 ? 1 : 0x1p-4L / most;
+  return most == 0 ? 1 : std::exp2(std::floor(std::log2(0x1p-4L / most))); // so that most sums are exact
 }
 
 std::vector<PointDifferences::Neighbours> PointDifferences::neighbours_along(Vector const &direction) const {
   std::vector<Neighbours> all;
-  long double step = first_step(direction);
-  for (int level = 0; !middle_.empty() && level < levels; ++level, step /= 4)
-    all.push_back({step, moved(direction, step), moved(direction, -step)});
+  long double const step = first_step(direction);
+  auto const add = [&](long double size) { all.push_back({size, moved(direction, size), moved(direction, -size)}); };
+  if (middle_.empty()) return all;
+  for (int level = 0; level < levels; ++level) add(std::ldexp(step, -2 * level));
+  for (int const level : probes) add(std::ldexp(step, -2 * level));
   return all;
 }
 
 Vector PointDifferences::moved(Vector const &direction, long double step, std::uint64_t perturbation) const {
   Vector at = inputs_;
-  for (std::size_t k = 0; k < at.size(); ++k) at[k] += step * direction[k];
+  for (std::size_t k = 0; k < at.size(); ++k) {
+    long double const change = step * direction[k];
+    at[k] += change;
+    if (perturbation != 0 && at[k] - inputs_[k] != change)
+      at[k] = std::nextafter(at[k], perturbation % 2 == 0 ? 0 : 2 * at[k]);
+  }
   return evaluate_extended(graph_, std::span<long double const>(at), parameters_, values_, perturbation)
       .value_or(Vector());
 }

@@ -39,9 +39,20 @@ private:
 
     bool are_finite() const;
   };
+  // A difference quotient, and how far rounding may have moved it.
+  struct Quotient {
+    long double value, noise;
+  };
 
   long double first_step(Vector const &direction) const;
   std::vector<Neighbours> neighbours_along(Vector const &direction) const;
+  SharpNumber sharp(std::vector<Neighbours> const &neighbours, Vector const &noise, std::size_t output,
+                    int order) const;
+  long double bend_of(Neighbours const &pair, std::size_t output) const;
+  Quotient quotient(Neighbours const &pair, Vector const &noise, std::size_t output, int order) const;
+  // Whether quotients at steps far below those of the extrapolation bear a result out: else these steps leapt over what
+  // the function does, as over whole periods of a sine.
+  bool is_confirmed(std::vector<Quotient> const &probes, long double result, long double last) const;
   Vector moved(Vector const &direction, long double step, std::uint64_t perturbation = 0) const;
   Vector noise_beside(Vector const &direction, Neighbours const &pair) const;
 

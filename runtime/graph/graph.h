@@ -46,6 +46,17 @@ struct DerivativeWish {
   Place place; // nowhere, if an option asks for it
 };
 
+// An output that is a matrix of derivatives: which element each pair of a row and a column is. Row by row.
+struct DerivativeMatrix {
+  std::uint32_t output = 0; // its number
+  std::uint32_t rows = 0, columns = 0;
+  // Packed: the output holds these elements alone, in this order. Otherwise it holds all of them, and these are the
+  // ones that are not zero by structure.
+  bool is_packed = false;
+  bool is_symmetric = false; // nothing above the diagonal is packed: it is what stands below
+  std::vector<std::uint32_t> row = {}, column = {};
+};
+
 // An input and the output that is its derivative by time, by their labels or the names in these; states.h finds them.
 struct StatePair {
   std::string state, derivative;
@@ -92,8 +103,9 @@ struct Graph {
   std::string kernel;
   std::vector<Object> inputs, parameters, outputs;
   std::vector<StatePair> states;
-  std::vector<DerivativeWish> wishes;   // derivatives that the program asks for
-  std::vector<std::string> derivatives; // those that were added, as they were asked for
+  std::vector<DerivativeWish> wishes;     // derivatives that the program asks for
+  std::vector<std::string> derivatives;   // those that were added, as they were asked for
+  std::vector<DerivativeMatrix> matrices; // of them, in the order of their outputs
 
   Nodes nodes;                     // topological order
   std::vector<NodeId> results;     // per output slot

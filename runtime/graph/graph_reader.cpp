@@ -62,6 +62,8 @@ private:
       read_wish(line);
     else if (head == "derivative")
       graph_.derivatives.push_back(line.string("what was differentiated"));
+    else if (head == "matrix")
+      read_matrix(line);
     else if (head == "frozen")
       read_frozen(line);
     else if (head == "executed")
@@ -126,6 +128,21 @@ private:
     DerivativeWish wish{line.string("what to differentiate"), {}};
     wish.place = line.optional_place();
     graph_.wishes.push_back(std::move(wish));
+  }
+
+  void read_matrix(Line &line) {
+    DerivativeMatrix matrix{static_cast<std::uint32_t>(line.count("the output"))};
+    std::vector<std::size_t> const extents = line.extents();
+    if (extents.size() != 2) line.error("a matrix has two extents");
+    matrix.rows = static_cast<std::uint32_t>(extents[0]), matrix.columns = static_cast<std::uint32_t>(extents[1]);
+    matrix.is_packed = line.accept("packed");
+    matrix.is_symmetric = line.accept("symmetric");
+    if (!line.accept("=")) line.error("'=' is missing");
+    while (!line.done()) {
+      matrix.row.push_back(static_cast<std::uint32_t>(line.count("a row")));
+      matrix.column.push_back(static_cast<std::uint32_t>(line.count("a column")));
+    }
+    graph_.matrices.push_back(std::move(matrix));
   }
 
   void read_state(Line &line) {

@@ -70,6 +70,12 @@ void write_graph(std::ostream &out, Graph const &graph) {
     out << '\n';
   }
   for (std::string const &derivative : graph.derivatives) out << "derivative " << in_quotes(derivative) << '\n';
+  for (DerivativeMatrix const &matrix : graph.matrices) {
+    out << "matrix " << matrix.output << " [" << matrix.rows << "] [" << matrix.columns << ']'
+        << (matrix.is_packed ? " packed" : "") << (matrix.is_symmetric ? " symmetric" : "") << " =";
+    for (std::size_t k = 0; k < matrix.row.size(); ++k) out << ' ' << matrix.row[k] << ' ' << matrix.column[k];
+    out << '\n';
+  }
   for (Frozen const &frozen : graph.frozen) {
     out << "frozen " << in_quotes(frozen.name);
     write_place(out, frozen.place);

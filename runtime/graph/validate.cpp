@@ -36,6 +36,19 @@ static bool is_sound_arithmetic(Nodes const &nodes, NodeId id) {
          node.attribute == std::max(nodes[a].attribute, nodes[b].attribute);
 }
 
+static std::string check_matrix(DerivativeMatrix const &matrix, std::vector<Object> const &outputs) {
+  if (matrix.output >= outputs.size()) return "a matrix names an output that does not exist";
+  std::size_t const whole = std::size_t{matrix.rows} * matrix.columns, count = matrix.row.size();
+  if (matrix.column.size() != count || outputs[matrix.output].count != (matrix.is_packed ? count : whole))
+    return "a matrix does not fit its output";
+  for (std::size_t k = 0; k < count; ++k) {
+    if (matrix.row[k] >= matrix.rows || matrix.column[k] >= matrix.columns) return "a matrix has no such row or column";
+    if (k > 0 && std::pair(matrix.row[k - 1], matrix.column[k - 1]) >= std::pair(matrix.row[k], matrix.column[k]))
+      return "the elements of a matrix do not stand row by row";
+  }
+  return {};
+}
+
 // The violation in words, or nullptr.
 static char const *find_node_violation(Graph const &graph, NodeId id) {
   Node const &node = graph.nodes[id];
@@ -66,6 +79,8 @@ static char const *find_node_violation(Graph const &graph, NodeId id) {
 std::string find_violation(Graph const &graph) {
   for (auto const *objects : {&graph.inputs, &graph.parameters, &graph.outputs})
     if (std::string violation = check_objects(*objects); !violation.empty()) return violation;
+  for (DerivativeMatrix const &matrix : graph.matrices)
+    if (std::string violation = check_matrix(matrix, graph.outputs); !violation.empty()) return violation;
   if (graph.results.size() != graph.output_count()) return "the number of results differs from the outputs' size";
   if (graph.input_values.size() != graph.input_count()) return "the number of input values differs";
   if (graph.parameter_values.size() != graph.parameter_count()) return "the number of parameter values differs";

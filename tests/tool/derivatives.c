@@ -17,7 +17,7 @@
 // RUN: sed 's/cos(/sin(/' %t/k.c > %t/wrong.c
 // RUN: cp %t/k.h %t/wrong.h
 // RUN: not %symreal verify %s %t/wrong.c 2>&1 | FileCheck %s --check-prefix=WRONG
-// WRONG: error: {{[0-9]+}} of 24 elements of derivatives differ from differences of the original [SYM091]
+// WRONG: error: {{[0-9]+}} of 24 elements of derivatives differ from those of the original [SYM091]
 // WRONG-NEXT: note: {{.*}}: differences give {{.*}}, generated {{.*}}, inputs
 // So is one that is not the number of the formulas, although it is near; mode fast takes it.
 // RUN: sed 's/output\[3\] = \(.*\);/output[3] = (\1)*1.0000000000001;/' %t/k.c > %t/near.c

@@ -7,7 +7,9 @@ namespace symreal::tool {
 void DifferentiateOption::add_to(CLI::App &app) {
   app.add_option("--differentiate", requests,
                  "Derivatives as further outputs: jacobian(y, x), gradient(y), hessian(y, x), jvp(y, x), vjp(y, x) of "
-                 "outputs by inputs, several in brackets: jacobian(tau, [q, qd]); may be given again")
+                 "outputs by inputs, several in brackets: jacobian(tau, [q, qd]); a matrix may be sparse, a Hessian "
+                 "also symmetric and "
+                 "weighted: hessian([cost, g], x, weighted, sparse); may be given again")
       ->type_name("DERIVATIVE")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);

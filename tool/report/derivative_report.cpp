@@ -53,8 +53,9 @@ std::optional<Diagnostic> off_differences(Result const &result, std::string cons
     std::size_t const worst = worst_of(result, object);
     Element const &element = result.elements[worst];
     if (element.different != 0)
-      return mismatch(file, count_of(result, &Element::different) + " differ from differences of the original",
-                      fmt::format("{}: differences give {}, generated {}, inputs {}", name_of(result, worst),
+      return mismatch(file, count_of(result, &Element::different) + " differ from those of the original",
+                      fmt::format("{}: {} give {}, generated {}, inputs {}", name_of(result, worst),
+                                  element.is_by_differences ? "differences" : "dual numbers",
                                   shortest(element.expected), shortest(element.found),
                                   number_list(element.worst.inputs)));
   }

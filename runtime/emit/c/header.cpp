@@ -35,7 +35,7 @@ std::string c_header(Emission const &emission) {
                      graph.output_count());
   out += describe(emission, "input", graph.inputs);
   out += describe(emission, "parameter", graph.parameters);
-  out += describe(emission, "output", graph.outputs);
+  out += describe(emission, "output", graph.outputs) + c_matrices(emission);
   out += "/* Once, and again whenever a parameter changes. */\n";
   std::string_view const real = emission.language.number.name;
   out += fmt::format("void {0}({1} const *parameters, {1} *constants);\n\n", emission.name("preprocess"), real);

@@ -26,6 +26,14 @@ std::string c_integer_includes(Emission const &emission);
 
 // With guards only: the function that gives their texts, and its name with what it takes.
 std::string c_guard_text(Emission const &emission);
+// What stands behind the functions.
+std::string c_end(Emission const &emission);
+
+// The index lists of matrices of derivatives: declared in C's header and defined in its source, and defined in C++'s
+// header.
+std::string c_matrices(Emission const &emission);
+std::string c_matrix_lists(Emission const &emission);
+std::string cpp_matrices(Emission const &emission);
 
 // What reports values that are not finite, where they are checked.
 std::string c_value_checks(Emission const &emission);

@@ -82,6 +82,7 @@ std::string cpp_header(Emission const &emission) {
   out += described(emission, "parameter", "Parameters", graph.parameters, graph.parameter_count());
   out += structure(emission, "Constants", fmt::format("  {} value[{}];\n", real, constants), constants);
   out += described(emission, "output", "Output", graph.outputs, graph.output_count());
+  out += cpp_matrices(emission);
   out += "/* Once, and again whenever a parameter changes. */\n"
          "void preprocess(" +
          real + " const *parameters, " + real +

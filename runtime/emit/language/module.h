@@ -40,7 +40,8 @@ struct ModuleSyntax {
   std::size_t indent = 0;           // of tables, helpers and remarks
   bool is_named_after_file = false; // so the file's name must be one in the language
   std::string_view begin = {};
-  std::string_view size = {}; // $name $value
+  std::string_view size = {};       // $name $value
+  std::string_view index_list = {}; // $name $count $values: of a matrix of derivatives
   ObjectsSyntax places = {}, structure = {};
   std::string_view functions = {};                                 // behind them
   std::string_view contains = {};                                  // between declarations and functions

@@ -111,7 +111,7 @@ Language language_c() {
           "  $real volatile const kept = x;\n"
           "  return kept;\n"
           "}\n\n",
-      .end = c_guard_text,
+      .end = c_end,
       .companions = beside,
   };
   return c;

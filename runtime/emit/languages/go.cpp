@@ -308,6 +308,7 @@ Language language_go() {
   go.module = {
       .begin = "\npackage $package\n\nimport (\n    \"math\"\n    \"unsafe\"\n)\n\nvar _ = math.Pi\n\n",
       .size = "const $Name = $value\n",
+      .index_list = "var $Name = [$count]int{$values}\n",
       .structure = {.begin = "\n// The numbers of the $role by their names.\ntype $Role struct {\n",
                     .end = "}\n\n// Numbers gives the array that this is.\nfunc (x *$Role) Numbers() []float64 {\n"
                            "    return unsafe.Slice((*float64)(unsafe.Pointer(x)), $count)\n}\n",

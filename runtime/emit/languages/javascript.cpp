@@ -367,6 +367,7 @@ Language language_javascript() {
   js.module = {
       .begin = "\n",
       .size = "export const $name = $value;\n",
+      .index_list = "export const $name = Int32Array.of($values);\n",
       .places =
           {.begin = "\n// The index of the first number of each $role, and its extents.\nexport const ${role}_at = {\n",
            .end = "};\n",

@@ -226,6 +226,7 @@ const libm = Sys.iswindows() ? "ucrtbase" : Sys.isapple() ? "libSystem" : "libm.
 
 )",
       .size = "const $name = $value\n",
+      .index_list = "const $name = Int[$values]\n",
       .places = {.begin = "\n# The index of the first number of each $role, and its extents.\nconst ${role}_at = (\n",
                  .end = ")\n",
                  .object = "    $name = (first = $first, extents = ($extents_comma)),\n"},

@@ -431,6 +431,7 @@ from numpy import float32, float64, inf, int64, nan, ndarray, uint64, where
 
 )",
       .size = "$name = $value\n",
+      .index_list = "$name = numpy.array([$values], dtype=numpy.intp)\n",
       .places = {.begin = "${role}_shapes = [", .end = "]\n", .object = "($extents_comma)", .separator = ", "},
       .structure = {.begin =
                         "\n# The objects of the $role, with their shapes.\n$Role = collections.namedtuple(\"$Role\", "

@@ -1,6 +1,7 @@
 #include "emit/print/module.h"
 
 #include "emit/language/pattern.h"
+#include "emit/print/matrices.h"
 #include "emit/print/recorded.h"
 #include "emit/print/remarks.h"
 #include "emit/print/source.h"
@@ -103,6 +104,23 @@ std::string all_objects(Emission const &emission, ObjectsSyntax const &syntax) {
          objects(emission, syntax, "output", graph.outputs);
 }
 
+std::string matrices(Emission const &emission) {
+  ModuleSyntax const &syntax = emission.language.module;
+  if (syntax.index_list.empty()) return {};
+  Filling fill = interface_names(emission);
+  std::string text;
+  for (MatrixText const &matrix : matrix_texts(emission)) {
+    text += "\n" + indented(emission.language, matrix_remark(emission, matrix));
+    for (auto const &[name, value] : matrix.sizes())
+      text += fill.set_name("name", emission.name(matrix.name + "_" + name)).set("value", value)(syntax.size);
+    for (IndexList const &list : matrix.lists)
+      text += fill.set_name("name", emission.name(matrix.name + "_" + std::string(list.name)))
+                  .set("count", list.values.size())
+                  .set("values", lines_of(emission.language, list.texts()))(syntax.index_list);
+  }
+  return text;
+}
+
 } // namespace
 
 std::string lines_of(Language const &language, std::vector<std::string> const &values) {
@@ -137,6 +155,7 @@ std::string module_begin(Emission const &emission) {
   for (Size const &size : sizes(emission))
     if (size.name != "guard" || size.value != 0)
       text += fill.set_name("name", emission.name(size.name + "_count")).set("value", size.value)(syntax.size);
+  text += matrices(emission);
   text += all_objects(emission, syntax.places) + all_objects(emission, syntax.structure);
   text += fill(syntax.functions) + indented(emission.language, frozen_remark(emission));
   if (!emission.graph().guards.empty()) text += indented(emission.language, guard_remark(emission) + "\n");

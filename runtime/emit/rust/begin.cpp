@@ -1,3 +1,5 @@
+#include "emit/print/matrices.h"
+#include "emit/print/module.h"
 #include "emit/print/remarks.h"
 #include "emit/rust/parts.h"
 #include "graph/names.h"
@@ -30,6 +32,20 @@ std::string places(Emission const &emission, std::string const &role, std::vecto
   if (text.empty()) return {};
   return fmt::format("/// The index of the first number of each {0}.\npub mod {1} {{\n{2}}}\n\n", role,
                      emission.name(role + "_at"), text);
+}
+
+std::string matrices(Emission const &emission) {
+  std::string text;
+  for (MatrixText const &matrix : matrix_texts(emission)) {
+    text += matrix_remark(emission, matrix);
+    for (auto const &[name, value] : matrix.sizes()) text += size(emission, matrix.name + "_" + name, value);
+    for (IndexList const &list : matrix.lists)
+      text += fmt::format("pub static {}: [usize; {}] = [{}];\n",
+                          upper(emission.name(matrix.name + "_" + std::string(list.name))), list.values.size(),
+                          lines_of(emission.language, list.texts()));
+    text += "\n";
+  }
+  return text;
 }
 
 // C's functions, by which every language that calls them computes the same bits. A compiler replaces powers with
@@ -71,7 +87,7 @@ std::string rust_begin(Emission const &emission) {
   if (!graph.guards.empty()) text += size(emission, "guard_count", graph.guards.size());
   text += "\n" + places(emission, "input", graph.inputs) + places(emission, "parameter", graph.parameters) +
           places(emission, "output", graph.outputs);
-  text += frozen_remark(emission);
+  text += matrices(emission) + frozen_remark(emission);
   if (!graph.guards.empty()) text += guard_remark(emission) + "\n";
   return text + library(emission);
 }

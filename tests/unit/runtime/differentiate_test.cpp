@@ -1,6 +1,7 @@
 #include "differentiate/differentiate.h"
 
 #include "differentiate/differences.h"
+#include "differentiate/dual_numbers.h"
 #include "differentiate/rules.h"
 #include "graph/evaluate.h"
 #include "graph/extended.h"
@@ -85,6 +86,48 @@ TEST(Differentiate, DifferencesKnowWhatRoundingHides) {
   }
 }
 
+// Steps that leap over whole periods of a sine agree with each other, and smaller ones do not bear them out.
+TEST(Differentiate, DifferencesLeapOverNoPeriods) {
+  std::vector<std::string> const request = {"gradient(y)", "hessian(y, x)"};
+  Graph const graph = function("%3 = mul %0 100\n%4 = sin %3\n%5 = mul %4 1e-9\n", "%5");
+  for (double const x : {1e8, -54321987.25, 7e7}) {
+    std::vector<double> const at = {x, 0.5, 0.25}, found = outputs(with(graph, request), at);
+    std::vector<SharpNumber> const sharp = Differences(graph, wishes(request)).at(at, {}, 1e-9);
+    for (std::size_t k = 0; k < sharp.size(); ++k)
+      if (sharp[k]) EXPECT_NEAR(found[1 + k], static_cast<double>(*sharp[k]), 1e-9) << " at " << x;
+  }
+}
+
+// Dual numbers are there everywhere, corners included, and say what the formulas say.
+TEST(Differentiate, DualNumbersAreAsFormulas) {
+  std::vector<std::string> const request = {"jacobian(y, x)", "hessian(y, x)", "hessian(y, x, weighted)", "jvp(y, x)",
+                                            "vjp(y, x)"};
+  for (OperationInfo const &row : operations()) {
+    if (!has_formula(row) || row.op == Op::f32 || row.op == Op::nextafter) continue;
+    std::size_t next = 3;
+    std::string const lines = test::lines_on_numbers(row, 0, next);
+    Graph const graph = function(lines, "%" + std::to_string(next - 1));
+    std::vector<std::string> const one(request.begin(), request.begin() + 2), more(request.begin() + 2, request.end());
+    for (auto const &texts : {one, more}) {
+      Differences const requests(graph, wishes(texts));
+      if (!requests.obstacle().empty()) continue;
+      Graph const both = with(graph, texts);
+      std::vector<double> const seeds(requests.seed_count(), 0.75);
+      for (auto const &x : test::samples(row, 20)) {
+        std::vector<double> at(x.begin(), x.end());
+        std::vector<double> const inputs = at;
+        at.insert(at.end(), seeds.begin(), seeds.end());
+        std::vector<double> const found = outputs(both, at);
+        auto const duals = dual_numbers(graph, requests.requests(), requests.seeds_of_requests(seeds), inputs, {});
+        ASSERT_EQ(duals.size() + 1, found.size());
+        for (std::size_t k = 0; k < duals.size(); ++k)
+          if (auto const value = static_cast<double>(duals[k]); std::isfinite(value) && std::isfinite(found[1 + k]))
+            EXPECT_NEAR(found[1 + k], value, 1e-9 * (1 + std::abs(value))) << row.name << " element " << k;
+      }
+    }
+  }
+}
+
 // At kinks, zeros and poles the table says what is taken, and it is a number in the Hessian, too.
 TEST(Differentiate, CornersAreNumbers) {
   struct Corner {
@@ -143,6 +186,20 @@ TEST(Differentiate, ForwardAndReverseAgree) {
     EXPECT_NEAR(found[6 + i], jacobian[2 * i] * direction[0] + jacobian[2 * i + 1] * direction[1], 1e-12);
     EXPECT_NEAR(found[8 + i], jacobian[i] * weights[0] + jacobian[2 + i] * weights[1], 1e-12);
   }
+}
+
+TEST(Differentiate, MatricesThatNoCompilerTakesAreRefused) {
+  std::string text = "symreal-graph 1\nkernel \"k\"\ninput \"x\" [1100]\noutput \"y\" [1100]\n";
+  for (int k = 0; k < 1100; ++k) text += "%" + std::to_string(k) + " = input " + std::to_string(k) + "\n";
+  for (int k = 0; k < 1100; ++k) text += "result " + std::to_string(k) + " %" + std::to_string(k) + "\n";
+  Graph const graph = read_graph(text, "test");
+  try {
+    (void)with(graph, {"jacobian(y, x)"});
+    ADD_FAILURE();
+  } catch (DiagnosticError const &error) {
+    EXPECT_EQ(error.diagnostic().id, DiagnosticId::matrix_too_large);
+  }
+  EXPECT_EQ(with(graph, {"jacobian(y, x, sparse)"}).output_count(), 2200u);
 }
 
 // A chain of products of sines: by the linear cost of the reverse way, a gradient costs a few times the function.

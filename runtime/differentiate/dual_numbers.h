@@ -1,0 +1,16 @@
+// What derivatives are by dual numbers over the recorded graph.
+#pragma once
+
+#include "differentiate/request.h"
+
+#include <span>
+#include <vector>
+
+namespace symreal {
+
+// As Differences::at, at every point: what a kink or a pole has there the table says. `seeds`: of each request.
+std::vector<long double> dual_numbers(Graph const &graph, std::span<DerivativeRequest const> requests,
+                                      std::span<std::span<double const> const> seeds, std::span<double const> inputs,
+                                      std::span<double const> parameters);
+
+} // namespace symreal

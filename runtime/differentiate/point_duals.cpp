@@ -1,0 +1,117 @@
+#include "differentiate/point_duals.h"
+
+#include "differentiate/rules.h"
+#include "graph/extended.h"
+
+namespace symreal {
+
+namespace {
+
+struct Dual {
+  long double value = 0, slope = 0;
+};
+using Duals = std::array<Dual, 4>; // the operands, and the result
+
+// What does not reach a number leaves it alone, even if it is infinite: the arm of a select that is not taken.
+long double times(long double a, long double b) { return a == 0 || b == 0 ? 0 : a * b; }
+
+Dual evaluate_dual(Op op, Duals const &operands);
+
+Dual evaluate_dual(Term const &term, Duals const &duals) {
+  switch (term.kind) {
+  case Term::Kind::number: return {term.number, 0};
+  case Term::Kind::variable: return duals[term.variable == 'r' ? 3 : static_cast<std::size_t>(term.variable - 'x')];
+  case Term::Kind::operation: break;
+  }
+  Duals operands;
+  for (std::size_t i = 0; i < term.operands.size(); ++i) operands[i] = evaluate_dual(term.operands[i], duals);
+  return evaluate_dual(term.op, operands);
+}
+
+// Terms of the table are a few levels deep.
+Dual evaluate_dual(Op op, Duals const &operands) {
+  Dual result{evaluate_extended(op, operands[0].value, operands[1].value, operands[2].value), 0};
+  Duals plain;
+  for (std::size_t i = 0; i < 3; ++i) plain[i].value = operands[i].value;
+  plain[3].value = result.value;
+  for (std::size_t i = 0; i < arity(op); ++i)
+    if (operands[i].slope != 0 && slope_of(op, i) == Slope::formula)
+      result.slope += times(evaluate_dual(derivative_of(op, i), plain).value, operands[i].slope);
+  return result;
+}
+
+} // namespace
+
+PointDuals::PointDuals(Graph const &graph, std::span<double const> inputs, std::span<double const> parameters)
+    : graph_(graph),
+      value_(graph.nodes.size(), 0),
+      slope_(graph.nodes.size()) {
+  for (std::size_t id = 0; id < value_.size(); ++id) {
+    Node const &node = graph.nodes[id];
+    if (node.op == Op::constant) value_[id] = node.value();
+    if (node.op == Op::input) value_[id] = inputs[node.slot()];
+    if (node.op == Op::parameter) value_[id] = parameters[node.slot()];
+    if (is_leaf(node.op)) continue;
+    Duals duals;
+    for (std::size_t i = 0; i < arity(node.op); ++i) duals[i].value = value_[node.operand[i]];
+    duals[3].value = value_[id] = evaluate_extended(node.op, duals[0].value, duals[1].value, duals[2].value);
+    for (std::size_t i = 0; i < arity(node.op); ++i)
+      if (slope_of(node.op, i) == Slope::formula) slope_[id][i] = evaluate_dual(derivative_of(node.op, i), duals).value;
+  }
+}
+
+PointDuals::Vector PointDuals::tangents(Vector const &direction) const {
+  Vector tangent(value_.size(), 0);
+  for (std::size_t id = 0; id < tangent.size(); ++id) {
+    Node const &node = graph_.nodes[id];
+    if (node.op == Op::input) tangent[id] = direction[node.slot()];
+    if (is_leaf(node.op)) continue;
+    for (std::size_t i = 0; i < arity(node.op); ++i) tangent[id] += times(slope_[id][i], tangent[node.operand[i]]);
+  }
+  return tangent;
+}
+
+PointDuals::Vector PointDuals::forward(Vector const &direction) const {
+  Vector const tangent = tangents(direction);
+  Vector result;
+  for (NodeId const output : graph_.results) result.push_back(tangent[output]);
+  return result;
+}
+
+PointDuals::Vector PointDuals::reverse(Vector const &weights) const {
+  Vector adjoint(value_.size(), 0), result(graph_.input_count(), 0);
+  for (std::size_t k = 0; k < weights.size(); ++k) adjoint[graph_.results[k]] += weights[k];
+  for (std::size_t id = adjoint.size(); id-- > 0;) {
+    Node const &node = graph_.nodes[id];
+    if (node.op == Op::input) result[node.slot()] += adjoint[id];
+    if (is_leaf(node.op) || adjoint[id] == 0) continue;
+    for (std::size_t i = 0; i < arity(node.op); ++i) adjoint[node.operand[i]] += times(slope_[id][i], adjoint[id]);
+  }
+  return result;
+}
+
+PointDuals::Vector PointDuals::second(Vector const &weights, Vector const &direction) const {
+  Vector const tangent = tangents(direction);
+  std::vector<Dual> adjoint(value_.size());
+  Vector result(graph_.input_count(), 0);
+  for (std::size_t k = 0; k < weights.size(); ++k) adjoint[graph_.results[k]].value += weights[k];
+  for (std::size_t id = adjoint.size(); id-- > 0;) {
+    Node const &node = graph_.nodes[id];
+    auto const [weight, change] = adjoint[id];
+    if (node.op == Op::input) result[node.slot()] += change;
+    if (is_leaf(node.op) || (weight == 0 && change == 0)) continue;
+    Duals duals;
+    for (std::size_t i = 0; i < arity(node.op); ++i) duals[i] = {value_[node.operand[i]], tangent[node.operand[i]]};
+    duals[3] = {value_[id], tangent[id]};
+    for (std::size_t i = 0; i < arity(node.op); ++i) {
+      if (slope_of(node.op, i) != Slope::formula) continue;
+      Dual const slope = evaluate_dual(derivative_of(node.op, i), duals);
+      Dual &sum = adjoint[node.operand[i]];
+      sum.value += times(weight, slope.value);
+      sum.slope += times(change, slope.value) + times(weight, slope.slope);
+    }
+  }
+  return result;
+}
+
+} // namespace symreal

@@ -1,0 +1,35 @@
+// Derivatives at one point as numbers, in extended precision: each node carries its value and its slopes, over the
+// graph as it was recorded. Of what differentiate.h is made of this shares the rows of the table, and neither the
+// sweeps nor the expressions.
+#pragma once
+
+#include "graph/graph.h"
+
+#include <array>
+#include <span>
+#include <vector>
+
+namespace symreal {
+
+class PointDuals {
+public:
+  using Vector = std::vector<long double>;
+
+  // Extended precision can evaluate `graph`, which outlives this.
+  PointDuals(Graph const &graph, std::span<double const> inputs, std::span<double const> parameters);
+
+  // The slopes of all outputs along a direction of the inputs.
+  Vector forward(Vector const &direction) const;
+  // The slopes by all inputs of the weighted sum of the outputs, and how these change along a direction.
+  Vector reverse(Vector const &weights) const;
+  Vector second(Vector const &weights, Vector const &direction) const;
+
+private:
+  Vector tangents(Vector const &direction) const;
+
+  Graph const &graph_;
+  Vector value_;                                  // per node
+  std::vector<std::array<long double, 3>> slope_; // by each operand
+};
+
+} // namespace symreal
