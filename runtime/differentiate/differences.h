@@ -27,7 +27,8 @@ public:
   std::vector<std::span<double const>> seeds_of_requests(std::span<double const> seeds) const;
 
   // What is requested, in order, and matrices as wholes. `inputs` are those of the graph, then the seeds. An element is
-  // sharp if its error is estimated to be within `tolerance` of the larger of its magnitude and 1.
+  // sharp if its error is estimated to be within `tolerance`, in Hessians PointDifferences::second times that, of the
+  // larger of its magnitude and 1.
   std::vector<SharpNumber> at(std::span<double const> inputs, std::span<double const> parameters,
                               double tolerance) const;
 

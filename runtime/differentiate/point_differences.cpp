@@ -15,6 +15,7 @@ using Vector = PointDifferences::Vector;
 
 constexpr int levels = 8;                         // steps, each a quarter of the one before
 constexpr int probes[] = {9, 11, 12, 13, 15, 17}; // levels of the smaller steps that a result must stand
+constexpr long double doubtful = 8; // times its noise, and a probe tells against a result: there are many of them
 constexpr long double telling =
     0.1L;                        // noise of a probe, relative to the result or to 1, that leaves it something to say
 constexpr int perturbations = 3; // on each side
@@ -99,8 +100,8 @@ SharpNumber PointDifferences::sharp(std::vector<Neighbours> const &neighbours, V
     long double const before = std::exchange(bend, std::abs(bend_of(pair, output)) / pair.step);
     has_kink = bend > tolerance_ && 2 * bend > before && level != 0;
   }
-  SharpNumber const result = order == 1 && has_kink ? std::nullopt : number.result(tolerance_);
-  return result && is_confirmed(smaller, *result, last) ? result : std::nullopt;
+  SharpNumber const result = order == 1 && has_kink ? std::nullopt : number.result(tolerance_of(order));
+  return result && is_confirmed(smaller, *result, last, tolerance_of(order)) ? result : std::nullopt;
 }
 
 long double PointDifferences::bend_of(Neighbours const &pair, std::size_t output) const {
@@ -114,11 +115,12 @@ PointDifferences::Quotient PointDifferences::quotient(Neighbours const &pair, Ve
   return {bend_of(pair, output) / (step * step), 4 * noise[output] / (step * step)};
 }
 
-bool PointDifferences::is_confirmed(std::vector<Quotient> const &smaller, long double result, long double last) const {
+bool PointDifferences::is_confirmed(std::vector<Quotient> const &smaller, long double result, long double last,
+                                    long double tolerance) {
   long double const scale = std::max(1.0L, std::abs(result));
   bool is_told = false;
   for (auto const &[value, noise] : smaller) {
-    if (!(std::abs(value - result) <= std::abs(last - result) + noise + tolerance_ * scale)) return false;
+    if (!(std::abs(value - result) <= std::abs(last - result) + doubtful * noise + tolerance * scale)) return false;
     is_told |= noise <= telling * scale;
   }
   return is_told;

@@ -28,6 +28,9 @@ public:
   long double scale(std::uint32_t slot) const;
   std::size_t input_count() const { return inputs_.size(); }
 
+  // Second differences divide rounding by the square of the step: they are sharp within so many times the tolerance.
+  static constexpr double second = 100;
+
   // How many evaluations of the graph a direction takes.
   static std::size_t const evaluations;
 
@@ -44,6 +47,7 @@ private:
     long double value, noise;
   };
 
+  long double tolerance_of(int order) const { return order == 1 ? tolerance_ : second * tolerance_; }
   long double first_step(Vector const &direction) const;
   std::vector<Neighbours> neighbours_along(Vector const &direction) const;
   SharpNumber sharp(std::vector<Neighbours> const &neighbours, Vector const &noise, std::size_t output,
@@ -52,7 +56,8 @@ private:
   Quotient quotient(Neighbours const &pair, Vector const &noise, std::size_t output, int order) const;
   // Whether quotients at steps far below those of the extrapolation bear a result out: else these steps leapt over what
   // the function does, as over whole periods of a sine.
-  bool is_confirmed(std::vector<Quotient> const &probes, long double result, long double last) const;
+  static bool is_confirmed(std::vector<Quotient> const &probes, long double result, long double last,
+                           long double tolerance);
   Vector moved(Vector const &direction, long double step, std::uint64_t perturbation = 0) const;
   Vector noise_beside(Vector const &direction, Neighbours const &pair) const;
 
