@@ -23,6 +23,7 @@ struct Banner {
   unsigned threads = 1;                         // that share an evaluation
   unsigned vector = 1;                          // numbers that are computed side by side, where the processor can
   std::vector<DerivativeWish> derivatives = {}; // that were added, as in Graph
+  bool has_values = true;                       // and not the derivatives alone
 };
 // Does the file begin as a generated one?
 bool is_generated(std::string const &path);

@@ -144,4 +144,15 @@ Graph differentiate(Graph graph, std::span<DerivativeWish const> wishes, Report 
   return graph;
 }
 
+Graph derivatives_of(Graph graph, std::size_t own_outputs) {
+  std::uint32_t const first = graph.outputs[own_outputs].first;
+  graph.outputs.erase(graph.outputs.begin(), graph.outputs.begin() + static_cast<std::ptrdiff_t>(own_outputs));
+  for (Object &output : graph.outputs) output.first -= first;
+  graph.results.erase(graph.results.begin(), graph.results.begin() + first);
+  for (DerivativeMatrix &matrix : graph.matrices) matrix.output -= static_cast<std::uint32_t>(own_outputs);
+  graph.states.clear(); // whose derivatives by time are outputs
+  graph.derivatives_alone = true;
+  return graph;
+}
+
 } // namespace symreal

@@ -14,4 +14,7 @@ namespace symreal {
 // not_a_scalar, not_differentiable.
 Graph differentiate(Graph graph, std::span<DerivativeWish const> wishes, Report const &report);
 
+// Of a graph that has got derivatives, behind so many outputs of its own: the derivatives without these.
+Graph derivatives_of(Graph graph, std::size_t own_outputs);
+
 } // namespace symreal

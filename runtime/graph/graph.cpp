@@ -40,6 +40,7 @@ Graph without_nodes(Graph const &graph) {
   rest.states = graph.states;
   rest.wishes = graph.wishes;
   rest.derivatives = graph.derivatives;
+  rest.derivatives_alone = graph.derivatives_alone;
   rest.matrices = graph.matrices;
   rest.input_values = graph.input_values;
   rest.parameter_values = graph.parameter_values;

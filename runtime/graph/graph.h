@@ -105,6 +105,7 @@ struct Graph {
   std::vector<StatePair> states;
   std::vector<DerivativeWish> wishes;     // derivatives that the program asks for
   std::vector<std::string> derivatives;   // those that were added, as they were asked for
+  bool derivatives_alone = false;         // the outputs are derivatives only: --separate
   std::vector<DerivativeMatrix> matrices; // of them, in the order of their outputs
 
   Nodes nodes;                     // topological order

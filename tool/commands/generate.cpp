@@ -1,4 +1,6 @@
+#include "differentiate/differentiate.h"
 #include "graph/graph_text.h"
+#include "graph/names.h"
 #include "graph/states.h"
 #include "program/make_rule.h"
 #include "support/files.h"
@@ -68,7 +70,9 @@ void require_sense(Options const &options) {
     fail(DiagnosticId::option_without_effect, {}, "--wrapper calls generated C: name c among the languages of --lang");
   if (options.wrapper && options.emitter.is_single())
     fail(DiagnosticId::bad_option, {}, "--wrapper hands on doubles: leave --real=float out");
-  if (options.wrapper && options.differentiate.is_given())
+  if (options.differentiate.separate && options.bundle.is_given())
+    fail(DiagnosticId::option_without_effect, {}, "--separate makes two files, and a package or unit has one function");
+  if (options.wrapper && options.differentiate.is_given() && !options.differentiate.separate)
     fail(DiagnosticId::bad_option, {}, no_derivatives_in_wrapper);
   (void)options.emitter.is_single();
   options.vector.require_sense(options.emitter, options.parallel.is_given(), options.reroll.is_given);
@@ -120,6 +124,31 @@ void emit_files(program::Recorded const &recorded, Schedule const &plan, Options
     emit_sources(recorded, plan, options, several, product);
 }
 
+// With --separate: of the derivatives alone, in a file beside the kernel's.
+Product derivative_product(program::Recorded const &recorded, std::size_t own_outputs, Options options, bool several,
+                           Console &console) {
+  Graph const &graph = recorded.graph;
+  if (graph.outputs.size() == own_outputs)
+    fail(DiagnosticId::option_without_effect, {}, "--separate: nobody asks for derivatives of '" + graph.kernel + "'");
+  if (graph.last_effect != no_node)
+    fail(DiagnosticId::bad_option, {},
+         "--separate: '" + graph.kernel +
+             "' calls functions with effects, and a second function would call them again");
+  Product product;
+  product.optimised =
+      optimise(derivatives_of(graph, own_outputs), options.passes, [&](auto const &one) { console.report(one); });
+  Schedule const plan =
+      options.parallel.shared(schedule(product.optimised.graph, options.emitter.nesting()), product.sharing);
+  std::string const given = recorded.output_file.empty() ? recorded.kernel.name + ".c" : recorded.output_file;
+  fs::path const path = place_output(options.output, given, several);
+  options.output = (path.parent_path() / (path.stem().string() + "_derivatives" + path.extension().string())).string();
+  std::string const &prefix = options.emitter.prefix;
+  options.emitter.prefix = identifier(prefix.empty() ? graph.kernel : prefix) + "_derivatives";
+  options.wrapper = false;
+  emit_sources(recorded, plan, options, /*several=*/false, product);
+  return product;
+}
+
 bool accept_frozen(std::vector<program::Recorded> const &kernels, Options const &options, program::Talk const &talk,
                    Console &console) {
   if (report_frozen(kernels, options.frozen, console)) return true;
@@ -145,21 +174,30 @@ std::optional<std::vector<Product>> generate(program::FrontRequest const &reques
     (void)find_states(recorded.graph);
     std::ostringstream graph;
     if (!options.graph_file.empty()) write_graph(graph, recorded.graph);
-    if (options.wrapper && !recorded.graph.wishes.empty())
+    if (options.wrapper && !recorded.graph.wishes.empty() && !options.differentiate.separate)
       fail(DiagnosticId::bad_option, recorded.graph.wishes.front().place, no_derivatives_in_wrapper);
+    std::size_t const own_outputs = recorded.graph.outputs.size();
+    Graph alone = options.differentiate.separate ? recorded.graph : Graph();
     recorded.graph = options.differentiate.applied(std::move(recorded.graph),
                                                    [&](Diagnostic const &warning) { console.report(warning); });
+    bool const several = front.kernels.size() > 1;
+    std::optional<Product> derivatives;
+    if (options.differentiate.separate) {
+      derivatives = derivative_product(recorded, own_outputs, options, several, console);
+      alone.wishes.clear();
+      recorded.graph = std::move(alone);
+    }
     product.optimised =
         optimise(std::move(recorded.graph), options.passes, [&](auto const &one) { console.report(one); });
     Schedule const plan =
         options.parallel.shared(schedule(product.optimised.graph, options.emitter.nesting()), product.sharing);
-    bool const several = front.kernels.size() > 1;
     emit_files(recorded, plan, options, several, product);
     if (!options.graph_file.empty())
       product.files.push_back(
           {place_output(options.graph_file, recorded.kernel.name + ".graph", several), std::move(graph).str()});
     product.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     products.push_back(std::move(product));
+    if (derivatives) products.push_back(std::move(*derivatives));
   }
   return products;
 }
@@ -174,8 +212,10 @@ void write_config(ProjectOptions const &project, std::vector<Lacking> const &lac
 bool write_results(std::vector<Product> const &products, program::Front const &front, Options const &options) {
   if (options.check) return check_products(products);
   BundleOption const &bundle = options.bundle;
-  std::string const first =
-      write_products(products, {options.output, options.graph_file, bundle.package.folder, bundle.unit.file});
+  bool const several = front.kernels.size() > 1;
+  std::string const first = write_products(
+      products, several ? std::vector{options.output, options.graph_file, bundle.package.folder, bundle.unit.file}
+                        : std::vector<std::string>());
   if (!options.depfile.empty())
     write_if_changed(options.depfile, program::make_rule({program::make_escaped(first)}, front.read));
   return true;
@@ -230,6 +270,7 @@ void add_generate(CLI::App &app, Session &session) {
   options->language.add_to(*command, "c");
   options->bundle.add_to(*command);
   options->differentiate.add_to(*command);
+  options->differentiate.add_separate_to(*command);
   options->passes.add_to(*command);
   options->emitter.add_to(*command);
   options->parallel.add_to(*command);

@@ -15,6 +15,11 @@ void DifferentiateOption::add_to(CLI::App &app) {
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
 
+void DifferentiateOption::add_separate_to(CLI::App &app) {
+  app.add_flag("--separate", separate,
+               "Derivatives as a function of their own, in a file of their own beside the kernel's");
+}
+
 Graph DifferentiateOption::applied(Graph graph, Report const &report) const {
   std::vector<DerivativeWish> wishes = std::move(graph.wishes);
   graph.wishes.clear();

@@ -7,9 +7,11 @@ namespace symreal::tool {
 
 struct DifferentiateOption {
   std::vector<std::string> requests;
+  bool separate = false; // derivatives are a function of their own
 
   bool is_given() const { return !requests.empty(); }
   void add_to(CLI::App &app);
+  void add_separate_to(CLI::App &app);
   // The graph as it is, if nobody asks for any. Throws what differentiate throws.
   Graph applied(Graph graph, Report const &report) const;
 };

@@ -231,6 +231,7 @@ void print_verification(std::ostream &out, Graph const &graph, program::Verifica
   if (verification.threads) print_threads(out, *verification.threads);
   print_exact(out, graph, verification.exact);
   if (!verification.wrapped.empty()) fmt::print(out, "  the wrapper was tried as well\n");
+  if (verification.derivatives && !verification.has_values) return print_derivatives(out, *verification.derivatives);
   fmt::print(out, "  {:<28}{:>10}{:>22}{:>12}{}{}\n", "output", "elements",
              verification.is_single ? "worst ULP of float" : "worst ULP", "different",
              verification.own_flags_ulp.empty() ? "" : fmt::format("{:>22}", "ULP, own flags"),

@@ -71,7 +71,7 @@ std::string banner(Emission const &emission) {
   if (!graph.derivatives.empty()) {
     std::string all;
     for (std::string const &derivative : graph.derivatives) all += (all.empty() ? "" : ",") + json_string(derivative);
-    more += fmt::format("\"derivatives\":[{}],", all);
+    more += fmt::format("\"derivatives\":[{}],{}", all, graph.derivatives_alone ? "\"separate\":true," : "");
   }
   std::vector<std::string> lines = {
       fmt::format("symreal {{\"kernel\":{},\"mode\":\"{}\",\"prefix\":{},\"inputs\":{},\"parameters\":{},"
