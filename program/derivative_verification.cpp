@@ -115,9 +115,10 @@ void DerivativeVerification::compare(Sample const &sample, std::span<double cons
     DerivativeElement &element = result_.elements[k];
     auto const dual = static_cast<double>(duals[k]);
     if (std::isfinite(dual)) judge(element, sample, dual, found[k], least, rounding[k], false);
-    element.judged += sharp[k].has_value();
-    if (sharp[k])
-      judge(element, sample, static_cast<double>(*sharp[k]), found[k], off_differences[k], rounding[k], true);
+    SharpNumber const &difference = sharp[k];
+    if (!difference) continue;
+    ++element.judged;
+    judge(element, sample, static_cast<double>(*difference), found[k], off_differences[k], rounding[k], true);
   }
 }
 
