@@ -58,7 +58,13 @@ void add(Events &events, std::vector<std::string> const &field) {
   if (decisions && has(4)) decisions->push_back({number<std::size_t>(field[1]), field[2], addresses(field[3])});
   if (kind == "decided" && has(5))
     events.decided.push_back({number<std::uint32_t>(field[1]), field[2] == "t" || field[2] == "T",
-                              field[2] == "T" || field[2] == "F", field[3], addresses(field[4])});
+                              field[2] == "T" || field[2] == "F", field[2] == "j", field[3], addresses(field[4])});
+  if (kind == "joined" && has(3)) {
+    ++events.joins;
+    events.pieces += number<std::size_t>(field[1]);
+    events.selects += number<std::size_t>(field[2]);
+  }
+  if (kind == "join" && has(2)) events.joined_at.push_back(addresses(field[1]));
   if (kind == "undecided" && has(2)) events.undecided.push_back(number<std::size_t>(field[1]));
   if (kind == "followed" && has(2)) events.followed = number<std::size_t>(field[1]);
   if (kind == "beyond" && has(2)) events.beyond = number<std::size_t>(field[1]);

@@ -12,8 +12,10 @@
 //   decision    count  condition  address,address,...   hexadecimal, relative to the load base, innermost first
 //   carried     count  condition  address,address,...
 //   settled     count  condition  address,address,...
-//   decided     node  t or f  condition  address,address,...   of the kernel that is explored, one after the other;
+//   decided     node  t, f or j  condition  address,address,...   of the kernel that is explored, one after the other;
 //                                                              T or F: assumed, without a path for the other outcome
+//   joined      pieces  selects   of the last decision, a j: both its ways are recorded, and have come together
+//   join        address,address,...   where ways part that come together
 //   followed    count   of decisions that earlier ones settle
 //   beyond      count   of decisions beyond the depth, which are guards
 //   undecided   K       the K-th kernel has decisions to explore, in a run of its own
@@ -58,7 +60,7 @@ struct Decision {
 // On an explored path.
 struct DecidedEvent {
   std::uint32_t condition; // the node
-  bool outcome, is_assumed;
+  bool outcome, is_assumed, is_joined;
   std::string text;
   std::vector<std::uint64_t> addresses;
 };
@@ -75,8 +77,9 @@ struct Events {
   std::vector<Diagnostic> diagnostics;
   std::vector<Decision> decisions, carried, settled;
   std::vector<DecidedEvent> decided;
+  std::vector<std::vector<std::uint64_t>> joined_at;
   std::vector<std::size_t> undecided; // kernels, by number
-  std::size_t followed = 0, beyond = 0;
+  std::size_t followed = 0, beyond = 0, joins = 0, pieces = 0, selects = 0;
   bool is_cut_off = false;
   std::vector<Located> located;
   std::vector<FrozenRead> frozen;

@@ -10,12 +10,13 @@
 namespace symreal::program {
 namespace {
 
-constexpr std::string_view explores = "explore:", selects = "auto:", zeros = ":zeros";
+constexpr std::string_view explores = "explore:", selects = "auto:", zeros = ":zeros", apart = ":apart";
 
 RecordedPath recorded_path(Graph graph, Events const &events) {
   RecordedPath path{std::move(graph), {}, events.is_cut_off};
   for (DecidedEvent const &one : events.decided)
-    path.steps.push_back({static_cast<NodeId>(one.condition), one.outcome, one.is_assumed, one.text, one.addresses});
+    path.steps.push_back(
+        {static_cast<NodeId>(one.condition), one.outcome, one.is_assumed, one.is_joined, one.text, one.addresses});
   return path;
 }
 
@@ -52,15 +53,13 @@ void require_same_interface(Graph const &first, Graph const &path, bool is_cut_o
 
 std::string path_variable(std::size_t kernel, Outcomes const &outcomes, bool is_cut_at_end,
                           ExploreBounds const &bounds) {
-  std::string text;
-  for (bool outcome : outcomes) text += outcome ? 't' : 'f';
-  return fmt::format("SYMREAL_PATH={}:{}{}:{}{}", kernel, text, is_cut_at_end ? "!" : "", bounds.depth,
-                     bounds.zeros ? "z" : "");
+  return fmt::format("SYMREAL_PATH={}:{}{}:{}{}{}", kernel, outcomes, is_cut_at_end ? "!" : "", bounds.depth,
+                     bounds.zeros ? "z" : "", bounds.joins ? "" : "p");
 }
 
-std::optional<Graph> explore(std::size_t kernel, Place const &place, ExploreBounds const &bounds,
-                             std::function<std::optional<PathRun>(std::string const &)> const &run_path,
-                             Exploration &exploration) {
+static std::optional<Graph> explore_paths(std::size_t kernel, Place const &place, ExploreBounds const &bounds,
+                                          std::function<std::optional<PathRun>(std::string const &)> const &run_path,
+                                          Exploration &exploration) {
   PathTree tree;
   Graph first; // its interface
   std::optional<Outcomes> outcomes = Outcomes();
@@ -90,6 +89,12 @@ std::optional<Graph> explore(std::size_t kernel, Place const &place, ExploreBoun
                     : exploration.paths);
     exploration.followed += run->events.followed;
     exploration.beyond += run->events.beyond;
+    if (tried == 0) {
+      exploration.joins = run->events.joins;
+      exploration.pieces = run->events.pieces;
+      exploration.joined = run->events.selects;
+      exploration.joined_at = run->events.joined_at;
+    }
     if (!tree.add(recorded_path(std::move(graph), run->events))) fail_to_repeat(place);
   }
   Graph graph = tree.merge();
@@ -99,6 +104,20 @@ std::optional<Graph> explore(std::size_t kernel, Place const &place, ExploreBoun
   exploration.explored = tree.decided_at();
   exploration.guards = graph.guards.size();
   return graph;
+}
+
+std::optional<Graph> explore(std::size_t kernel, Place const &place, ExploreBounds const &bounds,
+                             std::function<std::optional<PathRun>(std::string const &)> const &run_path,
+                             Exploration &exploration) {
+  try {
+    return explore_paths(kernel, place, bounds, run_path, exploration);
+  } catch (DiagnosticError const &error) { // ways that have come together may do so once and not again
+    if (error.diagnostic().id != DiagnosticId::path_not_repeated || exploration.joins == 0) throw;
+    exploration = {};
+    ExploreBounds without = bounds;
+    without.joins = false;
+    return explore_paths(kernel, place, without, run_path, exploration);
+  }
 }
 
 std::vector<Diagnostic> open_branches(rewrite::Kernel const &kernel, Exploration const &exploration,
@@ -125,7 +144,8 @@ std::vector<Diagnostic> open_branches(rewrite::Kernel const &kernel, Exploration
   return {std::move(warning)};
 }
 
-std::vector<DecidedPlace> decided_places(Graph const &graph, std::vector<Place> const &explored) {
+std::vector<DecidedPlace> decided_places(Graph const &graph, std::vector<Place> const &explored,
+                                         std::vector<Place> const &joined) {
   auto const order = [](Place const &a, Place const &b) {
     return std::tie(a.file, a.line, a.column) < std::tie(b.file, b.line, b.column);
   };
@@ -135,15 +155,17 @@ std::vector<DecidedPlace> decided_places(Graph const &graph, std::vector<Place> 
     return place.file.empty() ? nullptr : &all[place];
   };
   for (Place const &place : explored) all[place].is_explored = true;
+  for (Place const &place : joined) all[place].is_joined = true;
   for (Guard const &guard : graph.guards)
     if (DecidedPlace *const place = at(guard.location)) place->is_guarded = true;
   for (std::size_t id = 0; id < graph.node_location.size(); ++id) // those between paths stand where these part
     if (DecidedPlace *const place = graph.nodes[id].op == Op::select ? at(graph.node_location[id]) : nullptr)
-      place->is_selected = !place->is_explored;
+      place->is_selected = !place->is_explored && !place->is_joined;
   std::vector<DecidedPlace> places;
   for (auto &[place, decided] : all) {
     decided.place = place;
-    if (decided.is_selected || decided.is_explored || decided.is_guarded) places.push_back(decided);
+    if (decided.is_selected || decided.is_explored || decided.is_joined || decided.is_guarded)
+      places.push_back(decided);
   }
   return places;
 }
@@ -156,13 +178,14 @@ std::optional<ExploreBounds> explore_bounds(std::string const &decisions) {
   char const *const numbers = decisions.data() + (bounds.selects ? selects : explores).size();
   char const *const colon = std::from_chars(numbers, end, bounds.paths).ptr;
   if (colon != end) std::from_chars(colon + 1, end, bounds.depth);
-  bounds.zeros = decisions.ends_with(zeros);
+  bounds.zeros = decisions.find(zeros) != decisions.npos;
+  bounds.joins = !decisions.ends_with(apart);
   return bounds;
 }
 
 std::string explore_policy(ExploreBounds const &bounds) {
-  return fmt::format("{}{}:{}{}", bounds.selects ? selects : explores, bounds.paths, bounds.depth,
-                     bounds.zeros ? zeros : "");
+  return fmt::format("{}{}:{}{}{}", bounds.selects ? selects : explores, bounds.paths, bounds.depth,
+                     bounds.zeros ? zeros : "", bounds.joins ? "" : apart);
 }
 
 } // namespace symreal::program

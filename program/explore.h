@@ -19,12 +19,13 @@ struct ExploreBounds {
   std::size_t depth = 64;  // decisions on a path
   bool selects = false;    // where the source allows it there is a select, and no paths: policy auto
   bool zeros = false;      // tests for exact zero are decisions as any
+  bool joins = true;       // ways that come together again are one path
 };
 
 // What became of the decisions at one place of the source.
 struct DecidedPlace {
   Place place;
-  bool is_selected = false, is_explored = false, is_guarded = false;
+  bool is_selected = false, is_explored = false, is_joined = false, is_guarded = false;
 };
 
 // What became of a kernel's decisions.
@@ -35,13 +36,17 @@ struct Exploration {
   std::size_t late = 0;     // on which the kernel does not end in time
   std::size_t followed = 0; // decisions that earlier ones settle
   std::size_t selects = 0;  // between paths, before any pass
+  std::size_t joins = 0;    // decisions whose ways come together again, on the first path
+  std::size_t pieces = 0;   // of a run, between decisions, that this took
+  std::size_t joined = 0;   // selects where they come together
   std::size_t open = 0;     // branches that no recorded path takes: a guard each
   std::size_t beyond = 0;   // decisions beyond the depth on the path of the program's own values: a guard each
   std::size_t zeros = 0;    // tests for exact zero that are taken as not met: a guard each
   std::size_t guards = 0;   // these, and those that pragmas ask for
   bool paths_left = false;  // beyond the number of paths
-  std::vector<std::vector<std::uint64_t>> explored = {}; // where the program decides, as addresses
-  std::vector<DecidedPlace> places = {};                 // under policy auto
+  std::vector<std::vector<std::uint64_t>> explored = {};  // where the program decides, as addresses
+  std::vector<std::vector<std::uint64_t>> joined_at = {}; // the same of decisions whose ways come together
+  std::vector<DecidedPlace> places = {};                  // under policy auto
 
   // Whether the graph is right wherever the program may go, but for exact zeros and guards that pragmas ask for.
   bool is_complete() const { return open == 0 && beyond == 0; }
@@ -55,8 +60,8 @@ std::string path_variable(std::size_t kernel, Outcomes const &outcomes, bool is_
 struct PathRun {
   Events events;
   std::optional<Graph> graph = {};
-  std::vector<bool> taken = {}; // the outcomes, whatever ended the program
-  bool is_late = false;         // it took too long
+  Outcomes taken = {};  // whatever ended the program
+  bool is_late = false; // it took too long
 };
 
 // Explores the K-th kernel of a run. `run_path` runs the program with this $SYMREAL_PATH, or gives nothing if the run
@@ -69,11 +74,13 @@ std::optional<Graph> explore(std::size_t kernel, Place const &place, ExploreBoun
 std::vector<Diagnostic> open_branches(rewrite::Kernel const &kernel, Exploration const &exploration,
                                       ExploreBounds const &bounds);
 
-// In the order of the source, once the graph's locations are places. `explored`: where paths part.
-std::vector<DecidedPlace> decided_places(Graph const &graph, std::vector<Place> const &explored);
+// In the order of the source, once the graph's locations are places. `explored`: where paths part. `joined`: where ways
+// part that come together again.
+std::vector<DecidedPlace> decided_places(Graph const &graph, std::vector<Place> const &explored,
+                                         std::vector<Place> const &joined);
 
-// What --decisions has said, with the bounds: "explore:128:64", "explore:128:64:zeros", "auto:128:64". Nothing for
-// another policy.
+// What --decisions has said, with the bounds: "explore:128:64", "explore:128:64:zeros:apart", "auto:128:64". Nothing
+// for another policy.
 std::optional<ExploreBounds> explore_bounds(std::string const &decisions);
 std::string explore_policy(ExploreBounds const &bounds);
 

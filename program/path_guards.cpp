@@ -37,6 +37,7 @@ std::string PathTree::where(std::size_t at) const {
   std::size_t count = 0;
   for (; tree_[at].parent != none; at = tree_[at].parent) {
     Node const &decision = tree_[tree_[at].parent];
+    if (decision.is_joined) continue;
     bool const outcome = tree_[at].branch_of_parent;
     if (!is_open(decision, !outcome) && count++ < most)
       words.push_back(decision.text + std::string(outcome ? "" : guard_is_false));
@@ -60,7 +61,7 @@ NodeId PathTree::asked_at_root(Needed const &needed) {
       auto const found = asked.find(decision.branches[outcome]);
       return found == asked.end() ? no_node : found->second;
     };
-    here = asked_at(decision, below(true), below(false));
+    here = decision.is_joined ? below(true) : asked_at(decision, below(true), below(false));
   }
   return asked.rbegin()->second;
 }

@@ -15,6 +15,7 @@ Command recording_command(std::string const &executable, RunOptions const &optio
                   .time_limit = options.time_limit};
   command.arguments.insert(command.arguments.end(), options.arguments.begin(), options.arguments.end());
   std::optional<ExploreBounds> const bounds = explore_bounds(options.decisions);
+  command.at_fixed_addresses = bounds.has_value();
   std::string const policy = !bounds ? options.decisions : bounds->selects ? "auto" : "explore";
   command.environment = {"SYMREAL_RECORD=" + directory, "SYMREAL_DECISIONS=" + policy,
                          "SYMREAL_FP=" + options.floating_point,
@@ -44,8 +45,7 @@ PathRun run_along(std::string const &path_variable, std::size_t kernel, std::str
   PathRun result{read_events(directory + "/events")};
   result.is_late = end.ending == Ending::timed_out;
   if (std::filesystem::exists(graph)) result.graph = read_binary_graph(graph);
-  if (std::filesystem::exists(taken))
-    for (char outcome : read_file(taken)) result.taken.push_back(outcome == 't');
+  if (std::filesystem::exists(taken)) result.taken = read_file(taken);
   return result;
 }
 

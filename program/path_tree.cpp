@@ -60,15 +60,16 @@ bool PathTree::add(RecordedPath path) {
       tree_[at].location = location(step.addresses);
       tree_[at].text = step.text;
       tree_[at].is_assumed = step.is_assumed;
-    } else if (tree_[at].condition != condition) {
+      tree_[at].is_joined = step.is_joined;
+    } else if (tree_[at].condition != condition || tree_[at].is_joined != step.is_joined) {
       return false;
     }
-    std::size_t &branch = tree_[at].branches[step.outcome];
+    std::size_t &branch = tree_[at].branches[step.outcome || step.is_joined];
     if (branch == none) {
       branch = tree_.size();
       Node below;
       below.parent = at;
-      below.branch_of_parent = step.outcome;
+      below.branch_of_parent = step.outcome || step.is_joined;
       at = branch;
       tree_.push_back(std::move(below));
     } else {
@@ -138,11 +139,14 @@ std::optional<Outcomes> PathTree::next() const {
   // The newest decisions of which one branch is untaken are the deepest of the newest path.
   for (std::size_t at = tree_.size(); at-- > 0;) {
     Node const &node = tree_[at];
-    if (node.condition == no_node || node.is_assumed || (node.branches[0] != none && node.branches[1] != none))
+    if (node.condition == no_node || node.is_assumed || node.is_joined ||
+        (node.branches[0] != none && node.branches[1] != none))
       continue;
-    Outcomes outcomes = {node.branches[1] == none};
-    for (std::size_t k = at; tree_[k].parent != none; k = tree_[k].parent)
-      if (!tree_[tree_[k].parent].is_assumed) outcomes.push_back(tree_[k].branch_of_parent);
+    Outcomes outcomes = node.branches[1] == none ? "t" : "f";
+    for (std::size_t k = at; tree_[k].parent != none; k = tree_[k].parent) {
+      Node const &above = tree_[tree_[k].parent];
+      if (!above.is_assumed) outcomes += above.is_joined ? 'j' : tree_[k].branch_of_parent ? 't' : 'f';
+    }
     std::reverse(outcomes.begin(), outcomes.end());
     return outcomes;
   }
@@ -152,7 +156,7 @@ std::optional<Outcomes> PathTree::next() const {
 std::vector<std::vector<std::uint64_t>> PathTree::decided_at() const {
   std::set<LocationId> locations;
   for (Node const &node : tree_)
-    if (node.condition != no_node && !node.is_assumed) locations.insert(node.location);
+    if (node.condition != no_node && !node.is_assumed && !node.is_joined) locations.insert(node.location);
   std::vector<std::vector<std::uint64_t>> at;
   for (auto const &[addresses, location] : locations_)
     if (locations.contains(location)) at.push_back(addresses);
@@ -180,6 +184,12 @@ bool PathTree::is_open(Node const &decision, bool outcome) const {
 // What the branches of a decision give.
 void PathTree::join(std::size_t at) {
   Node &node = tree_[at];
+  if (node.is_joined) {
+    Node &below = tree_[node.branches[1]];
+    node.is_open = below.is_open;
+    node.results = std::move(below.results);
+    return;
+  }
   node.is_open = is_open(node, true) && is_open(node, false);
   if (node.is_open) return;
   for (bool outcome : {false, true}) {

@@ -18,6 +18,7 @@ struct DecidedStep {
   NodeId condition; // in the graph of the path
   bool outcome;
   bool is_assumed;  // the other outcome is not to be tried
+  bool is_joined;   // both are recorded, and have come together
   std::string text; // of the condition
   std::vector<std::uint64_t> addresses = {};
 };
@@ -28,7 +29,7 @@ struct RecordedPath {
   bool is_cut_off = false;
 };
 
-using Outcomes = std::vector<bool>;
+using Outcomes = std::string; // t, f, or j for a decision whose ways have come together
 
 class PathTree {
 public:
@@ -61,7 +62,7 @@ private:
     LocationId location = no_location;
     std::string text = {};
     std::size_t branches[2] = {none, none}; // by outcome
-    bool is_assumed = false;
+    bool is_assumed = false, is_joined = false;
     bool is_open = true; // nothing below comes to the kernel's end
     std::vector<NodeId> results = {};
     std::vector<Guard> guards = {}; // of the path that ends here

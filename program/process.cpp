@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <fcntl.h>
 #include <poll.h>
+#include <sys/personality.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -74,6 +75,8 @@ private:
   if (!command.directory.empty() && chdir(command.directory.c_str()) != 0) give_up();
   int input = open(command.standard_input.empty() ? "/dev/null" : command.standard_input.c_str(), O_RDONLY);
   if (input < 0 || dup2(input, 0) < 0 || dup2(output.write_end, 1) < 0 || dup2(output.write_end, 2) < 0) give_up();
+  // What lies on a stack may depend on where it lies.
+  if (command.at_fixed_addresses) personality(ADDR_NO_RANDOMIZE);
   for (int descriptor : command.inherited) fcntl(descriptor, F_SETFD, 0);
   signal(SIGPIPE, SIG_DFL);
   execvpe(prepared.arguments[0], prepared.arguments.data(), prepared.environment.data());

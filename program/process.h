@@ -15,6 +15,7 @@ struct Command {
   std::vector<std::string> environment = {}; // "NAME=value", added to the current one
   std::string standard_input = {};           // a file; empty: no input at all
   double time_limit = 0;                     // seconds; 0: none
+  bool at_fixed_addresses = false;           // where the system can do that
   std::vector<int> inherited = {};           // descriptors that stay open, with their numbers, besides 0, 1 and 2
 };
 

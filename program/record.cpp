@@ -163,10 +163,13 @@ std::vector<rewrite::Kernel> kernels_of(Events const &events) {
 void tell_places(Graph const &graph, Symbolizer &symbolizer, std::optional<Exploration> &exploration) {
   if (!exploration) exploration.emplace().paths = 1;
   exploration->guards = graph.guards.size();
-  std::vector<Place> explored;
-  for (std::vector<std::uint64_t> const &addresses : exploration->explored)
-    if (std::optional<Place> const place = own_place(addresses, symbolizer)) explored.push_back(*place);
-  exploration->places = decided_places(graph, explored);
+  auto const places = [&](std::vector<std::vector<std::uint64_t>> const &all) {
+    std::vector<Place> found;
+    for (std::vector<std::uint64_t> const &addresses : all)
+      if (std::optional<Place> const place = own_place(addresses, symbolizer)) found.push_back(*place);
+    return found;
+  };
+  exploration->places = decided_places(graph, places(exploration->explored), places(exploration->joined_at));
 }
 
 bool is_same_place(Diagnostic const &a, Diagnostic const &b) {

@@ -25,7 +25,7 @@ NodeId NodeTable::intern_in_hash(Node const &node) {
 }
 
 void NodeTable::grow_hash() {
-  std::vector<NodeId> old(std::max<std::size_t>(64, 2 * hash_.size()), no_node);
+  LongArray<NodeId> old(std::max<std::size_t>(64, 2 * hash_.size()), no_node);
   old.swap(hash_);
   std::size_t mask = hash_.size() - 1;
   for (NodeId id : old) {
@@ -40,6 +40,8 @@ void NodeTable::reserve(std::size_t count) {
   nodes_.reserve(count);
   links_.reserve(count);
   attributes_.reserve(count);
+  constexpr std::size_t many = std::size_t{1} << 17; // enough for the hash to have pages of its own
+  if (count >= many / 2 && hash_.empty()) hash_.assign(many, no_node);
 }
 
 Nodes NodeTable::release() {

@@ -80,7 +80,7 @@ private:
   Nodes nodes_;
   LongArray<Links> links_;          // per node
   LongArray<Attribute> attributes_; // per node once more: those of old operands stay in the cache like this
-  std::vector<NodeId> hash_;        // open addressing: leaves, and users of hubs
+  LongArray<NodeId> hash_;          // open addressing: leaves, and users of hubs
   std::size_t hashed_ = 0;
 };
 

@@ -27,6 +27,12 @@ private:
   static __thread int depth_;
 };
 
+// What lives as long as its thread, or longer.
+template <class T> T *make_own() {
+  OwnWork const own;
+  return new T;
+}
+
 // `caller`: the code that asked for it. What the C library keeps for itself, such as the buffer of a file, is left out.
 void note_allocated(void *block, std::size_t size, void const *caller);
 void note_released(void *block);

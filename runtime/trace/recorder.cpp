@@ -5,6 +5,7 @@
 #include "trace/decisions/checkpoint.h"
 #include "trace/decisions/explored_path.h"
 #include "trace/decisions/guards.h"
+#include "trace/decisions/join.h"
 #include "trace/deliver.h"
 #include "trace/leaks/trap.h"
 #include "trace/nodes/externals.h"
@@ -157,6 +158,7 @@ public:
   void differentiate(DerivativeWish const &wish) override { graph_.wishes.push_back(wish); }
 
   void end(std::string const &name, std::string const &output_file, Place const &place) override {
+    if (Join::current().is_arm()) end_arm(place);
     if (!disable_trap())
       report({DiagnosticId::trap_lost, place,
               "kernel '" + name + "' changes the floating-point environment or the handler of SIGFPE or SIGTRAP"});
@@ -197,6 +199,20 @@ public:
 private:
   std::vector<Object> &objects(Kind kind) {
     return kind == Kind::input ? graph_.inputs : kind == Kind::parameter ? graph_.parameters : graph_.outputs;
+  }
+
+  // What the arm leaves behind besides its results is a matter of its own path.
+  void end_arm(Place const &place) {
+    memory::OwnWork const own;
+    bool const leaves_more = Join::current().would([&] {
+      if (has_notes_) (void)State::current().end(place);
+      return anything_wrong() || has_told("scratch");
+    });
+    if (!unwritten_.empty() || graph_.outputs.empty() || leaves_more) Join::current().leave();
+    std::string interface;
+    for (std::vector<Object> const *list : {&graph_.inputs, &graph_.parameters, &graph_.outputs})
+      for (Object const &object : *list) interface += object.label + " " + std::to_string(object.count) + "\n";
+    ExploredPath::current().end_arm(graph_.results, std::hash<std::string>()(interface));
   }
 
   void hand_over(std::string const &output_file) {

@@ -1,25 +1,27 @@
-// Under --decisions=auto a decision is a select where the source allows it, and costs no paths; elsewhere the paths are
-// recorded. A conversion, which has too many outcomes, is a guard. The report says what became of the decisions of each place.
+// Under --decisions=auto a decision is a select where the source allows it, and costs no paths; elsewhere the ways
+// are joined, or the paths recorded. A conversion, which has too many outcomes, is a guard. The report says what became of the decisions of each place.
 // RUN: rm -rf %t && mkdir %t && cd %t
 // RUN: %symreal generate %s -o %t/ --decisions=auto --json > %t/json 2> %t/table
 // RUN: FileCheck %s < %t/table
 // CHECK-NOT: warning
 // CHECK: kernel mixed:
-// CHECK: explored 6 paths, {{[0-9]+}} selects between them; complete but for the guards of pragmas and conversions
-// CHECK: decision auto.cpp:[[#@LINE+32]]:5: select{{$}}
-// CHECK-NEXT: decision auto.cpp:[[#@LINE+33]]:{{[0-9]+}}: select{{$}}
-// CHECK-NEXT: decision auto.cpp:[[#@LINE+34]]:12: paths{{$}}
-// CHECK-NEXT: decision auto.cpp:[[#@LINE+34]]:23: guard{{$}}
-// CHECK-NEXT: guard 1 auto.cpp:[[#@LINE+33]]:23: the conversion of n to int gives 1
+// CHECK: explored 2 paths, 1 select between them; complete but for the guards of pragmas and conversions
+// CHECK: the ways from 1 decision came together: 4 pieces of a run, 2 selects
+// CHECK: decision auto.cpp:[[#@LINE+33]]:5: select{{$}}
+// CHECK-NEXT: decision auto.cpp:[[#@LINE+34]]:{{[0-9]+}}: select{{$}}
+// CHECK-NEXT: decision auto.cpp:[[#@LINE+35]]:12: join and paths{{$}}
+// CHECK-NEXT: decision auto.cpp:[[#@LINE+35]]:23: guard{{$}}
+// CHECK-NEXT: guard 1 auto.cpp:[[#@LINE+34]]:23: the conversion of n to int gives 1{{$}}
 // CHECK-NOT: guard {{[0-9]}}
 // CHECK: kernel selected:
 // CHECK: explored 1 path, 0 selects between them; complete: no guards
-// CHECK-NEXT: decision auto.cpp:[[#@LINE+36]]:{{[0-9]+}}: select{{$}}
+// CHECK-NEXT: decision auto.cpp:[[#@LINE+37]]:{{[0-9]+}}: select{{$}}
 // RUN: FileCheck %s --check-prefix=JSON < %t/json
 // JSON: "decisions": [
 // JSON-NEXT: {
 // JSON-NEXT: "file": "{{.*}}auto.cpp"
 // JSON: "select": true,
+// JSON-NEXT: "join": false,
 // JSON-NEXT: "paths": false,
 // JSON-NEXT: "guard": false
 // RUN: %symreal verify %s mixed.c selected.c > %t/verified 2>&1

@@ -1,7 +1,7 @@
 // What lies beyond the bounds is left out with a warning: guards refuse inputs that lead there, and verification shows that
 // they do, and that the rest is right. A loop whose number of rounds depends on its inputs ends at the bound of depth.
 // RUN: rm -rf %t && mkdir %t && cd %t
-// RUN: %symreal generate %s -o %t/ --decisions=explore --max-paths=6 --max-depth=5 --json 2> %t/table > %t/json
+// RUN: %symreal generate %s -o %t/ --decisions=explore --joins=off --max-paths=6 --max-depth=5 --json 2> %t/table > %t/json
 // RUN: FileCheck %s < %t/table
 // CHECK: bounds.cpp:[[#@LINE+37]]:32: warning: of kernel 'rounds' 5 paths are recorded, and 1 guard refuses what remains [SYM192]
 // CHECK: note: 1 path cut off beyond 5 decisions (--max-depth)
@@ -29,11 +29,11 @@
 // SIDES-NOT: no sample failed
 // SIDES: value_return 1 0 0{{$}}
 // A larger bound leaves nothing out.
-// RUN: %symreal generate %s -o %t/all.c --kernel wide --decisions=explore --max-paths=16 2>&1 | FileCheck %s --check-prefix=ALL
+// RUN: %symreal generate %s -o %t/all.c --kernel wide --decisions=explore --joins=off --max-paths=16 2>&1 | FileCheck %s --check-prefix=ALL
 // ALL-NOT: warning
 // ALL: explored 16 paths, 14 selects between them; complete: no guards
 // The bounds may stand in a configuration. Without the policy they have no effect.
-// RUN: printf 'options: {decisions: explore, max-paths: 6, max-depth: 5}\n' > %t/c.yaml
+// RUN: printf 'options: {decisions: explore, max-paths: 6, max-depth: 5, joins: off}\n' > %t/c.yaml
 // RUN: %symreal generate %s -o %t/configured.c --kernel wide --config c.yaml && tail -n +7 %t/wide.c > %t/wide
 // RUN: tail -n +7 %t/configured.c | sed s/configured/wide/ | diff - %t/wide
 // RUN: not %symreal generate %s -o %t/none.c --max-paths=6 2>&1 | FileCheck %s --check-prefix=NONE

@@ -30,21 +30,21 @@ struct Kernel {
 program::RecordedPath path(Outcomes const &outcomes, bool on_other_value = false) {
   Kernel kernel;
   NodeId const first = kernel.positive(on_other_value ? kernel.y : kernel.x);
-  std::vector<program::DecidedStep> steps = {{first, outcomes[0], false, "x > 0"}};
+  std::vector<program::DecidedStep> steps = {{first, outcomes[0] == 't', false, outcomes[0] == 'j', "x > 0"}};
   if (outcomes.size() == 1) return kernel.path(steps, kernel.x);
-  steps.push_back({kernel.positive(kernel.y), outcomes[1], false, "y > 0"});
-  return kernel.path(steps, outcomes[1] ? kernel.y : kernel.x);
+  steps.push_back({kernel.positive(kernel.y), outcomes[1] == 't', false, outcomes[1] == 'j', "y > 0"});
+  return kernel.path(steps, outcomes[1] == 't' ? kernel.y : kernel.x);
 }
 
 } // namespace
 
 TEST(PathTree, ASelectStandsWherePathsDiffer) {
   PathTree tree;
-  ASSERT_TRUE(tree.add(path({true, true})));
-  EXPECT_EQ(tree.next(), (Outcomes{true, false}));
-  ASSERT_TRUE(tree.add(path({true, false})));
-  EXPECT_EQ(tree.next(), (Outcomes{false}));
-  ASSERT_TRUE(tree.add(path({false})));
+  ASSERT_TRUE(tree.add(path("tt")));
+  EXPECT_EQ(tree.next(), Outcomes("tf"));
+  ASSERT_TRUE(tree.add(path("tf")));
+  EXPECT_EQ(tree.next(), Outcomes("f"));
+  ASSERT_TRUE(tree.add(path("f")));
   EXPECT_EQ(tree.next(), std::nullopt);
   Graph const graph = tree.merge();
   EXPECT_EQ(tree.selects(), 2u);
@@ -57,9 +57,9 @@ TEST(PathTree, ASelectStandsWherePathsDiffer) {
 
 TEST(PathTree, EqualResultsNeedNoSelect) {
   PathTree tree;
-  ASSERT_TRUE(tree.add(path({true, false})));
-  ASSERT_TRUE(tree.add(path({false})));
-  program::RecordedPath other = path({true, true});
+  ASSERT_TRUE(tree.add(path("tf")));
+  ASSERT_TRUE(tree.add(path("f")));
+  program::RecordedPath other = path("tt");
   other.graph.results = {0};
   ASSERT_TRUE(tree.add(std::move(other)));
   Graph const graph = tree.merge();
@@ -69,8 +69,8 @@ TEST(PathTree, EqualResultsNeedNoSelect) {
 
 TEST(PathTree, AGuardStandsWhereAPathIsMissing) {
   PathTree tree;
-  ASSERT_TRUE(tree.add(path({true, false})));
-  ASSERT_TRUE(tree.add(path({false})));
+  ASSERT_TRUE(tree.add(path("tf")));
+  ASSERT_TRUE(tree.add(path("f")));
   Graph const graph = tree.merge();
   ASSERT_EQ(graph.guards.size(), 1u);
   EXPECT_EQ(graph.guards.front().text, "y > 0 is false where x > 0");
@@ -79,7 +79,7 @@ TEST(PathTree, AGuardStandsWhereAPathIsMissing) {
 
 TEST(PathTree, AProgramThatDoesNotRepeatItselfIsFound) {
   PathTree tree;
-  ASSERT_TRUE(tree.add(path({true, true})));
-  EXPECT_FALSE(tree.add(path({true, false}, true)));
-  EXPECT_FALSE(tree.add(path({true}))); // ends where another decides
+  ASSERT_TRUE(tree.add(path("tt")));
+  EXPECT_FALSE(tree.add(path("tf", true)));
+  EXPECT_FALSE(tree.add(path("t"))); // ends where another decides
 }

@@ -1,4 +1,4 @@
-// --decisions, --max-paths, --max-depth, --zero-tests: what becomes of decisions on symbolic values.
+// --decisions, --max-paths, --max-depth, --zero-tests, --joins: what becomes of decisions on symbolic values.
 #pragma once
 
 #include "program/explore.h"
@@ -10,9 +10,9 @@
 namespace symreal::tool {
 
 struct DecisionsOption {
-  std::string policy = "error", zeros = "guard";
+  std::string policy = "error", zeros = "guard", joins = "on";
   program::ExploreBounds bounds;
-  CLI::Option const *max_paths = nullptr, *max_depth = nullptr, *zero_tests = nullptr;
+  CLI::Option const *max_paths = nullptr, *max_depth = nullptr, *zero_tests = nullptr, *join = nullptr;
 
   bool is_exploring() const { return policy == "explore" || policy == "auto"; }
   void add_to(CLI::App &app);

@@ -80,8 +80,10 @@ void print_gain(std::ostream &out, Graph const &graph) {
 // In words.
 std::string became(program::DecidedPlace const &decision) {
   std::string text;
-  for (auto const &[is_so, word] :
-       {std::pair(decision.is_selected, "select"), {decision.is_explored, "paths"}, {decision.is_guarded, "guard"}})
+  for (auto const &[is_so, word] : {std::pair(decision.is_selected, "select"),
+                                    {decision.is_joined, "join"},
+                                    {decision.is_explored, "paths"},
+                                    {decision.is_guarded, "guard"}})
     if (is_so) text += (text.empty() ? "" : " and ") + std::string(word);
   return text;
 }
@@ -97,6 +99,9 @@ void print_exploration(std::ostream &out, program::Exploration const &exploratio
   fmt::print(out, "  explored       {} path{}, {} select{} between them; {}\n", exploration.paths,
              exploration.paths == 1 ? "" : "s", exploration.selects, exploration.selects == 1 ? "" : "s",
              completeness(exploration));
+  if (exploration.joins != 0)
+    fmt::print(out, "                 the ways from {} decision{} came together: {} pieces of a run, {} selects\n",
+               exploration.joins, exploration.joins == 1 ? "" : "s", exploration.pieces, exploration.joined);
   if (exploration.followed != 0)
     fmt::print(out, "                 {} decisions on these paths followed from earlier ones\n", exploration.followed);
   if (exploration.zeros != 0)
@@ -114,6 +119,7 @@ Json to_json(program::Exploration const &exploration) {
   Json json = {{"paths", exploration.paths},           {"selects", exploration.selects},
                {"followed", exploration.followed},     {"cut_off", exploration.cut_off},
                {"ended", exploration.ended},           {"late", exploration.late},
+               {"joins", exploration.joins},           {"pieces", exploration.pieces},
                {"zeros", exploration.zeros},           {"more_paths", exploration.paths_left},
                {"complete", exploration.is_complete()}};
   for (program::DecidedPlace const &one : exploration.places)
@@ -121,6 +127,7 @@ Json to_json(program::Exploration const &exploration) {
                                  {"line", one.place.line},
                                  {"column", one.place.column},
                                  {"select", one.is_selected},
+                                 {"join", one.is_joined},
                                  {"paths", one.is_explored},
                                  {"guard", one.is_guarded}});
   return json;

@@ -66,7 +66,9 @@ extern __thread std::uint64_t executed[static_cast<unsigned>(Op::count)];
 [[gnu::noinline]] RealNumber compare_finite(RealNumber x) noexcept;
 // A decision on a condition, a conversion: the program goes on with the carried value. By policy the decision becomes
 // a guard of the kernel, or its place is reported.
-[[gnu::noinline]] bool decide(RealNumber condition) noexcept;
+// It takes the bits of the number, and lets the runtime see the whole state of its caller (trace/join/stand.cpp).
+bool decide_on(std::uint64_t condition) noexcept;
+[[gnu::always_inline]] inline bool decide(RealNumber condition) noexcept;
 [[gnu::noinline]] double convert_to_integer(RealNumber x) noexcept;
 [[gnu::noinline]] double convert(RealNumber x) noexcept;
 // The program computes x by a function that may set errno.
@@ -220,6 +222,24 @@ public:
 private:
   RealNumber condition_;
 };
+
+} // namespace types
+
+// What is no longer wanted of the registers that a call preserves is the same on all ways that come here. (Clang may
+// address its stack by rbx.)
+inline bool detail::decide(RealNumber condition) noexcept {
+#if defined(__x86_64__) && defined(__clang__)
+  asm volatile("xorl %%r12d, %%r12d\n\txorl %%r13d, %%r13d\n\txorl %%r14d, %%r14d\n\txorl %%r15d, %%r15d" ::
+                   : "r12", "r13", "r14", "r15", "cc");
+#elif defined(__x86_64__)
+  asm volatile("xorl %%ebx, %%ebx\n\txorl %%r12d, %%r12d\n\txorl %%r13d, %%r13d\n\txorl %%r14d, %%r14d\n\t"
+               "xorl %%r15d, %%r15d" ::
+                   : "rbx", "r12", "r13", "r14", "r15", "cc");
+#endif
+  return decide_on(condition.to_bits());
+}
+
+namespace types {
 
 #define SYMREAL_COMPARISON(op, id)                                                                                     \
   [[gnu::always_inline]] inline constexpr SymbolicBool operator op(RealNumber x, RealNumber y) noexcept {              \

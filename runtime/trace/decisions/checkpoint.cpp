@@ -1,6 +1,8 @@
 #include "trace/decisions/checkpoint.h"
 
+#include "memory/heap_blocks.h"
 #include "trace/decisions/explored_path.h"
+#include "trace/decisions/join.h"
 
 #include <cerrno>
 #include <csignal>
@@ -23,7 +25,7 @@ constexpr double nonsense = -6.48074069840786e97; // as good as any that no prog
 
 Checkpoint &Checkpoint::current() {
   static constinit thread_local Checkpoint *checkpoint = nullptr;
-  if (!checkpoint) checkpoint = new Checkpoint;
+  if (!checkpoint) checkpoint = memory::make_own<Checkpoint>();
   return *checkpoint;
 }
 
@@ -60,11 +62,17 @@ void Checkpoint::go_back(std::map<RealNumber *, double> const &unwritten) {
     if (write(to_copy_, &one, sizeof one) != sizeof one) return; // not the last: the copy is gone
   }
   close(to_copy_);
+  Join::current().hand_over(copy_);
   int status = 0;
   while (waitpid(copy_, &status, 0) < 0 && errno == EINTR) {
   }
   if (WIFSIGNALED(status)) raise(WTERMSIG(status));
   _exit(WEXITSTATUS(status));
+}
+
+void Checkpoint::leave_to_others() {
+  if (to_copy_ >= 0) close(std::exchange(to_copy_, -1));
+  copy_ = 0;
 }
 
 void Checkpoint::end() {

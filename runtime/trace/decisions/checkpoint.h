@@ -20,6 +20,8 @@ public:
   void go_back(std::map<RealNumber *, double> const &unwritten);
   // What these held before there was nonsense in them.
   std::map<RealNumber *, double> const &held() const { return held_; }
+  // Another process goes on for this one, with the copy.
+  void leave_to_others();
   // The kernel ends: no copy is needed any more.
   void end();
 

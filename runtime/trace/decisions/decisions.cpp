@@ -3,6 +3,7 @@
 // that nothing is baked in silently.
 #include "graph/guard_words.h"
 #include "graph/infinity.h"
+#include "memory/heap_blocks.h"
 #include "support/number.h"
 #include "trace/decisions/explored_path.h"
 #include "trace/decisions/guards.h"
@@ -60,6 +61,7 @@ static bool is_settled(RealNumber x) {
 
 RealNumber compare(Op op, RealNumber x, RealNumber y) noexcept {
   if (x.to_bits() == y.to_bits() && is_settled(x)) {
+    memory::OwnWork const own;
     trace::report_settled(trace::describe(op, x, y));
     return RealNumber(evaluate(op, 0, 0, 0));
   }
@@ -86,11 +88,13 @@ static void report(std::string const &decision) {
   if (trace::ExploredPath::current().is_hypothetical()) trace::give_up();
 }
 
-bool decide(RealNumber condition) noexcept {
-  double value = Pool::current().carried_value(condition);
+static bool decide_at(trace::Stand &stand) {
+  memory::OwnWork const own;
+  RealNumber const condition = RealNumber::from_bits(stand.condition);
+  double const value = Pool::current().carried_value(condition);
   if (trace::is_missing(value)) require_value(value, "the decision on " + trace::describe(condition));
   if (decisions() == Decisions::explore || decisions() == Decisions::best)
-    return trace::ExploredPath::current().decide(condition, value != 0);
+    return trace::ExploredPath::current().decide(stand);
   if (decisions() == Decisions::guard)
     trace::Guards::current().add(SymbolicBool::from_condition(condition), value != 0);
   else
@@ -131,3 +135,6 @@ double convert(RealNumber x) noexcept {
 }
 
 } // namespace symreal::detail
+
+// Where decide_on stands (trace/join/stand.cpp).
+extern "C" bool symreal_decide_at(symreal::trace::Stand *stand) noexcept { return symreal::detail::decide_at(*stand); }

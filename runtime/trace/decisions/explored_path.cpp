@@ -1,5 +1,6 @@
 #include "trace/decisions/explored_path.h"
 
+#include "memory/heap_blocks.h"
 #include "trace/decisions/guards.h"
 #include "trace/decisions/policy.h"
 #include "trace/decisions/zero_test.h"
@@ -19,9 +20,10 @@ namespace symreal::trace {
 namespace {
 
 // The file `taken`. Written at once: the program may end in any way.
-void note_taken(bool outcome) {
-  static int const file = open((record_directory() + "/taken").c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0600);
-  (void)!write(file, outcome ? "t" : "f", 1);
+void note_taken(char outcome) {
+  static int const file =
+      open((record_directory() + "/taken").c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0600);
+  (void)!write(file, &outcome, 1);
 }
 
 std::size_t number(std::string_view text) {
@@ -34,7 +36,7 @@ std::size_t number(std::string_view text) {
 
 ExploredPath &ExploredPath::current() {
   static constinit thread_local ExploredPath *path = nullptr;
-  if (!path) path = new ExploredPath;
+  if (!path) path = memory::make_own<ExploredPath>();
   return *path;
 }
 
@@ -53,47 +55,137 @@ void ExploredPath::begin() {
   is_explored_ = true;
   prescribed_ = path.substr(first + 1, last - first - 1);
   depth_ = number(path.substr(last + 1));
-  explores_zeros_ = path.ends_with('z');
+  explores_zeros_ = path.substr(last).find('z') != path.npos;
+  joins_ = path.substr(last).find('p') == path.npos;
   is_cut_at_end_ = prescribed_.ends_with('!');
   if (is_cut_at_end_) prescribed_.pop_back();
 }
 
-bool ExploredPath::decide(RealNumber condition, bool carried) {
+std::optional<bool> ExploredPath::assumed(NodeId condition, bool carried) const {
+  if (explores_zeros_) return std::nullopt;
+  std::optional<bool> const nonzero = outcome_without_zero(Pool::current().nodes(), condition);
+  return nonzero && (is_hypothetical_ || *nonzero == carried) ? nonzero : std::nullopt;
+}
+
+bool ExploredPath::decide(Stand &stand) {
   Pool &pool = Pool::current();
-  NodeId const id = pool.node(condition);
-  if (std::optional<bool> const known = known_.outcome(pool.nodes(), id)) {
-    ++followed_;
-    is_hypothetical_ = is_hypothetical_ || *known != carried;
-    return *known;
+  for (;;) {
+    RealNumber const condition = RealNumber::from_bits(stand.condition);
+    bool const carried = pool.carried_value(condition) != 0;
+    if (!condition.is_node()) return carried; // all that came together here agree
+    NodeId const id = pool.node(condition);
+    if (std::optional<bool> const known = known_.outcome(pool.nodes(), id)) {
+      ++followed_;
+      is_hypothetical_ = is_hypothetical_ || *known != carried;
+      return *known;
+    }
+    if (!is_explored_) { // this kernel's turn is in another run
+      if (count_++ == 0) event({"undecided", std::to_string(kernels_ - 1)});
+      return carried;
+    }
+    bool const is_arm = Join::current().is_arm();
+    if (std::optional<bool> const nonzero = assumed(id, carried)) {
+      if (is_arm) {
+        Guards::current().add(SymbolicBool::from_condition(condition), *nonzero);
+        known_.add(pool.nodes(), id, *nonzero);
+      } else {
+        tell(id, *nonzero, condition, *nonzero ? "T" : "F");
+      }
+      is_hypothetical_ = is_hypothetical_ || *nonzero != carried;
+      return *nonzero;
+    }
+    if (is_arm) {
+      if (count_ >= depth_) Join::current().leave();
+      if (std::optional<bool> const outcome = Join::current().stand(stand, *this)) return take_in_arm(stand, *outcome);
+      end_attempt(); // this process is the program now, and decides here
+      continue;
+    }
+    if (count_ >= depth_) {
+      if (is_hypothetical_) Kernel::current().sink().cut_off();
+      Guards::current().add(SymbolicBool::from_condition(condition), carried);
+      known_.add(pool.nodes(), id, carried);
+      ++beyond_;
+      return carried;
+    }
+    bool const is_prescribed = count_ < prescribed_.size();
+    if (is_prescribed ? prescribed_[count_] == 'j' : joins_) {
+      begin_attempt(condition);
+      if (std::optional<bool> const outcome = Join::current().attempt(stand, *this))
+        return take_in_arm(stand, *outcome);
+    }
+    bool const outcome = is_prescribed ? prescribed_[count_] == 't' : carried;
+    is_hypothetical_ = is_hypothetical_ || outcome != carried;
+    take(id, outcome, condition);
+    if (is_cut_at_end_ && count_ == prescribed_.size()) Kernel::current().sink().cut_off();
+    return outcome;
   }
-  if (!is_explored_) { // this kernel's turn is in another run
-    if (count_++ == 0) event({"undecided", std::to_string(kernels_ - 1)});
-    return carried;
-  }
-  std::optional<bool> const nonzero = explores_zeros_ ? std::nullopt : outcome_without_zero(pool.nodes(), id);
-  if (nonzero && (is_hypothetical_ || *nonzero == carried)) {
-    is_hypothetical_ = is_hypothetical_ || *nonzero != carried;
-    tell(id, *nonzero, condition, *nonzero ? "T" : "F");
-    return *nonzero;
-  }
-  if (count_ >= depth_) {
-    if (is_hypothetical_) Kernel::current().sink().cut_off();
-    Guards::current().add(SymbolicBool::from_condition(condition), carried);
-    known_.add(pool.nodes(), id, carried);
-    ++beyond_;
-    return carried;
-  }
-  bool const outcome = count_ < prescribed_.size() ? prescribed_[count_] == 't' : carried;
+}
+
+// In a process that executes an arm.
+bool ExploredPath::take_in_arm(Stand const &stand, bool outcome) {
+  Pool &pool = Pool::current();
+  RealNumber const number = RealNumber::from_bits(stand.condition);
+  bool const carried = pool.carried_value(number) != 0;
   is_hypothetical_ = is_hypothetical_ || outcome != carried;
-  take(id, outcome, condition);
-  if (is_cut_at_end_ && count_ == prescribed_.size()) Kernel::current().sink().cut_off();
+  if (!number.is_node()) return outcome;
+  NodeId const id = pool.node(number);
+  SymbolicBool const condition = SymbolicBool::from_condition(number);
+  if (assumed(id, carried) == outcome) {
+    Guards::current().add(condition, outcome);
+  } else {
+    set_arm((SymbolicBool::from_condition(current_arm()) & (outcome ? condition : !condition)).condition());
+    ++count_;
+  }
+  known_.add(pool.nodes(), id, outcome);
   return outcome;
+}
+
+std::optional<bool> ExploredPath::settled(RealNumber condition) const {
+  Pool &pool = Pool::current();
+  bool const carried = pool.carried_value(condition) != 0;
+  if (!condition.is_node()) return carried;
+  NodeId const id = pool.node(condition);
+  if (std::optional<bool> const known = known_.outcome(pool.nodes(), id)) return known;
+  return assumed(id, carried);
+}
+
+void ExploredPath::forget(bool is_hypothetical) {
+  known_ = known_before_;
+  is_hypothetical_ = is_hypothetical;
+}
+
+void ExploredPath::begin_attempt(RealNumber condition) {
+  known_before_ = known_;
+  count_before_ = count_;
+  attempted_ = condition;
+  attempted_at_ = call_stack();
+}
+
+// The decision at which the ways have parted is none between paths.
+void ExploredPath::end_attempt() {
+  count_ = count_before_ + 1;
+  known_ = known_before_;
+  JoinCosts const costs = Join::current().costs();
+  event({"decided", std::to_string(Pool::current().node(attempted_)), "j", describe(attempted_),
+         hexadecimal(attempted_at_)});
+  event({"join", hexadecimal(attempted_at_)});
+  event({"joined", std::to_string(costs.pieces), std::to_string(costs.selects)});
+  note_taken('j');
+}
+
+void ExploredPath::end_arm(std::vector<NodeId> &results, std::size_t interface) {
+  Pool &pool = Pool::current();
+  std::vector<RealNumber> numbers;
+  for (NodeId id : results) numbers.push_back(pool.number(id));
+  Join::current().stand_at_end(numbers, interface, *this);
+  for (std::size_t k = 0; k < results.size(); ++k) results[k] = pool.node(numbers[k]);
+  end_attempt();
 }
 
 void ExploredPath::take(NodeId condition, bool outcome, RealNumber number) {
   ++count_;
   tell(condition, outcome, number, outcome ? "t" : "f");
-  note_taken(outcome);
+  note_taken(outcome ? 't' : 'f');
 }
 
 void ExploredPath::tell(NodeId condition, bool outcome, RealNumber number, char const *letter) {

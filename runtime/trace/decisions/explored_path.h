@@ -3,6 +3,9 @@
 //
 //   $SYMREAL_PATH   K:outcomes:depth, as in 0:tft:64, or 0:tft:64z
 //
+// An outcome j: both ways from the decision come together again, and are recorded as one (join.h). Beyond the outcomes
+// that are prescribed the program tries that first, unless `p` stands at the end.
+//
 // The kernel that begins as the K-th of the run takes these outcomes at its first decisions and carries its values'
 // outcomes on from there; other kernels of the run do so from the beginning. What earlier outcomes settle is no
 // decision. Beyond `depth` decisions the path of this run goes on, each outcome a guard, and any other path is cut off:
@@ -15,6 +18,7 @@
 // ends the program.
 #pragma once
 
+#include "trace/decisions/join.h"
 #include "trace/decisions/known_outcomes.h"
 
 #include <symreal/real_number.h>
@@ -24,7 +28,7 @@
 
 namespace symreal::trace {
 
-class ExploredPath {
+class ExploredPath : private Traveller {
 public:
   static ExploredPath &current(); // one per thread
 
@@ -33,22 +37,33 @@ public:
 
   // A kernel begins.
   void begin();
-  bool decide(RealNumber condition, bool carried);
+  bool decide(Stand &stand);
   // Whether this kernel's path is one among others.
   bool has_decisions() const { return count_ != 0; }
   // Whether the program goes where its values do not lead, so that they say nothing of what it may do.
-  bool is_hypothetical() const { return is_hypothetical_; }
+  bool is_hypothetical() const override { return is_hypothetical_; }
+  // The kernel of an arm ends: so it does on the other ways, with other results.
+  void end_arm(std::vector<NodeId> &results, std::size_t interface);
   // The kernel ends.
   void end();
 
 private:
+  std::optional<bool> settled(RealNumber condition) const override;
+  void forget(bool is_hypothetical) override;
+  std::optional<bool> assumed(NodeId condition, bool carried) const;
+  bool take_in_arm(Stand const &stand, bool outcome);
+  void begin_attempt(RealNumber condition);
+  void end_attempt();
   void take(NodeId condition, bool outcome, RealNumber number);
   void tell(NodeId condition, bool outcome, RealNumber number, char const *letter);
 
-  bool is_explored_ = false, is_hypothetical_ = false, is_cut_at_end_ = false, explores_zeros_ = false;
+  bool is_explored_ = false, is_hypothetical_ = false, is_cut_at_end_ = false, explores_zeros_ = false, joins_ = false;
   std::size_t kernels_ = 0, count_ = 0, followed_ = 0, beyond_ = 0, depth_ = 0;
   std::string prescribed_;
-  KnownOutcomes known_;
+  KnownOutcomes known_, known_before_; // before the last attempt at a join
+  std::size_t count_before_ = 0;
+  RealNumber attempted_ = 0.0; // the decision where that was, and its place
+  std::vector<std::uintptr_t> attempted_at_;
 };
 
 } // namespace symreal::trace

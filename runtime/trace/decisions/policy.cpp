@@ -12,7 +12,7 @@ namespace symreal {
 
 static constexpr int as_the_program = -1;
 static __thread int scoped_policy = as_the_program;
-static constinit thread_local RealNumber path{1.0};
+static constinit thread_local RealNumber path{1.0}, arm{1.0};
 
 static Decisions program_policy() {
   static Decisions const policy = [] {
@@ -57,6 +57,8 @@ void require(SymbolicBool condition) noexcept { trace::Guards::current().add(con
 namespace trace {
 
 RealNumber current_path() { return path; }
+void set_arm(RealNumber condition) { arm = condition; }
+RealNumber current_arm() { return arm; }
 
 FloatingPoint floating_point() {
   static FloatingPoint const mode = [] {

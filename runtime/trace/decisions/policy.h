@@ -12,5 +12,8 @@ FloatingPoint floating_point();
 
 // The condition under which statements are executed now: 1, or the conjunction of what with_path pushed.
 RealNumber current_path();
+// The same of an arm that a process of its own executes (join.h).
+void set_arm(RealNumber condition);
+RealNumber current_arm();
 
 } // namespace symreal::trace

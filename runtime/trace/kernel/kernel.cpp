@@ -10,11 +10,12 @@ namespace symreal::trace {
 
 Kernel &Kernel::current() {
   static constinit thread_local Kernel *kernel = nullptr;
-  if (!kernel) kernel = new Kernel;
+  if (!kernel) kernel = memory::make_own<Kernel>();
   return *kernel;
 }
 
 void Kernel::begin(MakeSink make_sink, std::string const &name, SourcePlace place) {
+  memory::OwnWork const own;
   watch_for_crashes();
   if (!sink_) sink_ = make_sink();
   name_ = name;

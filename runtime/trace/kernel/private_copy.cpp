@@ -24,7 +24,7 @@ struct Copy {
 // Copies live as long as the program: a pointer to one may be anywhere.
 std::vector<Copy> &copies() {
   static constinit thread_local std::vector<Copy> *list = nullptr;
-  if (!list) list = new std::vector<Copy>;
+  if (!list) list = memory::make_own<std::vector<Copy>>();
   return *list;
 }
 

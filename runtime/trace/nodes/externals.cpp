@@ -1,5 +1,6 @@
 #include "trace/nodes/externals.h"
 
+#include "memory/heap_blocks.h"
 #include "trace/nodes/pool.h"
 
 #include <algorithm>
@@ -9,7 +10,7 @@ namespace symreal::trace {
 
 Externals &Externals::current() {
   static constinit thread_local Externals *externals = nullptr;
-  if (!externals) externals = new Externals;
+  if (!externals) externals = memory::make_own<Externals>();
   return *externals;
 }
 
@@ -29,6 +30,7 @@ std::size_t Externals::number(Table table) {
     return known.name == table.name && known.extents == table.extents && same_bits(known.values, table.values);
   });
   if (found != tables_.end()) return static_cast<std::size_t>(found - tables_.begin());
+  memory::OwnWork const own;
   tables_.push_back(std::move(table));
   return tables_.size() - 1;
 }
@@ -39,6 +41,7 @@ std::size_t Externals::number(External const &external) {
            known.parameters == external.parameters;
   });
   if (found != functions_.end()) return static_cast<std::size_t>(found - functions_.begin());
+  memory::OwnWork const own;
   functions_.push_back(external);
   return functions_.size() - 1;
 }

@@ -1,5 +1,6 @@
 #include "trace/nodes/pool.h"
 
+#include "memory/heap_blocks.h"
 #include "trace/report/events.h"
 
 #include <atomic>
@@ -31,7 +32,7 @@ bool is_missing(double value) { return std::bit_cast<std::uint64_t>(value) == mi
 
 Pool &Pool::current() {
   static constinit thread_local Pool *pool = nullptr;
-  if (!pool) pool = new Pool;
+  if (!pool) pool = memory::make_own<Pool>();
   return *pool;
 }
 
@@ -170,6 +171,7 @@ RealNumber Pool::record(Op op, RealNumber x, RealNumber y, RealNumber z, void co
 
 // A computation that also stands elsewhere is one node, and exact.
 void Pool::mark_exact(NodeId id) {
+  memory::OwnWork const own;
   if (id >= exact_nodes_.size()) exact_nodes_.resize(id + 1, 0);
   exact_nodes_[id] = 1;
 }
@@ -178,6 +180,31 @@ std::vector<char> Pool::exact() const {
   std::vector<char> result(exact_nodes_.begin(), exact_nodes_.end());
   if (!result.empty()) result.resize(table_.size(), 0);
   return result;
+}
+
+std::vector<Pool::Row> Pool::rows_from(NodeId first) const {
+  std::vector<Row> rows;
+  for (NodeId id = first; id < table_.size(); ++id)
+    rows.push_back({table_[id], columns_.values ? values_[id] : missing_value(), columns_.places ? places_[id] : 0,
+                    id < exact_nodes_.size() && exact_nodes_[id] != 0});
+  return rows;
+}
+
+std::vector<NodeId> Pool::adopt(NodeId first, std::vector<Row> const &rows) {
+  std::vector<NodeId> now;
+  now.reserve(rows.size());
+  for (Row const &row : rows) {
+    Node node = row.node;
+    if (!is_leaf(node.op))
+      for (NodeId &operand : node.operand)
+        if (operand != no_node && operand >= first) operand = now[operand - first];
+    NodeId const id = table_.intern(node);
+    if (columns_.values && id == values_.size()) values_.push_back(row.value);
+    if (columns_.places && id == places_.size()) places_.push_back(row.place);
+    if (row.is_exact) mark_exact(id);
+    now.push_back(id);
+  }
+  return now;
 }
 
 void Pool::run_out() {

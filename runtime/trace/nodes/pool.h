@@ -73,6 +73,18 @@ public:
   }
 
   NodeTable const &nodes() const { return table_; }
+  RealNumber number(NodeId id) const;
+
+  // A node with what it carries.
+  struct Row {
+    Node node;
+    double value;
+    std::uint32_t place;
+    bool is_exact;
+  };
+  std::vector<Row> rows_from(NodeId first) const;
+  // Of another process that has recorded the same as this one up to node `first`. Returns what each node is here.
+  std::vector<NodeId> adopt(NodeId first, std::vector<Row> const &rows);
   // From now on what is recorded is exact, or no longer; returns what held before.
   bool set_exact(bool exact) { return std::exchange(exact_, exact); }
   // Per node; empty where none is.
@@ -87,7 +99,6 @@ private:
   std::uint32_t upper_half() const { return static_cast<std::uint32_t>(detail::node_tag << 8 | generation_); }
   NodeId node_of_constant(RealNumber number);
   void make_room();
-  RealNumber number(NodeId id) const;
   double value(NodeId id) const;
   double value_of(Node const &node) const;
   NodeId record_arithmetic(Op op, RealNumber x, RealNumber y, void const *caller);

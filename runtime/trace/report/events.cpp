@@ -1,8 +1,10 @@
 #include "trace/report/events.h"
 
+#include "memory/heap_blocks.h"
 #include "support/files.h"
 #include "trace/report/call_stack.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <iostream>
@@ -41,14 +43,14 @@ struct Log {
   std::vector<std::string> lines;
   Meetings decisions, carried, settled;
   std::map<DiagnosticId, Meetings> interrupted;
-  bool wrong = false;
+  bool wrong = false, are_kept = false;
 };
 
 // Never destroyed: objects with static storage may record until the very end.
 Log &log() {
   static Log *const instance = [] {
     std::atexit(flush_events);
-    return new Log;
+    return memory::make_own<Log>();
   }();
   return *instance;
 }
@@ -86,7 +88,10 @@ std::string const &record_directory() {
   return *directory;
 }
 
-void event(std::initializer_list<std::string> fields) { log().lines.push_back(joined(fields)); }
+void event(std::initializer_list<std::string> fields) {
+  memory::OwnWork const own;
+  log().lines.push_back(joined(fields));
+}
 
 void report(Diagnostic const &diagnostic) {
   bool const is_error = diagnostic.severity == Severity::error;
@@ -116,12 +121,30 @@ void report_decision(std::string const &condition) {
 
 void report_carried(std::string const &condition) { log().carried.add(condition, call_stack()); }
 
-void report_settled(std::string const &condition) { log().settled.add(condition, call_stack()); }
+void report_settled(std::string const &condition) {
+  memory::OwnWork const own;
+  log().settled.add(condition, call_stack());
+}
 
 bool anything_wrong() { return log().wrong; }
 
+void keep_events(bool are_kept) { log().are_kept = are_kept; }
+
+std::size_t told() {
+  std::size_t count = log().lines.size();
+  auto const add = [&count](std::size_t met, auto const &...) { count += met; };
+  log().decisions.for_each(add);
+  log().carried.for_each(add);
+  for (auto const &interrupted : log().interrupted) interrupted.second.for_each(add);
+  return count;
+}
+
+bool has_told(std::string const &kind) {
+  return std::ranges::any_of(log().lines, [&](std::string const &line) { return line.starts_with(kind + '\t'); });
+}
+
 void flush_events() {
-  if (record_directory().empty()) return;
+  if (record_directory().empty() || log().are_kept) return;
   std::string text;
   for (std::string const &line : log().lines) text += line + '\n';
   auto append = [&text](char const *kind, Meetings const &meetings) {

@@ -39,6 +39,11 @@ void report_carried(std::string const &condition);
 // A condition at the caller's place that needs no decision: the driver remarks on it.
 void report_settled(std::string const &condition);
 bool anything_wrong();
+// This process executes an arm for another one (decisions/join.h): what it tells is for nobody, for now.
+void keep_events(bool are_kept);
+// How much was told so far, but for what is settled.
+std::size_t told();
+bool has_told(std::string const &kind);
 
 void flush_events();
 // After an error that leaves nothing sensible to go on with: writes the events and ends the process.

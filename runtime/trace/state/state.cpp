@@ -20,7 +20,7 @@ Place State::place_of(Site const &site) { return written_place(site.place); }
 
 State &State::current() {
   static constinit thread_local State *state = nullptr;
-  if (!state) state = new State;
+  if (!state) state = memory::make_own<State>();
   return *state;
 }
 
@@ -74,6 +74,7 @@ void State::named(void const *object, std::size_t size, detail::Scope scope, cha
   if ((shadow_.at(object) & mark::named) != 0 && names_.contains(object)) return;
   shadow_.add(object, 1, mark::named);
   names_[object] = {size, {source_name(name), place, scope}};
+  note({StateNote::Kind::named, object, size, names_[object].site});
 }
 
 void State::local(void const *object, std::size_t size, detail::Scope scope, char const *name, char const *place) {
@@ -109,6 +110,7 @@ void State::add_read(RealNumber const *number, double value, Site const &site) {
   Read &read = read_at(site);
   read.numbers.push_back(number);
   read.values.push_back(value);
+  note({.kind = StateNote::Kind::read, .object = number, .site = site, .value = value});
 }
 
 void State::read(IntegerObject integer, char const *name, char const *place) {
@@ -116,12 +118,18 @@ void State::read(IntegerObject integer, char const *name, char const *place) {
   Site const site = site_of(integer.address, name, place);
   (void)read_at(site);
   integers_.note(integer, site, Integers::First::read);
+  note({.kind = StateNote::Kind::read_integer, .object = integer.address, .site = site, .integer = integer});
 }
 
 void State::written(IntegerObject integer, char const *name, char const *place) {
   if (!integers_.is_noted(integer.address) && outlives(integer.address))
     integers_.note(integer, site_of(integer.address, name, place), Integers::First::written);
   integers_.change(integer.address);
+  if (keeps_journal_ && integers_.is_noted(integer.address))
+    note({.kind = StateNote::Kind::written_integer,
+          .object = integer.address,
+          .site = site_of(integer.address, name, place),
+          .integer = integer});
 }
 
 void State::check_bits(void const *begin, std::size_t size, char const *name, char const *place) {
@@ -153,7 +161,9 @@ bool State::is_first_write(void const *address, std::size_t size) {
 }
 
 void State::written(void const *begin, std::size_t size, char const *name, char const *place) {
-  if (is_first_write(begin, size)) written_.push_back({begin, size, site_of(begin, name, place)});
+  if (!is_first_write(begin, size)) return;
+  written_.push_back({begin, size, site_of(begin, name, place)});
+  note({StateNote::Kind::written, begin, size, written_.back().site});
 }
 
 bool State::is_foreign(RealNumber const *number) {
@@ -165,12 +175,14 @@ bool State::take_written(RealNumber const *number) {
   Marks const before = shadow_.at(number);
   if ((before & mark::written) == 0) return false;
   shadow_.set(number, sizeof *number, before & static_cast<Marks>(~(mark::noted | mark::written)));
+  note({StateNote::Kind::taken_back, number});
   return true;
 }
 
 void State::keep(RealNumber const *number, double value) {
   bool const is_read = (shadow_.at(number) & mark::read) != 0;
   was_written(number);
+  note({StateNote::Kind::kept, number});
   if (is_read) return;
   auto const site =
       std::find_if(written_.rbegin(), written_.rend(), [number](Written const &each) { return each.begin == number; });
@@ -181,6 +193,7 @@ void State::changed(void const *object, detail::Visit visit, char const *name, c
   if ((shadow_.at(object) & (mark::own | mark::changed)) != 0 || !heap_is_known_) return;
   shadow_.add(object, 1, mark::changed);
   changed_.push_back({object, visit, site_of(object, name, place)});
+  note({.kind = StateNote::Kind::changed, .object = object, .site = changed_.back().site, .visit = visit});
 }
 
 void State::constant(void const *begin, std::size_t size) {
@@ -220,6 +233,7 @@ void State::scratch(void const *object, std::size_t size, detail::Visit visit) {
 void State::outside(std::string const &name, std::vector<double> const &values) {
   std::vector<double> &met = outside_[{name, call_stack()}];
   met.insert(met.end(), values.begin(), values.end());
+  has_met_outside_ = true;
 }
 
 void State::allocated(void *block, std::size_t size) {

@@ -20,9 +20,28 @@
 
 namespace symreal::trace {
 
+// What one process has learned of the state, for another that goes on for both (state_journal.cpp).
+struct StateNote {
+  enum class Kind { named, read, read_integer, written, written_integer, changed, taken_back, kept } kind;
+  void const *object;
+  std::size_t size = 0;
+  Site site = {};
+  IntegerObject integer = {};
+  detail::Visit visit = nullptr;
+  double value = 0;
+};
+
 class State {
 public:
   static State &current(); // one per thread
+
+  // From now on what is learned is noted, too.
+  void begin_journal();
+  std::vector<StateNote> const &journal() const { return journal_; }
+  // Whether something was learned that cannot be told by notes.
+  bool is_journal_complete() const { return !has_met_outside_; }
+  // The same, learned by another process. False where the two do not go together.
+  bool learn(std::vector<StateNote> const &notes);
 
   // `frame`: of the function in which the kernel begins; its locals are the kernel's own.
   void begin(void const *frame);
@@ -109,6 +128,10 @@ private:
   };
 
   bool outlives(void const *address);
+  bool learn(StateNote const &note);
+  void note(StateNote const &note) {
+    if (keeps_journal_) journal_.push_back(note);
+  }
   Site site_of(void const *address, char const *name, char const *place) const;
   Read &read_at(Site const &site);
   void add_read(RealNumber const *number, double value, Site const &site);
@@ -153,7 +176,9 @@ private:
   std::set<Site> reported_;
   std::set<std::string const *> reported_inputs_;
   std::set<std::string> reported_bits_; // by place
-  bool overlooked_ = false;             // something could not be judged
+  std::vector<StateNote> journal_;
+  bool keeps_journal_ = false, has_met_outside_ = false;
+  bool overlooked_ = false; // something could not be judged
 };
 
 } // namespace symreal::trace

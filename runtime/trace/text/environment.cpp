@@ -19,7 +19,7 @@ namespace trace {
 
 Environment &Environment::current() {
   static constinit thread_local Environment *environment = nullptr;
-  if (!environment) environment = new Environment;
+  if (!environment) environment = memory::make_own<Environment>();
   return *environment;
 }
 

@@ -63,7 +63,7 @@ std::pair<std::uint64_t, std::uint64_t> inode(std::FILE *file) {
 
 TextMarks &TextMarks::current() {
   static constinit thread_local TextMarks *marks = nullptr;
-  if (!marks) marks = new TextMarks;
+  if (!marks) marks = memory::make_own<TextMarks>();
   return *marks;
 }
 

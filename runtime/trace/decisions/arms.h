@@ -1,0 +1,71 @@
+// The processes that execute the ways from a decision, one each, and what they are told.
+//
+//   created ──executes──▶ stands at a decision ──advance──▶ two processes, one for each outcome
+//                                 │  ▲
+//                                 └──┘ merge: it goes on for others that stand there, with other numbers
+//
+// The one in which all ways have come together goes on as the program.
+#pragma once
+
+#include "trace/decisions/arrival.h"
+
+#include <array>
+#include <optional>
+#include <sys/types.h>
+
+namespace symreal::trace {
+
+// What all processes of a region share: who they are and where they listen.
+class Arms {
+public:
+  static constexpr int most = 400;
+  static constexpr int none = -1;    // no process came there
+  static constexpr int settled = -2; // nobody goes there
+
+  static constexpr char advance = 'a', merge = 'm', go_on = 'g';
+  struct Command {
+    char what = 0;
+    int arm[2] = {none, none};
+    std::size_t size = 0; // of what follows
+  };
+  struct Report {
+    int arm[2] = {none, none};
+  };
+  struct Merge {
+    std::vector<Pool::Row> nodes;
+    std::vector<std::pair<std::uint64_t *, NodeId>> numbers;
+    std::vector<Guards::Recorded> guards;
+    std::vector<StateNote> notes;
+    NodeId arm = no_node;
+    bool is_hypothetical = false;
+  };
+
+  bool open(pid_t *shared_pids);
+  void close_all();
+
+  // The coordinator's side.
+  void send(int arm, Command command, std::vector<char> const &bytes = {}) const;
+  std::optional<Report> receive(int milliseconds) const;
+  std::optional<Arrival> arrival(int arm) const;
+  void kill_all(int but = none) const;
+  pid_t pid(int arm) const { return pids_[arm]; }
+
+  // The arm's side.
+  void become(int arm);
+  void write_arrival(int arm, Arrival const &arrival) const;
+  Command listen(int arm, std::vector<char> &bytes) const;
+  void report(Report report) const;
+
+private:
+  struct Channel {
+    int listen = -1, speak = -1, file = -1;
+  };
+  std::array<Channel, most> channels_ = {};
+  int reports_[2] = {-1, -1};
+  pid_t *pids_ = nullptr; // shared
+};
+
+void write_merge(Arms::Merge const &merge, MessageWriter &writer);
+Arms::Merge read_merge(MessageReader &reader);
+
+} // namespace symreal::trace

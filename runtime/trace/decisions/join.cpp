@@ -1,0 +1,221 @@
+#include "trace/decisions/join.h"
+
+#include "memory/own_memory.h"
+#include "trace/decisions/checkpoint.h"
+#include "trace/decisions/policy.h"
+#include "trace/report/events.h"
+
+#include <cerrno>
+#include <csignal>
+#include <fcntl.h>
+#include <sys/mman.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace symreal::trace {
+namespace {
+
+constexpr int come_together = 77;
+
+} // namespace
+
+int Join::exit_status(pid_t process) {
+  int status = 0;
+  while (process > 0 && waitpid(process, &status, 0) < 0 && errno == EINTR) {
+  }
+  return process > 0 && WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+Join &Join::current() {
+  static constinit thread_local Join *join = nullptr;
+  if (!join) join = memory::make_own<Join>();
+  return *join;
+}
+
+JoinCosts const &Join::costs() const { return shared_->costs; }
+
+std::optional<bool> Join::attempt(Stand &stand, Traveller &traveller) {
+  if (!shared_) {
+    void *const memory = mmap(nullptr, sizeof(Shared), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+    if (memory == MAP_FAILED) return std::nullopt;
+    shared_ = static_cast<Shared *>(memory);
+    is_root_ = true;
+    prctl(PR_SET_CHILD_SUBREAPER, 1);
+    shared_->main = getpid();
+  }
+  pid_t const coordinator = fork();
+  if (coordinator < 0) return std::nullopt;
+  if (coordinator == 0) {
+    is_root_ = false;
+    keep_events(true);
+    return coordinate(stand, traveller);
+  }
+  if (exit_status(coordinator) != come_together) return std::nullopt;
+  if (is_root_) stand_for_main();
+  _exit(0);
+}
+
+// The driver waits for this process: it ends as the program does.
+void Join::stand_for_main() {
+  Checkpoint::current().leave_to_others();
+  for (;;) {
+    int status = 0;
+    pid_t const ended = waitpid(-1, &status, 0);
+    if (ended < 0 && errno != EINTR) _exit(1);
+    if (ended < 0 || ended != shared_->main) continue;
+    if (WIFSIGNALED(status)) {
+      signal(WTERMSIG(status), SIG_DFL);
+      raise(WTERMSIG(status));
+    }
+    _exit(WEXITSTATUS(status));
+  }
+}
+
+void Join::hand_over(pid_t process) {
+  if (!shared_ || is_root_) return;
+  shared_->main = process;
+  _exit(0);
+}
+
+std::optional<bool> Join::coordinate(Stand &stand, Traveller &traveller) {
+  parted_ = PartingPoint::now();
+  State::current().begin_journal();
+  Region region(arms_, parted_, RealNumber::from_bits(stand.condition), traveller.is_hypothetical());
+  std::optional<int> last;
+  for (std::size_t round = 0; round < Region::most_rounds && !last; ++round) {
+    if (!arms_.open(shared_->arms)) break;
+    pid_t const first = fork();
+    if (first == 0) {
+      is_arm_ = true;
+      hide_output();
+      arms_.become(arm_ = 0);
+      return serve(&stand, nullptr, traveller);
+    }
+    last = first < 0 ? std::nullopt : region.run();
+    if (last) break;
+    arms_.kill_all();
+    arms_.close_all();
+    if (!region.wants_another_round()) break;
+  }
+  if (!last) _exit(0);
+  arms_.kill_all(*last); // before the last goes on, and has arms of its own
+  shared_->costs = region.costs();
+  shared_->main = arms_.pid(*last);
+  MessageWriter writer;
+  std::vector<std::vector<std::uintptr_t>> const all = region.decided_at();
+  writer.put(all.size());
+  for (std::vector<std::uintptr_t> const &one : all) writer.put_all(one);
+  arms_.send(*last, {.what = Arms::go_on}, writer.bytes());
+  _exit(come_together);
+}
+
+std::optional<bool> Join::stand(Stand &stand, Traveller &traveller) {
+  arrive(Arrival::here(parted_, &stand, traveller.is_hypothetical()));
+  return serve(&stand, nullptr, traveller);
+}
+
+void Join::stand_at_end(std::vector<RealNumber> &results, std::size_t interface, Traveller &traveller) {
+  arrive(Arrival::at_end(parted_, results, interface, traveller.is_hypothetical()));
+  (void)serve(nullptr, &results, traveller);
+}
+
+void Join::arrive(std::optional<Arrival> const &arrival) {
+  if (!arrival) leave();
+  arms_.write_arrival(arm_, *arrival);
+  (void)!write(arrived_, "", 1);
+  close(arrived_);
+}
+
+void Join::leave() { _exit(1); }
+
+// What is shown at once is not shown in an arm: others may execute the same.
+void Join::hide_output() {
+  int const nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
+  for (int k : {0, 1}) {
+    shown_[k] = fcntl(k + 1, F_DUPFD_CLOEXEC, 3);
+    if (nowhere >= 0) dup2(nowhere, k + 1);
+  }
+  if (nowhere >= 0) close(nowhere);
+}
+
+void Join::show_output() {
+  for (int k : {0, 1}) {
+    if (shown_[k] < 0) continue;
+    dup2(shown_[k], k + 1);
+    close(std::exchange(shown_[k], -1));
+  }
+}
+
+// What the coordinator says.
+std::optional<bool> Join::serve(Stand *stand, std::vector<RealNumber> *results, Traveller &traveller) {
+  std::vector<char> bytes;
+  for (;;) {
+    Arms::Command const command = arms_.listen(arm_, bytes);
+    MessageReader reader(bytes);
+    if (command.what == Arms::merge) {
+      merge(read_merge(reader), results, traveller);
+    } else if (command.what == Arms::go_on) {
+      is_arm_ = false;
+      show_output();
+      set_arm(1.0);
+      arms_.close_all();
+      keep_events(false);
+      for (auto left = reader.get<std::size_t>(); left != 0; --left)
+        event({"join", hexadecimal(reader.get_all<std::vector<std::uintptr_t>>())});
+      return std::nullopt;
+    } else {
+      RealNumber const condition = RealNumber::from_bits(stand->condition);
+      std::optional<bool> const settled = traveller.settled(condition);
+      Arms::Report report;
+      for (bool outcome : {false, true}) {
+        if (settled && *settled != outcome) {
+          report.arm[outcome] = Arms::settled;
+          continue;
+        }
+        int ends[2];
+        if (pipe2(ends, O_CLOEXEC) != 0) leave();
+        pid_t const arm = fork();
+        if (arm == 0) {
+          close(ends[0]);
+          arrived_ = ends[1];
+          arms_.become(arm_ = command.arm[outcome]);
+          return outcome;
+        }
+        close(ends[1]);
+        char byte = 0;
+        ssize_t got = arm < 0 ? 0 : -1;
+        while (got < 0) got = read(ends[0], &byte, 1);
+        close(ends[0]);
+        report.arm[outcome] = got == 1 ? command.arm[outcome] : Arms::none;
+        if (got != 1) break; // one that does not arrive is enough
+      }
+      arms_.report(report);
+      _exit(0);
+    }
+  }
+}
+
+void Join::merge(Arms::Merge const &merge, std::vector<RealNumber> *results, Traveller &traveller) {
+  Pool &pool = Pool::current();
+  std::vector<NodeId> const now = pool.adopt(parted_.nodes, merge.nodes);
+  auto const here = [&](NodeId node) { return node < parted_.nodes ? node : now[node - parted_.nodes]; };
+  for (auto const &[address, node] : merge.numbers) {
+    RealNumber const number = pool.number(here(node));
+    if (!results)
+      *address = number.to_bits();
+    else if (address)
+      (*results)[ProcessImage::result_at(address)] = number;
+  }
+  std::vector<Guards::Recorded> guards = merge.guards;
+  for (Guards::Recorded &guard : guards) guard.condition = here(guard.condition), guard.needed = here(guard.needed);
+  Guards::current().replace(parted_.guards, std::move(guards));
+  bool const recording = std::exchange(detail::recording, false);
+  bool const has_learned = State::current().learn(merge.notes);
+  detail::recording = recording;
+  if (!has_learned) leave();
+  set_arm(merge.arm == no_node ? RealNumber(1.0) : pool.number(here(merge.arm)));
+  traveller.forget(merge.is_hypothetical);
+}
+
+} // namespace symreal::trace

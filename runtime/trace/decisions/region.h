@@ -1,0 +1,82 @@
+// The ways from one decision until all have come together: which of them have met where, and what stands for a number
+// in which they differ.
+//
+// A place is reached by ways from one or more decisions. In which order decisions are followed does not matter for what
+// comes out, only for what comes together: a place that has gone on before its last way came begins anew, in another
+// round, and waits longer.
+#pragma once
+
+#include "trace/decisions/arms.h"
+
+#include <map>
+#include <memory>
+
+namespace symreal::trace {
+
+struct JoinCosts {
+  std::size_t pieces = 0, selects = 0;
+};
+
+class Region {
+public:
+  static constexpr std::size_t most_rounds = 8;
+
+  Region(Arms &arms, PartingPoint const &parted, RealNumber condition, bool is_hypothetical);
+
+  // The first arm stands at the decision. Returns the arm in which all ways have come together.
+  std::optional<int> run();
+  // Whether a place that waits longer may help.
+  bool wants_another_round() const { return wants_another_round_; }
+  JoinCosts costs() const { return costs_; }
+  // Where the decisions after the first are at which ways have parted, as addresses.
+  std::vector<std::vector<std::uintptr_t>> decided_at() const;
+
+private:
+  // A way that has come to a place: from which place, by which outcome.
+  struct Way {
+    int arm = 0;
+    std::size_t from = 0;
+    bool outcome = false;
+    Arrival arrival = {};
+    std::vector<NodeId> nodes = {}; // those recorded since, as the coordinator has them
+  };
+  struct Place {
+    std::vector<std::size_t> ways = {}; // the first goes on for all
+    int generation = 0;
+    bool has_gone_on = false, is_end = false; // of the kernel
+    std::optional<std::size_t> next[2] = {};  // ways
+    RealNumber condition = 1.0, arm = 1.0;
+    bool is_hypothetical = false;
+  };
+  using Numbers = std::vector<RealNumber>;
+
+  bool arrive(int arm, std::size_t from, bool outcome);
+  void merge(std::size_t place, bool is_last);
+  std::vector<Guards::Recorded> guards(Place const &place) const;
+  bool comes_by(std::size_t place, std::size_t before) const;
+  // As the coordinator has what a way has.
+  NodeId here(Way const &way, NodeId node) const;
+  RealNumber here(Way const &way, std::uint64_t bits) const;
+  // What lies at these addresses in a place that is reached from another; the condition lies at the first.
+  using Known = std::map<std::size_t, std::optional<Numbers>>;
+  std::optional<Numbers> numbers(std::size_t from, std::size_t to, std::vector<std::uint64_t *> const &addresses,
+                                 Known &known);
+  RealNumber chosen(RealNumber condition, RealNumber yes, RealNumber no);
+  RealNumber chosen_condition(RealNumber condition, RealNumber yes, RealNumber no);
+  int rank(Place const &place) const;
+  std::optional<std::size_t> next_place() const;
+
+  Arms &arms_;
+  PartingPoint const parted_;
+  RealNumber const condition_;
+  bool const is_hypothetical_;
+  std::vector<Way> ways_;
+  std::vector<Place> places_;
+  std::vector<ProcessImage> late_;           // places that have gone on too early, in earlier rounds
+  std::map<std::size_t, std::size_t> where_; // by way: the place
+  bool wants_another_round_ = false;
+  int arms_used_ = 0;
+  JoinCosts costs_;
+};
+
+} // namespace symreal::trace
