@@ -57,8 +57,9 @@ void add(Events &events, std::vector<std::string> const &field) {
                                                                : nullptr;
   if (decisions && has(4)) decisions->push_back({number<std::size_t>(field[1]), field[2], addresses(field[3])});
   if (kind == "decided" && has(5))
-    events.decided.push_back({number<std::uint32_t>(field[1]), field[2] == "t" || field[2] == "T",
-                              field[2] == "T" || field[2] == "F", field[2] == "j", field[3], addresses(field[4])});
+    events.decided.push_back({number<std::uint32_t>(field[1]), field[2] == "t" || field[2] == "T" || field[2] == "Y",
+                              std::string("TFYN").find(field[2]) != std::string::npos, field[2] == "j",
+                              field[2] == "Y" || field[2] == "N", field[3], addresses(field[4])});
   if (kind == "joined" && has(3)) {
     ++events.joins;
     events.pieces += number<std::size_t>(field[1]);

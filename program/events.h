@@ -13,7 +13,8 @@
 //   carried     count  condition  address,address,...
 //   settled     count  condition  address,address,...
 //   decided     node  t, f or j  condition  address,address,...   of the kernel that is explored, one after the other;
-//                                                              T or F: assumed, without a path for the other outcome
+//                                                              T or F: assumed, without a path for the other outcome,
+//                                                              which is an exact zero; Y or N: out of an input's range
 //   joined      pieces  selects   of the last decision, a j: both its ways are recorded, and have come together
 //   join        address,address,...   where ways part that come together
 //   followed    count   of decisions that earlier ones settle
@@ -60,7 +61,7 @@ struct Decision {
 // On an explored path.
 struct DecidedEvent {
   std::uint32_t condition; // the node
-  bool outcome, is_assumed, is_joined;
+  bool outcome, is_assumed, is_joined, is_by_range;
   std::string text;
   std::vector<std::uint64_t> addresses;
 };

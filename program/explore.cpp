@@ -15,8 +15,8 @@ constexpr std::string_view explores = "explore:", selects = "auto:", zeros = ":z
 RecordedPath recorded_path(Graph graph, Events const &events) {
   RecordedPath path{std::move(graph), {}, events.is_cut_off};
   for (DecidedEvent const &one : events.decided)
-    path.steps.push_back(
-        {static_cast<NodeId>(one.condition), one.outcome, one.is_assumed, one.is_joined, one.text, one.addresses});
+    path.steps.push_back({static_cast<NodeId>(one.condition), one.outcome, one.is_assumed, one.is_joined, one.text,
+                          one.addresses, one.is_by_range});
   return path;
 }
 
@@ -101,6 +101,7 @@ static std::optional<Graph> explore_paths(std::size_t kernel, Place const &place
   exploration.selects = tree.selects();
   exploration.open = tree.open_branches();
   exploration.zeros = tree.assumed();
+  exploration.by_range = tree.assumed_by_range();
   exploration.explored = tree.decided_at();
   exploration.guards = graph.guards.size();
   return graph;

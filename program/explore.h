@@ -42,6 +42,7 @@ struct Exploration {
   std::size_t open = 0;     // branches that no recorded path takes: a guard each
   std::size_t beyond = 0;   // decisions beyond the depth on the path of the program's own values: a guard each
   std::size_t zeros = 0;    // tests for exact zero that are taken as not met: a guard each
+  std::size_t by_range = 0; // conditions beyond the range of an input: a guard each
   std::size_t guards = 0;   // these, and those that pragmas ask for
   bool paths_left = false;  // beyond the number of paths
   std::vector<std::vector<std::uint64_t>> explored = {};  // where the program decides, as addresses

@@ -61,6 +61,7 @@ bool PathTree::add(RecordedPath path) {
       tree_[at].text = step.text;
       tree_[at].is_assumed = step.is_assumed;
       tree_[at].is_joined = step.is_joined;
+      tree_[at].is_by_range = step.is_by_range;
     } else if (tree_[at].condition != condition || tree_[at].is_joined != step.is_joined) {
       return false;
     }
@@ -195,7 +196,7 @@ void PathTree::join(std::size_t at) {
   for (bool outcome : {false, true}) {
     if (!is_open(node, outcome)) continue;
     node.results = std::move(tree_[node.branches[!outcome]].results);
-    ++(node.is_assumed ? assumed_ : open_branches_);
+    ++(node.is_by_range ? by_range_ : node.is_assumed ? assumed_ : open_branches_);
     Guard guard{outcome ? negated(node.condition) : node.condition, node.location,
                 node.text + std::string(outcome ? guard_is_false : "")};
     need(std::move(guard), at);

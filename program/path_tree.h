@@ -21,6 +21,7 @@ struct DecidedStep {
   bool is_joined;   // both are recorded, and have come together
   std::string text; // of the condition
   std::vector<std::uint64_t> addresses = {};
+  bool is_by_range = false; // assumed: the other outcome lies beyond an input's range
 };
 
 struct RecordedPath {
@@ -51,6 +52,7 @@ public:
   std::vector<std::vector<std::uint64_t>> decided_at() const;
   // Those whose other side was not to be tried, which are not counted among these.
   std::size_t assumed() const { return assumed_; }
+  std::size_t assumed_by_range() const { return by_range_; }
 
 private:
   static constexpr std::size_t none = ~std::size_t{0};
@@ -62,7 +64,7 @@ private:
     LocationId location = no_location;
     std::string text = {};
     std::size_t branches[2] = {none, none}; // by outcome
-    bool is_assumed = false, is_joined = false;
+    bool is_assumed = false, is_joined = false, is_by_range = false;
     bool is_open = true; // nothing below comes to the kernel's end
     std::vector<NodeId> results = {};
     std::vector<Guard> guards = {}; // of the path that ends here
@@ -97,7 +99,7 @@ private:
   std::vector<char> node_exact_;
   std::vector<Node> tree_;          // a parent comes before its branches; empty as long as there is no path
   std::map<NodeId, Needed> needed_; // by condition
-  std::size_t selects_ = 0, open_branches_ = 0, assumed_ = 0;
+  std::size_t selects_ = 0, open_branches_ = 0, assumed_ = 0, by_range_ = 0;
 };
 
 } // namespace symreal::program

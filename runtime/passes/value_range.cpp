@@ -26,7 +26,10 @@ struct ValueRanges::Bound {
   bool is_number = false;
 };
 
-ValueRanges::ValueRanges(Graph const &graph, FloatingPoint mode) : graph_(graph), any_(any_value(mode)) {
+ValueRanges::ValueRanges(Graph const &graph, FloatingPoint mode, std::vector<Interval> inputs)
+    : graph_(graph),
+      inputs_(std::move(inputs)),
+      any_(any_value(mode)) {
   ranges_.reserve(graph.nodes.size());
   for (Node const &node : graph.nodes) ranges_.push_back(of(node, 1));
 }
@@ -43,6 +46,7 @@ Interval ValueRanges::of(Node const &node, int depth) const {
     double const value = node.value();
     return std::isnan(value) ? any_ : Interval{value, value, false};
   }
+  if (node.op == Op::input && node.slot() < inputs_.size()) return inputs_[node.slot()];
   if (is_leaf(node.op)) return any_;
   OperationInfo const &operation = info(node.op);
   if (operation.has(flag::BOOLEAN)) return {0, 1, false};

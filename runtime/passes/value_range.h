@@ -24,8 +24,8 @@ struct Interval {
 
 class ValueRanges {
 public:
-  // Linear in the nodes.
-  ValueRanges(Graph const &graph, FloatingPoint mode);
+  // Linear in the nodes. `inputs`: between which bounds each lies, by slot; those behind them may be anything.
+  ValueRanges(Graph const &graph, FloatingPoint mode, std::vector<Interval> inputs = {});
 
   // With what was learnt of the node itself, and of its operands, as far as these are near.
   Interval range(NodeId id) const { return near(id, 4); }
@@ -49,6 +49,7 @@ private:
   Bound bound_of(NodeId condition, bool holds, bool is_left) const;
 
   Graph const &graph_;
+  std::vector<Interval> const inputs_;
   Interval any_; // whatever a value may be: in modes other than strict it is finite by their premise
   std::vector<Interval> ranges_;
 };

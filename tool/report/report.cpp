@@ -107,6 +107,9 @@ void print_exploration(std::ostream &out, program::Exploration const &exploratio
   if (exploration.zeros != 0)
     fmt::print(out, "                 {} test{} for exact zero taken as not met\n", exploration.zeros,
                exploration.zeros == 1 ? "" : "s");
+  if (exploration.by_range != 0)
+    fmt::print(out, "                 {} condition{} beyond the range of an input taken as not met\n",
+               exploration.by_range, exploration.by_range == 1 ? "" : "s");
   for (program::DecidedPlace const &one : exploration.places)
     fmt::print(out, "  decision        {}:{}:{}: {}\n", std::filesystem::path(one.place.file).filename().string(),
                one.place.line, one.place.column, became(one));

@@ -66,7 +66,7 @@ extern __thread std::uint64_t executed[static_cast<unsigned>(Op::count)];
 [[gnu::noinline]] RealNumber compare_finite(RealNumber x) noexcept;
 // A decision on a condition, a conversion: the program goes on with the carried value. By policy the decision becomes
 // a guard of the kernel, or its place is reported.
-// It takes the bits of the number, and lets the runtime see the whole state of its caller (trace/join/stand.cpp).
+// It takes the bits of the number, and lets the runtime see the whole state of its caller (trace/decisions/stand.cpp).
 bool decide_on(std::uint64_t condition) noexcept;
 [[gnu::always_inline]] inline bool decide(RealNumber condition) noexcept;
 [[gnu::noinline]] double convert_to_integer(RealNumber x) noexcept;

@@ -5,10 +5,15 @@
 #include "trace/report/call_stack.h"
 #include "trace/report/events.h"
 
+#include <symreal/text.h>
+
 #include <cfenv>
 #ifdef __SSE__
 #include <xmmintrin.h>
 #endif
+
+// Of the text room, which sees this one.
+__thread bool symreal::detail::has_text = false;
 
 namespace symreal::trace {
 namespace {

@@ -136,5 +136,5 @@ double convert(RealNumber x) noexcept {
 
 } // namespace symreal::detail
 
-// Where decide_on stands (trace/join/stand.cpp).
+// Where decide_on stands (trace/decisions/stand.cpp).
 extern "C" bool symreal_decide_at(symreal::trace::Stand *stand) noexcept { return symreal::detail::decide_at(*stand); }

@@ -3,6 +3,7 @@
 #include "memory/heap_blocks.h"
 #include "trace/decisions/guards.h"
 #include "trace/decisions/policy.h"
+#include "trace/decisions/range_test.h"
 #include "trace/decisions/zero_test.h"
 #include "trace/describe/describe.h"
 #include "trace/kernel/kernel.h"
@@ -61,10 +62,19 @@ void ExploredPath::begin() {
   if (is_cut_at_end_) prescribed_.pop_back();
 }
 
-std::optional<bool> ExploredPath::assumed(NodeId condition, bool carried) const {
-  if (explores_zeros_) return std::nullopt;
-  std::optional<bool> const nonzero = outcome_without_zero(Pool::current().nodes(), condition);
-  return nonzero && (is_hypothetical_ || *nonzero == carried) ? nonzero : std::nullopt;
+std::optional<bool> ExploredPath::known(NodeId condition) const {
+  NodeTable const &nodes = Pool::current().nodes();
+  std::optional<bool> const outcome = known_.outcome(nodes, condition);
+  return outcome ? outcome : outcome_of_bounds(nodes, condition);
+}
+
+std::optional<ExploredPath::Assumed> ExploredPath::assumed(NodeId condition, bool carried) const {
+  NodeTable const &nodes = Pool::current().nodes();
+  auto const may_be = [&](std::optional<bool> outcome) { return outcome && (is_hypothetical_ || *outcome == carried); };
+  std::optional<bool> const nonzero = explores_zeros_ ? std::nullopt : outcome_without_zero(nodes, condition);
+  if (may_be(nonzero)) return Assumed{*nonzero, false};
+  std::optional<bool> const in_range = outcome_in_ranges(nodes, condition, Kernel::current().interface().inputs);
+  return may_be(in_range) ? std::optional(Assumed{*in_range, true}) : std::nullopt;
 }
 
 bool ExploredPath::decide(Stand &stand) {
@@ -74,25 +84,25 @@ bool ExploredPath::decide(Stand &stand) {
     bool const carried = pool.carried_value(condition) != 0;
     if (!condition.is_node()) return carried; // all that came together here agree
     NodeId const id = pool.node(condition);
-    if (std::optional<bool> const known = known_.outcome(pool.nodes(), id)) {
+    if (std::optional<bool> const outcome = known(id)) {
       ++followed_;
-      is_hypothetical_ = is_hypothetical_ || *known != carried;
-      return *known;
+      is_hypothetical_ = is_hypothetical_ || *outcome != carried;
+      return *outcome;
     }
     if (!is_explored_) { // this kernel's turn is in another run
       if (count_++ == 0) event({"undecided", std::to_string(kernels_ - 1)});
       return carried;
     }
     bool const is_arm = Join::current().is_arm();
-    if (std::optional<bool> const nonzero = assumed(id, carried)) {
+    if (std::optional<Assumed> const one = assumed(id, carried)) {
       if (is_arm) {
-        Guards::current().add(SymbolicBool::from_condition(condition), *nonzero);
-        known_.add(pool.nodes(), id, *nonzero);
+        Guards::current().add(SymbolicBool::from_condition(condition), one->outcome);
+        known_.add(pool.nodes(), id, one->outcome);
       } else {
-        tell(id, *nonzero, condition, *nonzero ? "T" : "F");
+        tell(id, one->outcome, condition, one->is_by_range ? (one->outcome ? "Y" : "N") : one->outcome ? "T" : "F");
       }
-      is_hypothetical_ = is_hypothetical_ || *nonzero != carried;
-      return *nonzero;
+      is_hypothetical_ = is_hypothetical_ || one->outcome != carried;
+      return one->outcome;
     }
     if (is_arm) {
       if (count_ >= depth_) Join::current().leave();
@@ -130,7 +140,7 @@ bool ExploredPath::take_in_arm(Stand const &stand, bool outcome) {
   if (!number.is_node()) return outcome;
   NodeId const id = pool.node(number);
   SymbolicBool const condition = SymbolicBool::from_condition(number);
-  if (assumed(id, carried) == outcome) {
+  if (std::optional<Assumed> const one = assumed(id, carried); one && one->outcome == outcome) {
     Guards::current().add(condition, outcome);
   } else {
     set_arm((SymbolicBool::from_condition(current_arm()) & (outcome ? condition : !condition)).condition());
@@ -145,8 +155,9 @@ std::optional<bool> ExploredPath::settled(RealNumber condition) const {
   bool const carried = pool.carried_value(condition) != 0;
   if (!condition.is_node()) return carried;
   NodeId const id = pool.node(condition);
-  if (std::optional<bool> const known = known_.outcome(pool.nodes(), id)) return known;
-  return assumed(id, carried);
+  if (std::optional<bool> const outcome = known(id)) return outcome;
+  std::optional<Assumed> const one = assumed(id, carried);
+  return one ? std::optional(one->outcome) : std::nullopt;
 }
 
 void ExploredPath::forget(bool is_hypothetical) {

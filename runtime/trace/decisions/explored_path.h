@@ -50,7 +50,12 @@ public:
 private:
   std::optional<bool> settled(RealNumber condition) const override;
   void forget(bool is_hypothetical) override;
-  std::optional<bool> assumed(NodeId condition, bool carried) const;
+  std::optional<bool> known(NodeId condition) const;
+  // What is taken without a path for the other outcome, which a guard refuses.
+  struct Assumed {
+    bool outcome, is_by_range;
+  };
+  std::optional<Assumed> assumed(NodeId condition, bool carried) const;
   bool take_in_arm(Stand const &stand, bool outcome);
   void begin_attempt(RealNumber condition);
   void end_attempt();

@@ -8,6 +8,8 @@
 #include <cerrno>
 #include <csignal>
 #include <fcntl.h>
+#include <filesystem>
+#include <iterator>
 #include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
@@ -17,6 +19,12 @@ namespace symreal::trace {
 namespace {
 
 constexpr int come_together = 77;
+
+bool has_other_threads() {
+  std::error_code error;
+  std::filesystem::directory_iterator threads("/proc/self/task", error);
+  return !error && std::distance(threads, {}) > 1;
+}
 
 } // namespace
 
@@ -36,6 +44,7 @@ Join &Join::current() {
 JoinCosts const &Join::costs() const { return shared_->costs; }
 
 std::optional<bool> Join::attempt(Stand &stand, Traveller &traveller) {
+  if (has_other_threads()) return std::nullopt; // a fork would lose them
   if (!shared_) {
     void *const memory = mmap(nullptr, sizeof(Shared), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
     if (memory == MAP_FAILED) return std::nullopt;

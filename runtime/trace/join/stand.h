@@ -7,7 +7,7 @@
 
 namespace symreal::trace {
 
-// As the entry lays it out (stand.cpp). The caller's stack follows.
+// As the entry lays it out (trace/decisions/stand.cpp). The caller's stack follows.
 struct Stand {
   std::uint64_t preserved[6];
   std::uint64_t condition;

@@ -14,7 +14,6 @@
 
 namespace symreal {
 
-__thread bool detail::has_text = false;
 __thread detail::Shown detail::shown = {};
 
 namespace trace {
