@@ -36,7 +36,7 @@ Recorder::Recorder(llvm::Module &module) {
   compare_ =
       declare(module, "_ZN7symreal6detail7compareENS_2OpENS_5types10RealNumberES3_", number, {op, number, number});
   compare_finite_ = of_number("_ZN7symreal6detail14compare_finiteENS_5types10RealNumberE", number);
-  decide_ = of_number("_ZN7symreal6detail6decideENS_5types10RealNumberE", truth);
+  decide_ = declare(module, "_ZN7symreal6detail9decide_onEm", truth, {llvm::Type::getInt64Ty(module.getContext())});
   convert_to_integer_ = of_number("_ZN7symreal6detail18convert_to_integerENS_5types10RealNumberE", number);
   convert_ = of_number("_ZN7symreal6detail7convertENS_5types10RealNumberE", number);
   shown_value_ = of_number("_ZN7symreal6detail11shown_valueENS_5types10RealNumberE", number);
@@ -51,7 +51,9 @@ Value *Recorder::comparison(IRBuilder<> &at, Op op, Value *x, Value *y) const {
   return at.CreateCall(compare_, {number_of(at, op), x, y});
 }
 Value *Recorder::finite(IRBuilder<> &at, Value *x) const { return at.CreateCall(compare_finite_, {x}); }
-Value *Recorder::decision(IRBuilder<> &at, Value *condition) const { return at.CreateCall(decide_, {condition}); }
+Value *Recorder::decision(IRBuilder<> &at, Value *condition) const {
+  return at.CreateCall(decide_, {at.CreateBitCast(condition, at.getInt64Ty())});
+}
 Value *Recorder::integer(IRBuilder<> &at, Value *x) const { return at.CreateCall(convert_to_integer_, {x}); }
 Value *Recorder::number(IRBuilder<> &at, Value *x) const { return at.CreateCall(convert_, {x}); }
 Value *Recorder::shown(IRBuilder<> &at, Value *x) const { return at.CreateCall(shown_value_, {x}); }

@@ -12,6 +12,10 @@
 
 namespace symreal {
 
+// mmap of zero pages that can be written; MAP_FAILED where the system has no room. Not by its name, which a symbolic
+// program has replaced (trace/state/mapping_hooks.cpp).
+void *map_anonymous(std::size_t size, int flags);
+
 // Whole pages, zero; throws std::bad_alloc where the system has no room.
 void *map_pages(std::size_t size);
 void unmap_pages(void *begin, std::size_t size) noexcept;

@@ -1,6 +1,8 @@
 #include "trace/decisions/join.h"
 
+#include "memory/mapped_memory.h"
 #include "memory/own_memory.h"
+#include "support/page_allocator.h"
 #include "trace/decisions/checkpoint.h"
 #include "trace/decisions/policy.h"
 #include "trace/report/events.h"
@@ -44,9 +46,10 @@ Join &Join::current() {
 JoinCosts const &Join::costs() const { return shared_->costs; }
 
 std::optional<bool> Join::attempt(Stand &stand, Traveller &traveller) {
-  if (has_other_threads()) return std::nullopt; // a fork would lose them
+  if (has_other_threads()) return std::nullopt;         // a fork would lose them
+  if (memory::has_mapped_memory()) return std::nullopt; // nobody would compare what lies there
   if (!shared_) {
-    void *const memory = mmap(nullptr, sizeof(Shared), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+    void *const memory = map_anonymous(sizeof(Shared), MAP_SHARED);
     if (memory == MAP_FAILED) return std::nullopt;
     shared_ = static_cast<Shared *>(memory);
     is_root_ = true;

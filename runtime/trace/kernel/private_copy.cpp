@@ -1,6 +1,7 @@
 // The private copies that input pointers of function kernels are rebound to where the caller's data cannot be written.
 // Everywhere else inputs are annotated in place, so that pointers keep their identity, and what overlaps overlaps.
 #include "memory/heap_blocks.h"
+#include "support/page_allocator.h"
 #include "trace/kernel/kernel.h"
 
 #include <algorithm>
@@ -51,7 +52,7 @@ bool is_writable(void const *address) {
 char *guarded_memory(std::size_t size) {
   auto page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
   std::size_t room = (size + page - 1) / page * page;
-  void *memory = mmap(nullptr, room + page, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  void *memory = map_anonymous(room + page, MAP_PRIVATE);
   internal_check(memory != MAP_FAILED);
   mprotect(static_cast<char *>(memory) + room, page, PROT_NONE);
   return static_cast<char *>(memory) + room - size;
