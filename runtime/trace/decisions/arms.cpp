@@ -47,7 +47,7 @@ void close_one(int &file) {
 bool Arms::open(pid_t *shared_pids) {
   pids_ = shared_pids;
   rlimit files;
-  rlim_t const wanted = 4 * most;
+  rlim_t const wanted = rlim_t{4} * most;
   if (getrlimit(RLIMIT_NOFILE, &files) == 0 && files.rlim_cur < wanted) {
     files.rlim_cur = std::min<rlim_t>(wanted, files.rlim_max);
     setrlimit(RLIMIT_NOFILE, &files);

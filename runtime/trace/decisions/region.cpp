@@ -147,19 +147,18 @@ std::optional<Region::Numbers> Region::numbers(std::size_t from, std::size_t to,
       if (places_[place].has_gone_on) by_outcome[outcome] = numbers(place, to, addresses, known);
       continue;
     }
-    by_outcome[outcome].emplace();
-    for (std::uint64_t *address : addresses)
-      by_outcome[outcome]->push_back(RealNumber::from_bits(way.arrival.image.word(address)));
+    Numbers &words = by_outcome[outcome].emplace();
+    for (std::uint64_t *address : addresses) words.push_back(RealNumber::from_bits(way.arrival.image.word(address)));
   }
-  std::optional<Numbers> &result = known[from];
-  if (!by_outcome[0] || !by_outcome[1]) return result = by_outcome[by_outcome[1] ? 1 : 0];
-  result.emplace();
+  auto const &[of_no, of_yes] = by_outcome;
+  if (!of_no || !of_yes) return known[from] = of_yes ? of_yes : of_no;
+  Numbers result;
   for (std::size_t k = 0; k < addresses.size(); ++k) {
-    RealNumber const yes = (*by_outcome[1])[k], no = (*by_outcome[0])[k];
-    result->push_back(k == 0 ? chosen_condition(places_[from].condition, yes, no)
-                             : chosen(places_[from].condition, yes, no));
+    RealNumber const yes = (*of_yes)[k], no = (*of_no)[k];
+    result.push_back(k == 0 ? chosen_condition(places_[from].condition, yes, no)
+                            : chosen(places_[from].condition, yes, no));
   }
-  return result;
+  return known[from] = std::move(result);
 }
 
 RealNumber Region::chosen(RealNumber condition, RealNumber yes, RealNumber no) {
@@ -233,18 +232,20 @@ void Region::merge(std::size_t at, bool is_last) {
   for (std::size_t k : place.ways) {
     Way const &way = ways_[k];
     if (&way == &first) continue;
-    std::vector<std::uint64_t *> const differing = *first.arrival.image.differences(way.arrival.image);
-    addresses.insert(addresses.end(), differing.begin(), differing.end());
+    std::optional<std::vector<std::uint64_t *>> const differing = first.arrival.image.differences(way.arrival.image);
+    internal_check(differing.has_value()); // or they had not met
+    addresses.insert(addresses.end(), differing->begin(), differing->end());
     merge.notes.insert(merge.notes.end(), way.arrival.notes.begin(), way.arrival.notes.end());
   }
   std::ranges::sort(addresses.begin() + 1, addresses.end());
   addresses.erase(std::unique(addresses.begin() + 1, addresses.end()), addresses.end());
   std::erase_if(addresses, [&, k = 0](std::uint64_t *address) mutable { return k++ != 0 && address == condition_at; });
   Known known;
-  Numbers const numbers = *this->numbers(0, at, addresses, known);
+  std::optional<Numbers> const numbers = this->numbers(0, at, addresses, known);
+  internal_check(numbers.has_value()); // each of these ways comes from the root
   Pool &pool = Pool::current();
-  for (std::size_t k = 0; k < addresses.size(); ++k) merge.numbers.emplace_back(addresses[k], pool.node(numbers[k]));
-  place.condition = numbers.front();
+  for (std::size_t k = 0; k < addresses.size(); ++k) merge.numbers.emplace_back(addresses[k], pool.node((*numbers)[k]));
+  place.condition = numbers->front();
   std::vector<std::size_t> const &ways = place.ways;
   if (ways.size() == 2 && ways_[ways[0]].from == ways_[ways[1]].from) {
     place.arm = places_[first.from].arm;

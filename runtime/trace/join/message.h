@@ -13,7 +13,7 @@ class MessageWriter {
 public:
   template <class T> void put(T const &value) {
     static_assert(std::is_trivially_copyable_v<T>);
-    put_bytes(&value, sizeof value);
+    put_bytes(static_cast<void const *>(&value), sizeof value);
   }
   void put_bytes(void const *begin, std::size_t size) {
     bytes_.insert(bytes_.end(), static_cast<char const *>(begin), static_cast<char const *>(begin) + size);
@@ -33,7 +33,7 @@ public:
   explicit MessageReader(std::vector<char> const &bytes) : next_(bytes.data()) {}
   template <class T> T get() {
     T value;
-    get_bytes(&value, sizeof value);
+    get_bytes(static_cast<void *>(&value), sizeof value);
     return value;
   }
   void get_bytes(void *to, std::size_t size) {
