@@ -137,21 +137,20 @@ bool Region::comes_by(std::size_t place, std::size_t before) const {
 std::optional<Region::Numbers> Region::numbers(std::size_t from, std::size_t to,
                                                std::vector<std::uint64_t *> const &addresses, Known &known) {
   if (auto const found = known.find(from); found != known.end()) return found->second;
-  std::optional<Numbers> by_outcome[2];
-  for (bool outcome : {false, true}) {
+  auto const arriving = [&](bool outcome) -> std::optional<Numbers> {
     std::optional<std::size_t> const next = places_[from].next[outcome];
-    if (!next) continue;
+    if (!next) return std::nullopt;
     Way const &way = ways_[*next];
     std::size_t const place = where_.at(*next);
-    if (place != to) {
-      if (places_[place].has_gone_on) by_outcome[outcome] = numbers(place, to, addresses, known);
-      continue;
-    }
-    Numbers &words = by_outcome[outcome].emplace();
+    if (place != to)
+      return places_[place].has_gone_on ? numbers(place, to, addresses, known) : std::optional<Numbers>();
+    Numbers words;
     for (std::uint64_t *address : addresses) words.push_back(RealNumber::from_bits(way.arrival.image.word(address)));
-  }
-  auto const &[of_no, of_yes] = by_outcome;
-  if (!of_no || !of_yes) return known[from] = of_yes ? of_yes : of_no;
+    return words;
+  };
+  std::optional<Numbers> const of_no = arriving(false), of_yes = arriving(true);
+  if (!of_no) return known[from] = of_yes;
+  if (!of_yes) return known[from] = of_no;
   Numbers result;
   for (std::size_t k = 0; k < addresses.size(); ++k) {
     RealNumber const yes = (*of_yes)[k], no = (*of_no)[k];
