@@ -1,8 +1,9 @@
 #include "memory/memory_image.h"
 
+#include "memory/stack.h"
+
 #include <algorithm>
 #include <cstring>
-#include <pthread.h>
 #include <set>
 
 namespace symreal::memory {
@@ -10,15 +11,10 @@ namespace {
 
 // The stack from `frame` to its far end.
 Known callers_stack(void const *frame) {
-  pthread_attr_t attributes;
-  if (!frame || pthread_getattr_np(pthread_self(), &attributes) != 0) return {nullptr, 0};
-  void *begin = nullptr;
-  std::size_t size = 0;
-  pthread_attr_getstack(&attributes, &begin, &size);
-  pthread_attr_destroy(&attributes);
+  if (!frame) return {nullptr, 0};
   // The frame begins with what the function has saved: the frame pointer and the return address.
   char const *first = static_cast<char const *>(frame) + 2 * sizeof(void *);
-  char const *end = static_cast<char const *>(begin) + size;
+  char const *end = Stack::of_this_thread().end;
   return first < end ? Known{first, static_cast<std::size_t>(end - first)} : Known{nullptr, 0};
 }
 

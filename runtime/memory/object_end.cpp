@@ -1,10 +1,10 @@
 #include "memory/object_end.h"
 
 #include "memory/heap_blocks.h"
+#include "memory/stack.h"
 #include "memory/static_objects.h"
 
 #include <algorithm>
-#include <pthread.h>
 
 namespace symreal::memory {
 namespace {
@@ -19,14 +19,8 @@ template <class Object> char const *end_among(std::vector<Object> const &objects
 }
 
 char const *end_of_stack(char const *address) {
-  pthread_attr_t attributes;
-  if (pthread_getattr_np(pthread_self(), &attributes) != 0) return nullptr;
-  void *begin = nullptr;
-  std::size_t size = 0;
-  pthread_attr_getstack(&attributes, &begin, &size);
-  pthread_attr_destroy(&attributes);
-  char const *const first = static_cast<char const *>(begin);
-  return first <= address && address < first + size ? first + size : nullptr;
+  Stack const stack = Stack::of_this_thread();
+  return stack.begin <= address && address < stack.end ? stack.end : nullptr;
 }
 
 } // namespace

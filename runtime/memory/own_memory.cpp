@@ -1,10 +1,10 @@
 #include "memory/own_memory.h"
 
 #include "diagnostics/diagnostic.h"
+#include "memory/stack.h"
 
 #include <algorithm>
 #include <link.h>
-#include <pthread.h>
 #include <sys/mman.h>
 #include <unistd.h>
 
@@ -17,16 +17,12 @@ __thread std::uintptr_t detail::around_begin = 0, detail::around_size = 0;
 namespace trace {
 
 void find_own_stack(void const *frame) {
-  pthread_attr_t attributes;
-  internal_check(pthread_getattr_np(pthread_self(), &attributes) == 0);
-  void *begin = nullptr;
-  std::size_t size = 0;
-  pthread_attr_getstack(&attributes, &begin, &size);
-  pthread_attr_destroy(&attributes);
+  memory::Stack const stack = memory::Stack::of_this_thread();
+  internal_check(stack.end != nullptr);
   detail::around_begin = detail::around_size = 0;
   auto const at = reinterpret_cast<std::uintptr_t>(frame);
-  detail::own_stack = reinterpret_cast<std::uintptr_t>(begin);
-  detail::own_stack_size = at - detail::own_stack < size ? at - detail::own_stack : size;
+  detail::own_stack = reinterpret_cast<std::uintptr_t>(stack.begin);
+  detail::own_stack_size = std::min(at - detail::own_stack, stack.size());
 }
 
 void widen_around(void const *begin, std::size_t size) {

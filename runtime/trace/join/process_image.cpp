@@ -1,11 +1,11 @@
 #include "trace/join/process_image.h"
 
 #include "memory/heap_blocks.h"
+#include "memory/stack.h"
 #include "memory/static_objects.h"
 
 #include <algorithm>
 #include <cstring>
-#include <pthread.h>
 
 namespace symreal::trace {
 namespace {
@@ -18,16 +18,6 @@ std::uint64_t word_at(char const *bytes) {
   return word;
 }
 
-char *end_of_stack() {
-  pthread_attr_t attributes;
-  if (pthread_getattr_np(pthread_self(), &attributes) != 0) return nullptr;
-  void *begin = nullptr;
-  std::size_t size = 0;
-  pthread_attr_getstack(&attributes, &begin, &size);
-  pthread_attr_destroy(&attributes);
-  return static_cast<char *>(begin) + size;
-}
-
 } // namespace
 
 void ProcessImage::add(Part part) {
@@ -37,7 +27,7 @@ void ProcessImage::add(Part part) {
 
 ProcessImage ProcessImage::capture(Stand *stand) {
   static std::vector<memory::StaticObject> const statics = memory::find_static_objects();
-  static char *const stack_end = end_of_stack();
+  static char *const stack_end = memory::Stack::of_this_thread().end;
   ProcessImage image;
   for (memory::StaticObject const &one : statics) image.add({one.begin, one.size});
   for (memory::HeapBlock const &one : memory::heap_blocks()) image.add({one.begin, one.size});

@@ -1,0 +1,16 @@
+// Where the stack of this thread lies.
+#pragma once
+
+#include <cstddef>
+
+namespace symreal::memory {
+
+// Both are nullptr where the system does not say.
+struct Stack {
+  char *begin = nullptr, *end = nullptr;
+
+  static Stack of_this_thread();
+  std::size_t size() const { return static_cast<std::size_t>(end - begin); }
+};
+
+} // namespace symreal::memory
