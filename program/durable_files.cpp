@@ -36,14 +36,7 @@ void sync_directory_of(std::string const &path) {
 void write_durably(std::string const &path, std::string const &text, unsigned permissions) {
   int const descriptor = open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0600);
   if (descriptor < 0) give_up(path, errno);
-  int reason = 0;
-  for (std::size_t done = 0; done < text.size() && reason == 0;) {
-    ssize_t const written = write(descriptor, text.data() + done, text.size() - done);
-    if (written >= 0)
-      done += static_cast<std::size_t>(written);
-    else if (errno != EINTR)
-      reason = errno;
-  }
+  int reason = write_whole(descriptor, text.data(), text.size()) ? 0 : errno;
   if (reason == 0 && (fchmod(descriptor, permissions) != 0 || fsync(descriptor) != 0)) reason = errno;
   if (close(descriptor) != 0 && reason == 0) reason = errno;
   if (reason != 0) give_up(path, reason);

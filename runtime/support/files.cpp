@@ -45,6 +45,18 @@ std::string read_file(std::string const &path) {
   fail(DiagnosticId::unreadable_file, {path}, "cannot read '" + path + "': " + std::strerror(errno ? errno : EISDIR));
 }
 
+bool write_whole(int descriptor, void const *begin, std::size_t size) {
+  auto const *next = static_cast<char const *>(begin);
+  while (size != 0) {
+    ssize_t const written = write(descriptor, next, size);
+    if (written < 0 && errno != EINTR) return false;
+    if (written <= 0) continue;
+    next += written;
+    size -= static_cast<std::size_t>(written);
+  }
+  return true;
+}
+
 void write_if_changed(std::string const &path, std::string const &text) {
   if (holds(path, text)) return;
   std::string temporary = path + ".XXXXXX";
@@ -54,15 +66,10 @@ void write_if_changed(std::string const &path, std::string const &text) {
     fail(DiagnosticId::unwritable_output, {path}, "cannot write '" + path + "': " + std::strerror(reason));
   };
   if (descriptor < 0) give_up(errno);
-  std::size_t done = 0;
-  while (done < text.size()) {
-    ssize_t written = write(descriptor, text.data() + done, text.size() - done);
-    if (written < 0 && errno != EINTR) {
-      int reason = errno;
-      close(descriptor);
-      give_up(reason);
-    }
-    if (written > 0) done += static_cast<std::size_t>(written);
+  if (!write_whole(descriptor, text.data(), text.size())) {
+    int reason = errno;
+    close(descriptor);
+    give_up(reason);
   }
   mode_t mask = umask(0); // mkstemp makes private files; the result gets the permissions that any new file gets
   umask(mask);

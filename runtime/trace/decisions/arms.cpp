@@ -1,5 +1,7 @@
 #include "trace/decisions/arms.h"
 
+#include "support/files.h"
+
 #include <algorithm>
 #include <cerrno>
 #include <csignal>
@@ -12,18 +14,6 @@
 
 namespace symreal::trace {
 namespace {
-
-bool write_whole(int file, void const *begin, std::size_t size) {
-  auto const *next = static_cast<char const *>(begin);
-  while (size != 0) {
-    ssize_t const written = write(file, next, size);
-    if (written < 0 && errno == EINTR) continue;
-    if (written <= 0) return false;
-    next += written;
-    size -= static_cast<std::size_t>(written);
-  }
-  return true;
-}
 
 bool read_whole(int file, void *begin, std::size_t size) {
   auto *next = static_cast<char *>(begin);
