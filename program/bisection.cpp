@@ -73,7 +73,7 @@ private:
 std::vector<NamedPass> default_pipeline(FloatingPoint mode) {
   std::vector<NamedPass> passes;
   for (PassInfo const &pass : pass_table())
-    if (pass.by_default && pass.mode <= mode) passes.push_back({std::string(pass.name), pass.run});
+    if (pass.by_default && pass.runs_in(mode)) passes.push_back({std::string(pass.name), pass.run});
   return passes;
 }
 

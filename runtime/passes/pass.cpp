@@ -47,7 +47,7 @@ std::vector<std::string> parse_passes(std::string_view text) {
 Graph run_passes(Graph graph, std::span<std::string const> names, PassSettings const &settings) {
   for (std::string const &name : names) {
     PassInfo const &pass = find_pass(name);
-    if (settings.mode < pass.mode) continue;
+    if (!pass.runs_in(settings.mode)) continue;
     graph = pass.run(std::move(graph), settings);
     if (std::string violation = find_violation(graph); !violation.empty()) {
       std::fprintf(stderr, "symreal: after pass %s: %s\n", name.c_str(), violation.c_str());

@@ -43,6 +43,8 @@ struct PassInfo {
   bool by_default;
   FloatingPoint mode; // the first in which it runs
   std::string_view doc;
+
+  bool runs_in(FloatingPoint other) const { return mode <= other; }
 };
 std::span<PassInfo const> pass_table();
 // Throws unknown_pass.

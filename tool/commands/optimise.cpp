@@ -21,7 +21,7 @@ Optimised optimise(Graph recorded, PassOptions const &options, Report const &rep
   }
   result.graph = std::move(recorded);
   for (std::string const &pass : options.names()) {
-    if (settings.mode < find_pass(pass).mode) continue;
+    if (!find_pass(pass).runs_in(settings.mode)) continue; // nor is it a stage
     result.graph = run_passes(std::move(result.graph), {&pass, 1}, settings);
     result.stages.push_back({pass, live_operations(result.graph)});
   }
