@@ -131,7 +131,7 @@ private:
   }
 
   void read_matrix(Line &line) {
-    DerivativeMatrix matrix{static_cast<std::uint32_t>(line.count("the output"))};
+    DerivativeMatrix matrix{line.count("the output")};
     std::vector<std::size_t> const extents = line.extents();
     if (extents.size() != 2) line.error("a matrix has two extents");
     matrix.rows = static_cast<std::uint32_t>(extents[0]), matrix.columns = static_cast<std::uint32_t>(extents[1]);
@@ -139,8 +139,8 @@ private:
     matrix.is_symmetric = line.accept("symmetric");
     if (!line.accept("=")) line.error("'=' is missing");
     while (!line.done()) {
-      matrix.row.push_back(static_cast<std::uint32_t>(line.count("a row")));
-      matrix.column.push_back(static_cast<std::uint32_t>(line.count("a column")));
+      matrix.row.push_back(line.count("a row"));
+      matrix.column.push_back(line.count("a column"));
     }
     graph_.matrices.push_back(std::move(matrix));
   }

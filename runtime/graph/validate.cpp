@@ -51,6 +51,7 @@ static std::string check_matrix(DerivativeMatrix const &matrix, std::vector<Obje
 
 // The violation in words, or nullptr.
 static char const *find_node_violation(Graph const &graph, NodeId id) {
+  if (is_sound_arithmetic(graph.nodes, id)) return nullptr;
   Node const &node = graph.nodes[id];
   if (node.op >= Op::count) return "has no operation";
   if (node.op == Op::input) return node.slot() < graph.input_count() ? nullptr : "names an input that does not exist";
@@ -85,9 +86,7 @@ std::string find_violation(Graph const &graph) {
   if (graph.input_values.size() != graph.input_count()) return "the number of input values differs";
   if (graph.parameter_values.size() != graph.parameter_count()) return "the number of parameter values differs";
   for (std::size_t id = 0; id < graph.nodes.size(); ++id)
-    if (char const *violation = is_sound_arithmetic(graph.nodes, static_cast<NodeId>(id))
-                                    ? nullptr
-                                    : find_node_violation(graph, static_cast<NodeId>(id)))
+    if (char const *violation = find_node_violation(graph, static_cast<NodeId>(id)))
       return "node " + std::to_string(id) + " " + violation;
   for (auto const *roots : {&graph.results, &graph.precomputed})
     for (NodeId root : *roots)
