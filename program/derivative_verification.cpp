@@ -41,6 +41,8 @@ DerivativeVerification::DerivativeVerification(Graph const &recorded, std::strin
     Object whole{request.name, request.extents(), next};
     whole.count = static_cast<std::uint32_t>(number_count(whole.extents, {}));
     next += whole.count;
+    double const times = request.kind == DerivativeKind::hessian ? PointDifferences::second : 1;
+    off_differences_.resize(off_differences_.size() + whole.count, times * tolerance);
     result_.objects.push_back(std::move(whole));
   }
   result_.elements.resize(next - recorded.output_count());
@@ -104,12 +106,6 @@ void DerivativeVerification::compare(Sample const &sample, std::span<double cons
       dual_numbers(recorded_, differences_.requests(), seeds, sample.inputs, sample.parameters);
   std::vector<SharpNumber> const sharp = differences_.at(inputs, sample.parameters, result_.tolerance);
   internal_check(sharp.size() == found.size() && duals.size() == found.size());
-  std::vector<double> off_differences; // that an element may be
-  for (std::size_t k = 0; k < result_.objects.size(); ++k)
-    off_differences.resize(off_differences.size() + result_.objects[k].count,
-                           result_.tolerance * (differences_.requests()[k].kind == DerivativeKind::hessian
-                                                    ? PointDifferences::second
-                                                    : 1));
   double const least = mode_ == FloatingPoint::fast ? result_.tolerance : most_off_duals;
   for (std::size_t k = 0; k < found.size(); ++k) {
     DerivativeElement &element = result_.elements[k];
@@ -118,7 +114,7 @@ void DerivativeVerification::compare(Sample const &sample, std::span<double cons
     SharpNumber const &difference = sharp[k];
     if (!difference) continue;
     ++element.judged;
-    judge(element, sample, static_cast<double>(*difference), found[k], off_differences[k], rounding[k], true);
+    judge(element, sample, static_cast<double>(*difference), found[k], off_differences_[k], rounding[k], true);
   }
 }
 

@@ -56,6 +56,7 @@ private:
   Graph differentiated_; // the formulas before any pass; they also tell how much rounding costs at a sample
   FloatingPoint mode_;
   DerivativeResult result_;
+  std::vector<double> off_differences_; // that an element may be
   std::vector<double> seeds_;
   std::size_t most_ = 0; // samples
 };

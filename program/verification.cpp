@@ -27,7 +27,9 @@ Recorded const &require_match(std::vector<Recorded> const &kernels, Banner const
   if (found == kernels.end())
     fail(DiagnosticId::foreign_file, {path, 1, 1}, "the sources have no kernel '" + banner.kernel + "'");
   Graph const &graph = found->graph;
-  Graph const with = differentiate(graph, banner.derivatives, [](Diagnostic const &) {});
+  std::optional<Graph> differentiated;
+  if (!banner.derivatives.empty()) differentiated = differentiate(graph, banner.derivatives, [](Diagnostic const &) {});
+  Graph const &with = differentiated ? *differentiated : graph;
   if (with.input_count() != banner.inputs || with.parameter_count() != banner.parameters ||
       with.output_count() - (banner.has_values ? 0 : graph.output_count()) != banner.outputs)
     fail(DiagnosticId::foreign_file, {path, 1, 1},
