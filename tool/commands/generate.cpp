@@ -124,6 +124,12 @@ void emit_files(program::Recorded const &recorded, Schedule const &plan, Options
     emit_sources(recorded, plan, options, several, product);
 }
 
+// The product's optimised graph, and how that is computed.
+Schedule planned(Product &product, Graph graph, Options const &options, Console &console) {
+  product.optimised = optimise(std::move(graph), options.passes, [&](auto const &one) { console.report(one); });
+  return options.parallel.shared(schedule(product.optimised.graph, options.emitter.nesting()), product.sharing);
+}
+
 // With --separate: of the derivatives alone, in a file beside the kernel's.
 Product derivative_product(program::Recorded const &recorded, std::size_t own_outputs, Options options, bool several,
                            Console &console) {
@@ -135,10 +141,7 @@ Product derivative_product(program::Recorded const &recorded, std::size_t own_ou
          "--separate: '" + graph.kernel +
              "' calls functions with effects, and a second function would call them again");
   Product product;
-  product.optimised =
-      optimise(derivatives_of(graph, own_outputs), options.passes, [&](auto const &one) { console.report(one); });
-  Schedule const plan =
-      options.parallel.shared(schedule(product.optimised.graph, options.emitter.nesting()), product.sharing);
+  Schedule const plan = planned(product, derivatives_of(graph, own_outputs), options, console);
   std::string const given = recorded.output_file.empty() ? recorded.kernel.name + ".c" : recorded.output_file;
   fs::path const path = place_output(options.output, given, several);
   options.output = (path.parent_path() / (path.stem().string() + "_derivatives" + path.extension().string())).string();
@@ -187,10 +190,7 @@ std::optional<std::vector<Product>> generate(program::FrontRequest const &reques
       alone.wishes.clear();
       recorded.graph = std::move(alone);
     }
-    product.optimised =
-        optimise(std::move(recorded.graph), options.passes, [&](auto const &one) { console.report(one); });
-    Schedule const plan =
-        options.parallel.shared(schedule(product.optimised.graph, options.emitter.nesting()), product.sharing);
+    Schedule const plan = planned(product, std::move(recorded.graph), options, console);
     emit_files(recorded, plan, options, several, product);
     if (!options.graph_file.empty())
       product.files.push_back(

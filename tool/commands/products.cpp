@@ -38,7 +38,7 @@ bool check_products(std::vector<Product> const &products) {
 
 std::string write_products(std::vector<Product> const &products, std::vector<std::string> const &directories) {
   for (std::string const &directory : directories)
-    if (!directory.empty() && products.size() > 1) make_directory(directory);
+    if (!directory.empty()) make_directory(directory);
   require_writable(single_files(products));
   for (Product const &product : products) product.bundle.require_writable();
   for (Product const &product : products) {
