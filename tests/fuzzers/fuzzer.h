@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <new>
+#include <sstream>
 #include <string_view>
 
 extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const *data, std::size_t size);
@@ -27,6 +28,15 @@ template <class Read> bool takes(Read const &read) {
   } catch (std::bad_alloc const &) { // a file may say that more follows than there is memory
     return false;
   }
+}
+
+// What is written of a value is read again, and then the same is written.
+template <class Value, class Write, class Read>
+void check_round_trip(Value const &value, Write const &write, Read const &read) {
+  std::ostringstream once, again;
+  write(once, value);
+  write(again, read(once.str()));
+  internal_check(once.str() == again.str());
 }
 
 } // namespace symreal::fuzz

@@ -2,20 +2,13 @@
 #include "fuzzer.h"
 #include "schedule/schedule_text.h"
 
-#include <sstream>
-
 using namespace symreal;
-
-static std::string written(Schedule const &plan) {
-  std::ostringstream text;
-  write_schedule(text, plan);
-  return text.str();
-}
 
 int LLVMFuzzerTestOneInput(std::uint8_t const *data, std::size_t size) {
   ReadSchedule read;
   if (!fuzz::takes([&] { read = read_schedule(fuzz::text_of(data, size), "input"); })) return 0;
-  std::string const text = written(read.plan);
-  internal_check(written(read_schedule(text, "written").plan) == text);
+  fuzz::check_round_trip(
+      read, [](std::ostream &out, ReadSchedule const &one) { write_schedule(out, one.plan); },
+      [](std::string const &text) { return read_schedule(text, "written"); });
   return 0;
 }
