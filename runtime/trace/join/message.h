@@ -13,7 +13,8 @@ class MessageWriter {
 public:
   template <class T> void put(T const &value) {
     static_assert(std::is_trivially_copyable_v<T>);
-    put_bytes(static_cast<void const *>(&value), sizeof value);
+    // NOLINTNEXTLINE(bugprone-sizeof-expression): a pointer is sent as it is, since the copies have the same addresses
+    put_bytes(static_cast<void const *>(&value), sizeof(T));
   }
   void put_bytes(void const *begin, std::size_t size) {
     bytes_.insert(bytes_.end(), static_cast<char const *>(begin), static_cast<char const *>(begin) + size);
@@ -33,7 +34,7 @@ public:
   explicit MessageReader(std::vector<char> const &bytes) : next_(bytes.data()) {}
   template <class T> T get() {
     T value;
-    get_bytes(static_cast<void *>(&value), sizeof value);
+    get_bytes(static_cast<void *>(&value), sizeof(T)); // NOLINT(bugprone-sizeof-expression): as above
     return value;
   }
   void get_bytes(void *to, std::size_t size) {
