@@ -25,8 +25,12 @@ std::string readable(std::string const &linkers_name) {
 // All that was told and judged, and what an object that is scratch owns.
 std::vector<memory::Known> State::known_changes() {
   std::vector<memory::Known> known;
-  auto const add = [&known](void const *begin, std::size_t size) {
-    known.push_back({static_cast<char const *>(begin), size});
+  auto const add = [&known](void const *begin, std::size_t size) { // elements of an array stand in order
+    auto const *const first = static_cast<char const *>(begin);
+    if (!known.empty() && known.back().begin + known.back().size == first)
+      known.back().size += size;
+    else
+      known.push_back({first, size});
   };
   for (Input const &one : inputs_) add(one.number, sizeof *one.number);
   for (RealNumber const *number : outputs_) add(number, sizeof *number);
