@@ -26,6 +26,9 @@ public:
   // Whole lines as they are, each with its newline.
   void lines(std::string_view text);
   void append(CodeText &&other);
+  // So many characters will follow; memory that is not written costs nothing.
+  void reserve(std::size_t characters) { text_.reserve(text_.size() + characters); }
+  std::size_t size() const { return text_.size(); }
 
   std::string take_text() { return std::move(text_); }
   std::vector<LineOrigin> take_origins() { return std::move(origins_); }

@@ -44,6 +44,7 @@ public:
         begin_part(chunk, last);
         CodeText text(language_);
         bool const checks = printer_.statements(chunk, text);
+        if (chunk == 0) out.reserve(text.size() * printer_.chunk_count() * 3 / 2); // or it is copied as it grows
         print_part(chunk, std::move(text), checks, out, last);
         end_part(chunk, last);
       }
