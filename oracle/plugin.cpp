@@ -1,6 +1,7 @@
 // clang -fpass-plugin=symreal-record-instructions.so: operations on doubles record themselves. The pass comes last, and
 // changes no instruction that is executed on ordinary numbers.
 #include "oracle/record_function.h"
+#include "oracle/watch_memory.h"
 
 #include <llvm/IR/Module.h>
 #include <llvm/Passes/PassBuilder.h>
@@ -19,6 +20,7 @@ public:
     for (llvm::Function &function : module)
       if (!function.isDeclaration()) functions.push_back(&function);
     Recorder const recorder(module);
+    for (llvm::Function *function : functions) watch_memory(*function);
     for (llvm::Function *function : functions)
       record_function(*function, recorder, of_functions.getResult<llvm::TargetLibraryAnalysis>(*function));
     return llvm::PreservedAnalyses::none();

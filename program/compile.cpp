@@ -145,7 +145,7 @@ Words original_command(BuildRequest const &request, Variant variant, Overlay con
   bool const c = is_c(source), is_recorded = variant == Variant::recorded;
   Words words = {is_recorded ? oracle_compiler : c ? request.c_compiler : request.compiler};
   append(words, {"-include", runtime_include() + "/symreal/original.h"});
-  if (is_recorded) words.push_back("-fpass-plugin=" + recording_plugin());
+  if (is_recorded) append(words, {"-fpass-plugin=" + recording_plugin(), "-fno-discard-value-names"});
   Words flags = original_flags(source.flags, variant);
   if (variant != Variant::own_flags) append(flags, reference_flags);
   append(words, overlay.search_flags(flags, source.directory));

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <fmt/format.h>
+#include <llvm/Support/Program.h>
 #include <set>
 #include <utility>
 
@@ -86,8 +87,10 @@ bool is_by_hand(rewrite::Result const &rewritten) {
 }
 
 void build(FrontRequest const &request, BuildRequest const &parts, Front &front) {
-  std::vector<std::pair<Variant, std::string Front::*>> wanted = {{Variant::symbolic, &Front::symbolic_program}};
-  if (request.replay) wanted.emplace_back(Variant::replay, &Front::replay_program);
+  bool const is_rewritten = !request.run.from_instructions;
+  std::vector<std::pair<Variant, std::string Front::*>> wanted = {
+      {is_rewritten ? Variant::symbolic : Variant::recorded, &Front::symbolic_program}};
+  if (request.replay && is_rewritten) wanted.emplace_back(Variant::replay, &Front::replay_program);
   if (request.replay && !is_by_hand(front.rewritten)) {
     wanted.emplace_back(Variant::original, &Front::original_program);
     for (rewrite::Compilation const &one : parts.sources)
@@ -105,19 +108,31 @@ void build(FrontRequest const &request, BuildRequest const &parts, Front &front)
   std::vector<Variant> variants;
   for (auto const &[variant, program] : wanted) variants.push_back(variant);
   std::vector<std::string> const executables =
-      build_variants(parts, variants, *front.overlay, annotated, *front.workspace);
+      build_variants(parts, variants, *front.overlay, is_rewritten ? annotated : *front.overlay, *front.workspace);
   for (std::size_t k = 0; k < wanted.size(); ++k) front.*wanted[k].second = executables[k];
 }
 
 } // namespace
 
+void require_instructions(rewrite::Result const &annotated) {
+  if (!llvm::sys::findProgramByName(oracle_compiler))
+    fail(DiagnosticId::oracle_not_possible, {}, fmt::format("there is no {} on this machine", oracle_compiler));
+  for (rewrite::Kernel const &kernel : annotated.kernels)
+    if (kernel.by_hand)
+      fail(DiagnosticId::oracle_not_possible, kernel.place,
+           "the program is written with REAL by hand: it is its own original");
+}
+
 bool rewrite_sources(FrontRequest const &request, Front &front, Talk const &talk) {
   talk.stage("rewriting");
   Stopwatch const watch(front.rewrite_seconds);
-  front.rewritten = rewrite::run(request.source);
+  rewrite::Request source = request.source;
+  source.annotations_only = request.run.from_instructions;
+  front.rewritten = rewrite::run(source);
   // The compiler's messages and debug information are read here, wherever it runs.
   for (rewrite::File &file : front.rewritten.files) file.compiled_name = file.display_path;
   if (!report_all(front.rewritten.diagnostics, talk.report)) return false;
+  if (source.annotations_only) require_instructions(front.rewritten);
   note_unreached(front.rewritten, rewrite::compilations_of(request.source).size(), talk);
   front.read = front.rewritten.read;
   for (rewrite::TextSource const &one : request.source.texts)
@@ -131,8 +146,10 @@ bool build_programs(FrontRequest const &request, Front &front, Talk const &talk)
   Stopwatch const watch(front.build_seconds);
   front.workspace = std::make_unique<Workspace>(request.keep);
   BuildRequest parts = build_request(request, front.rewritten);
-  CSources c =
-      as_in_c(front.rewritten, parts.sources, {parts.compiler}, {parts.c_compiler}, parts.type_name, *front.workspace);
+  CSources c; // that become C++
+  if (!request.run.from_instructions)
+    c = as_in_c(front.rewritten, parts.sources, {parts.compiler}, {parts.c_compiler}, parts.type_name,
+                *front.workspace);
   parts.source_flags = std::move(c.flags);
   front.overlay =
       std::make_unique<Overlay>(front.rewritten, front.workspace->directory("overlay"), std::move(c.sources));

@@ -60,6 +60,9 @@ bool build_programs(FrontRequest const &request, Front &front, Talk const &talk)
 // The symbolic program, run once, to graphs.
 bool record_kernels(FrontRequest const &request, Front &front, Talk const &talk);
 
+// What a recording of instructions needs of the machine and of the program. Throws oracle_not_possible.
+void require_instructions(rewrite::Result const &annotated);
+
 // How the front's programs run. Which kernel comes first is not known before the run, so one among several is waited
 // for to the program's end.
 RunOptions run_of(Front const &front, RunOptions run);

@@ -61,6 +61,7 @@ Banner read_banner(std::string const &path) {
                   json.at("outputs"),
                   json.value("guards", std::size_t{0}),
                   json.value("decisions", "error"),
+                  json.value("from", "text") == "instructions",
                   json.value("real", "double") == "float",
                   json.value("threads", 1U),
                   json.value("vector", 1U),

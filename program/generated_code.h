@@ -19,6 +19,7 @@ struct Banner {
   FloatingPoint mode = FloatingPoint::finite;
   std::size_t inputs = 0, parameters = 0, constants = 0, outputs = 0, guards = 0;
   std::string decisions = "error";              // the policy under which the kernel was recorded
+  bool from_instructions = false;               // of the original, as in Graph
   bool is_single = false;                       // its numbers are float
   unsigned threads = 1;                         // that share an evaluation
   unsigned vector = 1;                          // numbers that are computed side by side, where the processor can

@@ -7,7 +7,6 @@
 #include <bit>
 #include <cmath>
 #include <fmt/format.h>
-#include <llvm/Support/Program.h>
 #include <set>
 
 namespace symreal::program {
@@ -99,16 +98,12 @@ void approach(std::vector<double> &values, std::vector<double> const &target) {
 } // namespace
 
 Recording record_instructions(Front const &front, RunOptions run, LineSink const &sink) {
-  Place const &place = front.kernels.front().kernel.place;
-  if (front.kernels.front().kernel.by_hand)
-    fail(DiagnosticId::oracle_not_possible, place, "the program is written with REAL by hand: it is its own original");
+  require_instructions(front.rewritten);
   for (Recorded const &one : front.kernels)
     if (calls_program(one.graph))
       fail(DiagnosticId::oracle_not_possible, one.graph.outputs.front().place,
            fmt::format("kernel '{}' calls functions of the program, which cannot be evaluated without it",
                        one.graph.kernel));
-  if (!llvm::sys::findProgramByName(oracle_compiler))
-    fail(DiagnosticId::oracle_not_possible, {}, fmt::format("there is no {} on this machine", oracle_compiler));
   rewrite::Result annotated = rewrite::annotated_original(front.rewritten);
   Overlay const overlay(annotated, front.workspace->directory("annotated-oracle"));
   std::array const variants = {Variant::recorded};

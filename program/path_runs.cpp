@@ -20,6 +20,7 @@ Command recording_command(std::string const &executable, RunOptions const &optio
   command.environment = {"SYMREAL_RECORD=" + directory, "SYMREAL_DECISIONS=" + policy,
                          "SYMREAL_FP=" + options.floating_point,
                          options.places ? "SYMREAL_PLACES=1" : "SYMREAL_PLACES=0"};
+  if (options.from_instructions) command.environment.emplace_back("SYMREAL_WATCH=1");
   return command;
 }
 

@@ -277,6 +277,7 @@ Recording record(std::string const &executable, RunOptions const &options, rewri
       if (bounds && bounds->selects) tell_places(graph, symbolizer, exploration);
       say_in_words_of_source(graph, texts);
       graph.decisions = options.decisions;
+      graph.from_instructions = options.from_instructions;
       name_nodes(graph, rewritten.names);
       recording.kernels.push_back({std::move(graph), kernel, found->output_file, found->begun_as});
       recording.kernels.back().scratch = found->scratch;

@@ -25,6 +25,7 @@ struct RunOptions {
   bool run_on = false;                                        // let the program go on to its own end
   std::string decisions = "error", floating_point = "finite"; // for the recording, as the options spell them
   bool places = false;                                        // keep the source places of nodes
+  bool from_instructions = false; // what runs is the original, whose instructions record themselves (oracle/)
 };
 
 struct Recorded {

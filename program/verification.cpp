@@ -84,7 +84,8 @@ public:
     };
     start(original_, "the original", by_hand ? front.replay_program : front.original_program,
           code_.needs_program() ? &code_ : nullptr);
-    if (!by_hand) start(rewritten_, "the rewritten program", front.replay_program, nullptr);
+    if (!by_hand && !front.replay_program.empty())
+      start(rewritten_, "the rewritten program", front.replay_program, nullptr);
     if (!front.own_flags_program.empty() && !banner.is_single)
       start(own_flags_, "the original with its own flags", front.own_flags_program, nullptr);
     if (banner.threads > 1)

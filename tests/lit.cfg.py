@@ -27,7 +27,7 @@ if platform.system() == "Linux" and platform.machine() == "x86_64":
 # The Python packages of tests/requirements.txt.
 venv = os.path.join(config.source_dir, "build", "venv", "bin")
 # What a language needs that not every machine has; a test that requires it is reported as unsupported without.
-for program, feature in [("rustc", "rustc"), ("gfortran", "fortran"), ("javac", "java"), ("node", "javascript"), ("go", "go"),
+for program, feature in [("rustc", "rustc"), ("flang-new-19", "flang"), ("gfortran", "fortran"), ("javac", "java"), ("node", "javascript"), ("go", "go"),
                          ("dot", "graphviz"), ("gnuplot", "gnuplot"), ("octave-cli", "matlab"), ("mkoctfile", "mex"), ("cppcheck", "cppcheck"), ("chromium", "chromium"),
                          (venv + "/mathics", "mathematica"),
                          (venv + "/fmpy", "fmpy"), (venv + "/dask", "dask")]:

@@ -222,6 +222,56 @@ bool has_pragma_error(Result const &result) {
   });
 }
 
+// What is said of a source because its text changes: the original compiles as it is.
+bool is_about_rewriting(Diagnostic const &diagnostic) {
+  switch (diagnostic.id) {
+  case DiagnosticId::boundary_function:
+  case DiagnosticId::boundary_call:
+  case DiagnosticId::unconvertible_type:
+  case DiagnosticId::double_from_macro:
+  case DiagnosticId::implicit_narrowing:
+  case DiagnosticId::reinterpretation:
+  case DiagnosticId::class_layout:
+  case DiagnosticId::evaluation_order:
+  case DiagnosticId::instantiations_differ:
+  case DiagnosticId::long_double:
+  case DiagnosticId::c_source:
+  case DiagnosticId::reserved_name:
+  case DiagnosticId::quoted_double:
+  case DiagnosticId::split_expression:
+  case DiagnosticId::unaccounted_double:
+  case DiagnosticId::integer_not_looked_at:
+  case DiagnosticId::state_not_looked_for: return true;
+  default: return false;
+  }
+}
+
+// Clauses that change how the text is rewritten.
+void refuse_clauses_of_text(Facts const &facts, Result &result) {
+  for (auto const &[span, pragma] : facts.pragmas)
+    for (ClauseFact const &clause : pragma.clauses)
+      if (clause.clause == Clause::table || info(clause.clause).has(trait::SETTING))
+        result.diagnostics.push_back(
+            {DiagnosticId::clause_of_text, clause.place,
+             "'" + name_of(clause.clause) + "' is about rewritten text, and --via-ir records instructions"});
+  for (auto const &[mangled, pragma] : facts.externals)
+    result.diagnostics.push_back({DiagnosticId::clause_of_text, pragma.place,
+                                  "'external' is about rewritten text, and --via-ir records instructions"});
+}
+
+// The original with its annotations, and what it says of its kernels.
+Result annotated(Facts const &facts, Result result) {
+  std::erase_if(result.diagnostics, is_about_rewriting);
+  collect_kernels(facts, result);
+  refuse_clauses_of_text(facts, result);
+  for (auto const &[path, file] : facts.files) {
+    std::vector<Edit> const edits = original_edits(facts, path);
+    result.files.push_back(
+        {path, file.display_path, file.text, apply_edits(file.text, edits), edits, {}, file.compiled_name, edits});
+  }
+  return result;
+}
+
 } // namespace
 
 Result annotated_original(Result const &result) {
@@ -248,6 +298,7 @@ Result decide(Facts facts, Request const &request) {
   for (auto &[place, statement] : facts.names) result.names.push_back(std::move(statement));
   for (auto &[key, text] : facts.deciding) result.deciding.push_back(std::move(text));
   if (facts.broken) return result;
+  if (request.annotations_only) return annotated(facts, std::move(result));
   result.type_name = choose_type_name(request, facts, result.diagnostics);
   std::set<Span> pragmas;
   for (auto const &[span, pragma] : facts.pragmas)

@@ -37,9 +37,16 @@ std::string clause_text(ClauseFact const &clause) {
   if (clause.clause == Clause::generate)
     return fmt::format("symreal_original_generate({}, {}, {}, {}); ", clause.argument, in_quotes(clause.place.file),
                        clause.place.line, clause.place.column);
+  if (clause.clause == Clause::range) return fmt::format("symreal_original_range({}); ", clause.argument);
+  if (clause.clause == Clause::state)
+    return fmt::format("symreal_original_state({}, {}, {}, {}, {}); ", in_quotes(clause.items.front().label),
+                       in_quotes(clause.items.back().label), in_quotes(clause.place.file), clause.place.line,
+                       clause.place.column);
+  if (info(clause.clause).has(trait::WORDS))
+    return fmt::format("symreal_original_differentiate({}); ",
+                       place_arguments(name_of(clause.clause) + "(" + clause.argument + ")", clause.place));
   std::string text;
-  if (info(clause.clause)
-          .has(trait::OBJECTS)) // ranges, tables and what becomes of decisions are the recording's matter
+  if (info(clause.clause).has(trait::OBJECTS)) // tables and what becomes of decisions are the text's matter
     for (ItemFact const &item : clause.items)
       if (!item.is_return) text += annotation(clause.clause, item);
   return text;

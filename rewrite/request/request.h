@@ -89,7 +89,8 @@ struct Request {
   // paths; none: those in `texts`, or else the one that defines main.
   bool reachable = false;
   std::vector<std::string> begin = {};
-  bool children_first = false; // visit them before their parents: a test shows that the order does not matter
+  bool annotations_only = false; // of the texts nothing else changes: the original with its annotations
+  bool children_first = false;   // visit them before their parents: a test shows that the order does not matter
 };
 
 // What a compiler must be told so that it knows the number under this name, besides where Symreal's headers are.

@@ -47,6 +47,7 @@ Graph without_nodes(Graph const &graph) {
   rest.frozen = graph.frozen;
   rest.executed = graph.executed;
   rest.decisions = graph.decisions;
+  rest.from_instructions = graph.from_instructions;
   rest.locations = graph.locations;
   rest.names = graph.names;
   rest.tables = graph.tables;

@@ -113,6 +113,7 @@ struct Graph {
   std::vector<NodeId> precomputed; // what `preprocess` stores: slot k of `constants` holds the value of precomputed[k]
   std::vector<Guard> guards;       // in the order of recording: compute returns k + 1 for the first, k, that fails
   std::string decisions = "error"; // the policy while recording, as --decisions spells it
+  bool from_instructions = false;  // recorded from the instructions of the original: --via-ir
   std::vector<Table> tables;       // what lookups read, by number
   std::vector<External> externals; // what calls call, by number
   NodeId last_effect = no_node;    // of the calls in order, each of which names the one before it

@@ -47,7 +47,7 @@ template <class Archive> static void serialize_nodes(Archive &file, Nodes &nodes
 template <class Archive> void serialize(Archive &file, Graph &x) {
   file(x.kernel, x.inputs, x.parameters, x.outputs, x.states, x.wishes);
   serialize_nodes(file, x.nodes);
-  file(x.results, x.precomputed, x.guards, x.decisions, x.tables, x.externals, x.last_effect);
+  file(x.results, x.precomputed, x.guards, x.decisions, x.from_instructions, x.tables, x.externals, x.last_effect);
   file(x.locations, x.node_location, x.names, x.node_name, x.node_exact, x.input_values, x.parameter_values, x.frozen,
        x.executed);
 }

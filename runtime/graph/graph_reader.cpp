@@ -50,6 +50,8 @@ private:
       graph_.kernel = line.string("the kernel's name");
     else if (head == "decisions")
       graph_.decisions = line.word("a policy");
+    else if (head == "from" && line.word("a kind of recording") == "instructions")
+      graph_.from_instructions = true;
     else if (head == "input")
       read_object(line, graph_.inputs, &graph_.input_values);
     else if (head == "parameter")

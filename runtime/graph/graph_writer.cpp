@@ -56,6 +56,7 @@ std::vector<NodeId> line_numbers(Graph const &graph) {
 void write_graph(std::ostream &out, Graph const &graph) {
   out << "symreal-graph 1\nkernel " << in_quotes(graph.kernel) << '\n';
   if (graph.decisions != "error") out << "decisions " << graph.decisions << '\n';
+  if (graph.from_instructions) out << "from instructions\n";
   write_objects(out, "input", graph.inputs, &graph.input_values);
   write_objects(out, "parameter", graph.parameters, &graph.parameter_values);
   write_objects(out, "output", graph.outputs, nullptr);

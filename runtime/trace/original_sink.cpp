@@ -277,6 +277,22 @@ int symreal_original_compute(double const *input, double const *parameters, doub
   return symreal::replay::replay_compute(input, parameters, output);
 }
 
+void symreal_original_range(double low, double high) {
+  OwnWork const own;
+  Kernel::current().set_range(low, high);
+}
+
+void symreal_original_state(char const *state, char const *derivative, char const *file, unsigned line,
+                            unsigned column) {
+  OwnWork const own;
+  Kernel::current().set_state({state, derivative, {file, line, column}});
+}
+
+void symreal_original_differentiate(char const *wish, char const *file, unsigned line, unsigned column) {
+  OwnWork const own;
+  Kernel::current().differentiate({wish, {file, line, column}});
+}
+
 void symreal_original_generate(char const *name, char const *file, unsigned line, unsigned column) {
   OwnWork const own;
   Kernel::current().end_region(name, {file, line, column});

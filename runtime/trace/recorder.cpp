@@ -15,6 +15,7 @@
 #include "trace/state/state.h"
 #include "trace/text/environment.h"
 #include "trace/text/text_marks.h"
+#include "trace/watched_memory.h"
 
 #include <algorithm>
 #include <set>
@@ -105,6 +106,17 @@ public:
     std::string name = object_.label;
     for (Level const &level : shape_) name += "." + level.members.back().name;
     if (kind_ == Kind::input || kind_ == Kind::parameter) State::current().member(integer, name, object_.place);
+  }
+
+  // Of the original, whose annotations tell bytes.
+  void bytes(void const *begin, std::size_t size) override {
+    Pause const pause;
+    if (kind_ == Kind::constant) State::current().constant_with_owned(begin, size);
+    if (kind_ == Kind::scratch) State::current().scratch(begin, size, [](void const *, Numbers &) {});
+  }
+  void own(void const *begin, std::size_t size) override {
+    Pause const pause;
+    State::current().local(begin, size, detail::Scope::parameter, "a parameter", "");
   }
 
   void begin_members() override { shape_.emplace_back(); }
@@ -350,7 +362,7 @@ private:
 } // namespace
 
 std::unique_ptr<Sink> make_recorder() { return std::make_unique<Recorder>(/*has_notes=*/true); }
-std::unique_ptr<Sink> make_recorder_of_original() { return std::make_unique<Recorder>(/*has_notes=*/false); }
+std::unique_ptr<Sink> make_recorder_of_original() { return std::make_unique<Recorder>(watches_memory()); }
 
 } // namespace trace
 

@@ -37,6 +37,7 @@ def arguments():
     parser.add_argument("--open", action="store_true", help="also the features that are known to be wrong yet")
     parser.add_argument("--verify", action="store_true", help="run symreal verify as well, which must agree")
     parser.add_argument("--oracle", action="store_true", help="run symreal oracle as well, which must give the same graph")
+    parser.add_argument("--via-ir", action="store_true", help="generate from the instructions of the original")
     parser.add_argument("--flags-every", metavar="N", type=int, default=8,
                         help="compile the symbolic program of C as the tool does in each N-th batch, in the others without optimisation")
     parser.add_argument("--print", metavar="INDEX", type=int, help="print one kernel and end")
@@ -82,10 +83,11 @@ def execute(options, language, policy, mode, indices):
     os.makedirs(directory, exist_ok=True)
     try:
         session = Session(options.symreal, language, policy, mode, directory, options.samples, options.verify,
-                          options.oracle, quick)
+                          options.oracle, quick, via_ir=options.via_ir)
         outcome = session.execute(made, options.seed + indices.start)
         if options.minimise:
-            again = lambda directory: Session(options.symreal, language, policy, mode, directory, options.samples, quick=quick)
+            again = lambda directory: Session(options.symreal, language, policy, mode, directory, options.samples, quick=quick,
+                                                  via_ir=options.via_ir)
             outcome.found = [minimised(found, again, options.seed + indices.start) for found in outcome.found]
         return language, policy, outcome
     finally:

@@ -44,7 +44,7 @@ struct Options {
   DecisionsOption decisions;
   FrozenOption frozen;
   std::string depfile;
-  bool check = false, wrapper = false, statistics = false, json = false, write_config = false;
+  bool via_ir = false, check = false, wrapper = false, statistics = false, json = false, write_config = false;
 };
 
 bool names_directory(std::string const &path) { return path.ends_with('/') || fs::is_directory(path); }
@@ -80,6 +80,9 @@ void require_sense(Options const &options) {
   options.reroll.require_sense(options.emitter, options.parallel.is_given());
   options.frozen.require_sense();
   options.decisions.require_sense();
+  if (options.via_ir && options.decisions.of_recording() == "select")
+    fail(DiagnosticId::bad_option, {},
+         "--decisions=select is about the rewritten text, and --via-ir records instructions: take guard or explore");
   (void)options.passes.settings();
   (void)options.passes.names();
   if (options.check && !options.depfile.empty())
@@ -231,6 +234,7 @@ int run(CLI::App &command, Options &options, Session &session) {
   request.run.decisions = options.decisions.of_recording();
   request.run.floating_point = options.passes.mode;
   request.run.places = true;
+  request.run.from_instructions = options.via_ir;
   std::vector<Lacking> lacking;
   program::Talk talk = console.talk();
   talk.lacking = [&](program::Recorded const &one) { lacking.push_back({one.kernel, one.clauses}); };
@@ -279,6 +283,8 @@ void add_generate(CLI::App &app, Session &session) {
   command->add_flag("--wrapper", options->wrapper,
                     "Also emit a file that defines the function in place of the original");
   options->decisions.add_to(*command);
+  command->add_flag("--via-ir", options->via_ir,
+                    "Rewrite nothing: record the instructions that clang 19 makes of the original");
   options->frozen.add_to(*command);
   options->source.add_to(*command);
   command->add_flag("--write-config", options->write_config, "If a pragma lacks clauses, add them to .symreal.yaml");

@@ -90,6 +90,7 @@ std::optional<program::Front> make_front(Options const &options, Session &sessio
   request.replay = true;
   request.run.decisions = banner.decisions;
   request.run.floating_point = to_string(banner.mode);
+  request.run.from_instructions = banner.from_instructions;
   request.run.places = true;
   run = request.run;
   std::optional<program::Front> front;
@@ -189,7 +190,8 @@ int run(CLI::App &command, Options &options, Session &session) {
   std::vector<VerificationRecord> records;
   for (std::size_t k = 0; k < generated.size(); ++k) {
     program::Banner const &banner = banners[k];
-    if (!front || banner.decisions != as.decisions || to_string(banner.mode) != as.floating_point) {
+    if (!front || banner.decisions != as.decisions || banner.from_instructions != as.from_instructions ||
+        to_string(banner.mode) != as.floating_point) {
       front.reset();
       front = make_front(options, session, banner, as, console);
       if (!front) return error;

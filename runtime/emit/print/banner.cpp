@@ -68,6 +68,7 @@ std::string banner(Emission const &emission) {
   std::optional<std::size_t> const width = vector_width(emission);
   if (width) more += fmt::format("\"vector\":{},", *width);
   if (graph.decisions != "error") more += fmt::format("\"decisions\":{},", json_string(graph.decisions));
+  if (graph.from_instructions) more += "\"from\":\"instructions\",";
   if (!graph.derivatives.empty()) {
     std::string all;
     for (std::string const &derivative : graph.derivatives) all += (all.empty() ? "" : ",") + json_string(derivative);

@@ -46,6 +46,11 @@ void symreal_original_returned(int active, char const *label, char const *file, 
                                void *value, __SIZE_TYPE__ size, char const *layout);
 /* Numbers that leave in registers, which no annotation reaches later: they are ordinary ones again. */
 void symreal_original_settle(void volatile *begin, __SIZE_TYPE__ size);
+/* What else a pragma says of its kernel, for a recording. */
+void symreal_original_range(double low, double high);
+void symreal_original_state(char const *state, char const *derivative, char const *file, unsigned line,
+                            unsigned column);
+void symreal_original_differentiate(char const *wish, char const *file, unsigned line, unsigned column);
 void symreal_original_generate(char const *name, char const *file, unsigned line, unsigned column);
 /* Objects are looked up when the function is entered, and read when it returns. */
 void symreal_original_later(int active);

@@ -59,6 +59,7 @@ public:
   void check_bits(void const *begin, std::size_t size, char const *name, char const *place);
   void const *other_range_end(void const *end, bool is_last, char const *place);
   void constant(void const *begin, std::size_t size);
+  void constant_with_owned(void const *begin, std::size_t size); // and the blocks of the heap behind it
   // An integer of a structure that is annotated: it is baked in, which is known.
   void member(IntegerObject integer, std::string const &label, Place const &place);
   void input(RealNumber const *number, std::string const &label, Place const &place);

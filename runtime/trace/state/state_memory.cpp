@@ -46,6 +46,11 @@ std::vector<memory::Known> State::known_changes() {
   return known;
 }
 
+void State::constant_with_owned(void const *begin, std::size_t size) {
+  memory::Known const object{static_cast<char const *>(begin), size};
+  for (memory::Known const &one : image_ ? image_->owned(object) : std::vector{object}) constant(one.begin, one.size);
+}
+
 bool State::has_changed(RealNumber const *number) const {
   char const *before = image_ ? image_->before(number) : nullptr;
   return before && std::memcmp(before, static_cast<void const *>(number), sizeof *number) != 0;

@@ -22,10 +22,10 @@ GENERATED = ["-std=c99", "-O2", "-ffp-contract=off", "-fno-tree-slp-vectorize", 
 
 class Session:
     def __init__(self, symreal, language, policy, mode, directory, samples=60, verify=False, oracle=False, quick=True,
-                 timeout=3600):
+                 timeout=3600, via_ir=False):
         self.symreal, self.language, self.policy, self.mode = symreal, language, policy, mode
         self.directory, self.samples, self.verify, self.timeout = directory, samples, verify, timeout
-        self.quick, self.oracle = quick, oracle
+        self.quick, self.oracle, self.route = quick, oracle, ["--via-ir"] if via_ir else []
         self.path = os.path.join(directory, "batch" + SUFFIX[language])
 
     def run(self, *words):
@@ -50,7 +50,8 @@ class Session:
             self.run("rm", "-rf", "out")
             os.makedirs(os.path.join(self.directory, "out"))
             try:
-                done = self.symreal_run("generate", "-o", "out/", f"--decisions={self.policy}", f"--fp={self.mode}")
+                done = self.symreal_run("generate", "-o", "out/", f"--decisions={self.policy}", f"--fp={self.mode}",
+                                        *self.route)
             except subprocess.TimeoutExpired:
                 done = subprocess.CompletedProcess([], 1, "", "time is over")
             if done.returncode == 0:

@@ -1,0 +1,68 @@
+// What the instructions of the original read and write, where the pass of oracle/ tells it. It is judged as what a
+// rewritten text notes (symreal/state.h), if the driver wants code from this recording and not only a comparison.
+#include "trace/watched_memory.h"
+
+#include "trace/nodes/pool.h"
+
+#include <symreal/state.h>
+
+#include <cstdlib>
+#include <cstring>
+
+namespace symreal::trace {
+
+namespace {
+
+bool is_watched(void const *begin) { return detail::recording && watches_memory() && !detail::is_own(begin); }
+
+bool holds_node(void const *begin) {
+  std::uint64_t bits;
+  std::memcpy(&bits, begin, sizeof bits);
+  return Pool::is_tagged(bits);
+}
+
+} // namespace
+
+bool watches_memory() {
+  static bool const is_wanted = std::getenv("SYMREAL_WATCH") != nullptr;
+  return is_wanted;
+}
+
+} // namespace symreal::trace
+
+using symreal::IntegerObject;
+using symreal::RealNumber;
+
+extern "C" {
+
+void symreal_reads(void const *begin, std::size_t size, int is_number, char const *name, char const *place) noexcept {
+  if (!symreal::trace::is_watched(begin)) return;
+  bool const moves_number = size == sizeof(RealNumber) && symreal::trace::holds_node(begin);
+  if (is_number || moves_number)
+    for (std::size_t at = 0; at + sizeof(RealNumber) <= size; at += sizeof(RealNumber))
+      symreal::detail::note_read(reinterpret_cast<RealNumber const *>(static_cast<char const *>(begin) + at), name,
+                                 place);
+  else if (size <= sizeof(std::uint64_t))
+    symreal::detail::note_integer_read({begin, static_cast<unsigned char>(size), false}, name, place);
+}
+
+void symreal_writes(void const *begin, std::size_t size, int is_number, char const *name, char const *place) noexcept {
+  if (!symreal::trace::is_watched(begin)) return;
+  if (is_number || size > sizeof(std::uint64_t))
+    symreal::detail::note_written(begin, size, name, place);
+  else
+    symreal::detail::note_integer_written({begin, static_cast<unsigned char>(size), false}, name, place);
+}
+
+// Of what is copied as bytes, whole words are taken for numbers.
+void symreal_reads_bytes(void const *begin, std::size_t size, char const *name, char const *place) noexcept {
+  auto const *bytes = static_cast<char const *>(begin);
+  bool const are_words = size % sizeof(RealNumber) == 0;
+  std::size_t const step = are_words ? sizeof(RealNumber) : 1;
+  for (std::size_t at = 0; at < size; at += step) symreal_reads(bytes + at, step, are_words, name, place);
+}
+
+void symreal_writes_bytes(void const *begin, std::size_t size, char const *name, char const *place) noexcept {
+  if (symreal::trace::is_watched(begin)) symreal::detail::note_written(begin, size, name, place);
+}
+}
