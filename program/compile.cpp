@@ -26,6 +26,7 @@ std::string_view name(Variant variant) {
   case Variant::original: return "original";
   case Variant::own_flags: return "own-flags";
   case Variant::wrapped: return "wrapped";
+  case Variant::covered: return "covered";
   case Variant::recorded: return "recorded";
   }
   return "";
@@ -48,6 +49,10 @@ Words const reference_flags = {"-O1",
 // An operation on a node raises FE_INVALID, which is how leaks are found: none may be executed before it is known that
 // its operands are ordinary. gcc does as much by default, clang when told.
 constexpr char const *no_speculation = "-ftrapping-math";
+
+// Counters stand in memory whenever the kernel begins or ends, and each function of the source is one of the program.
+Words const coverage_flags = {"-fprofile-instr-generate", "-fcoverage-mapping", "-mllvm", "-do-counter-promotion=false",
+                              "-fno-inline"};
 
 } // namespace
 
@@ -142,12 +147,13 @@ namespace {
 
 Words original_command(BuildRequest const &request, Variant variant, Overlay const &overlay,
                        rewrite::Compilation const &source, std::string const &object) {
-  bool const c = is_c(source), is_recorded = variant == Variant::recorded;
-  Words words = {is_recorded ? oracle_compiler : c ? request.c_compiler : request.compiler};
+  bool const c = is_c(source), is_recorded = variant == Variant::recorded, is_covered = variant == Variant::covered;
+  Words words = {is_recorded || is_covered ? clang_compiler : c ? request.c_compiler : request.compiler};
   append(words, {"-include", runtime_include() + "/symreal/original.h"});
   if (is_recorded) append(words, {"-fpass-plugin=" + recording_plugin(), "-fno-discard-value-names"});
   Words flags = original_flags(source.flags, variant);
   if (variant != Variant::own_flags) append(flags, reference_flags);
+  if (is_covered) append(flags, coverage_flags);
   append(words, overlay.search_flags(flags, source.directory));
   if (c) append(words, {"-Dregister="}); // annotations take addresses
   cut_up(request, words);
@@ -184,9 +190,11 @@ Words linker_flags(BuildRequest const &request) {
 
 Words link_command(BuildRequest const &request, Variant variant, Words const &objects, std::string const &executable) {
   Words words = {request.compiler};
+  if (variant == Variant::covered) words = {clang_compiler, "--driver-mode=g++", "-fprofile-instr-generate"};
   Words const own = linker_flags(request);
   if (variant != Variant::replay && !brings_allocator(own)) words.emplace_back("-Wl,-u,symreal_heap_hooks");
-  if (variant == Variant::original || variant == Variant::wrapped) { // generated code in it calls its functions
+  if (variant == Variant::original || variant == Variant::wrapped ||
+      variant == Variant::covered) { // generated code in it calls its functions
     if (!request.reachable)
       words.emplace_back("-rdynamic");
     else

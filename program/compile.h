@@ -22,6 +22,7 @@ enum class Variant {
   original,  // the user's text with its annotations, in its own language and standard: the reference of verification
   own_flags, // the original with the user's own flags instead of those of the reference build
   wrapped,   // the original with the statements of a kernel's wrapper before those of the kernel
+  covered,   // the original, by clang, which counts how often each branch goes which way
   recorded   // the original, by clang with the pass of oracle/: its instructions record themselves
 };
 
@@ -77,8 +78,8 @@ std::vector<std::string> unchanged_flags(std::vector<std::string> const &flags);
 // Those with which a build may give other numbers than the reference build.
 std::vector<std::string> flags_of_numbers(std::vector<std::string> const &flags);
 
-// Of Variant::recorded: the one that the plugin is for.
-inline constexpr char const *oracle_compiler = "clang-19";
+// Of Variant::recorded and Variant::covered: the one that the plugin is for, and whose form of coverage is read here.
+inline constexpr char const *clang_compiler = "clang-19";
 
 // Builds the program in each of the variants, as many compilations at a time as there are
 // processors, and returns the paths of the executables in

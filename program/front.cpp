@@ -110,13 +110,18 @@ void build(FrontRequest const &request, BuildRequest const &parts, Front &front)
   std::vector<std::string> const executables =
       build_variants(parts, variants, *front.overlay, is_rewritten ? annotated : *front.overlay, *front.workspace);
   for (std::size_t k = 0; k < wanted.size(); ++k) front.*wanted[k].second = executables[k];
+  if (!request.branches) return;
+  if (is_by_hand(front.rewritten))
+    front.covered.obstacle = "the program is written with REAL by hand, and has no original";
+  else
+    front.covered = build_covered(parts, *front.overlay, annotated, *front.workspace);
 }
 
 } // namespace
 
 void require_instructions(rewrite::Result const &annotated) {
-  if (!llvm::sys::findProgramByName(oracle_compiler))
-    fail(DiagnosticId::oracle_not_possible, {}, fmt::format("there is no {} on this machine", oracle_compiler));
+  if (!llvm::sys::findProgramByName(clang_compiler))
+    fail(DiagnosticId::oracle_not_possible, {}, fmt::format("there is no {} on this machine", clang_compiler));
   for (rewrite::Kernel const &kernel : annotated.kernels)
     if (kernel.by_hand)
       fail(DiagnosticId::oracle_not_possible, kernel.place,

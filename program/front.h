@@ -5,6 +5,7 @@
 //           └──annotations alone────build──▶ original program (both for verification)
 #pragma once
 
+#include "program/branches.h"
 #include "program/compile.h"
 #include "program/record.h"
 
@@ -22,6 +23,7 @@ struct FrontRequest {
   std::vector<std::string> called = {}; // only these, by name, if there are any: a driver program calls them
   bool keep = false;                    // leave the workspace
   bool replay = false;                  // build what verification runs too
+  bool branches = false;                // with that: and what counts branches
 };
 
 // How a run talks to its user.
@@ -45,6 +47,7 @@ struct Front {
   std::string original_program;       // empty for a main that was written by hand with REAL: the replay is its original
   std::vector<std::string> own_flags; // those of the user that may change the numbers
   std::string own_flags_program;      // empty when there are none
+  CoveredProgram covered;             // where it was asked for
   std::vector<Recorded> kernels;      // at least one, names distinct
   std::vector<std::string> read;      // the files that it was made from
   double rewrite_seconds = 0, build_seconds = 0, run_seconds = 0;

@@ -47,6 +47,21 @@ static void join(Verification &all, ThreadResult const &threads) {
     all.threads->different += threads.different;
 }
 
+static void join(BranchResult &all, BranchResult const &other) {
+  if (all.obstacle.empty()) all.obstacle = other.obstacle;
+  for (BranchCount const &more : other.branches) {
+    auto const found = std::ranges::find_if(all.branches, [&more](BranchCount const &one) {
+      return one.place == more.place && one.condition == more.condition && one.function == more.function;
+    });
+    if (found == all.branches.end()) {
+      all.branches.push_back(more);
+    } else {
+      found->yes += more.yes;
+      found->no += more.no;
+    }
+  }
+}
+
 void join(Verification &verification, Verification const &other) {
   for (auto const member :
        {&Verification::inside, &Verification::not_finite, &Verification::zero_sign, &Verification::undefined,
@@ -66,6 +81,7 @@ void join(Verification &verification, Verification const &other) {
     verification.decisions[k].counts.no += other.decisions[k].counts.no;
   }
   verification.crossed = std::max(verification.crossed, other.crossed);
+  if (verification.branches && other.branches) join(*verification.branches, *other.branches);
   add(verification.left, other.left);
   add(verification.left_by_wrapper, other.left_by_wrapper);
   for (std::size_t k = 0; k < verification.guards.size(); ++k) verification.guards[k].failed += other.guards[k].failed;

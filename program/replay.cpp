@@ -34,8 +34,8 @@ struct Replay::Server {
     if (head) munmap(head, size);
   }
 
-  void share(std::string const &file, Graph const &graph, double seconds, GeneratedCode const *code) {
-    constexpr std::uint32_t calls_in_a_row = 3;
+  void share(std::string const &file, Graph const &graph, double seconds, GeneratedCode const *code,
+             std::uint32_t calls_in_a_row) {
     replay::Head shape{};
     shape.calls_wanted = calls_in_a_row;
     if (code) {
@@ -74,13 +74,13 @@ struct Replay::Server {
 };
 
 Replay::Replay(std::string what, std::string const &executable, RunOptions const &options, std::string const &begun_as,
-               Graph const &graph, Workspace const &workspace, GeneratedCode const *code)
+               Graph const &graph, Workspace const &workspace, GeneratedCode const *code, std::string const &profile)
     : what_(std::move(what)),
       server_(std::make_unique<Server>()) {
   std::signal(SIGPIPE, SIG_IGN); // the program may end at any moment
   if (!graph.inputs.empty()) place_ = graph.inputs.front().place;
   std::string file = workspace.file(std::filesystem::path(executable).parent_path().filename().string() + "-samples");
-  server_->share(file, graph, options.time_limit, code);
+  server_->share(file, graph, options.time_limit, code, profile.empty() ? 3 : 1);
   Command command{.arguments = {executable},
                   .directory = options.directory,
                   .environment = {},
@@ -93,6 +93,7 @@ Replay::Replay(std::string what, std::string const &executable, RunOptions const
     command.environment = {"SYMREAL_REPLAY_CODE=" + code->object(), "SYMREAL_REPLAY_PREFIX=" + code->prefix(),
                            "SYMREAL_REPLAY_GRAPH=" + recorded};
   }
+  if (!profile.empty()) command.environment.push_back("LLVM_PROFILE_FILE=" + profile);
   server_->start(command, file, begun_as);
 }
 
@@ -123,6 +124,12 @@ void Replay::ask(replay::Command command, Sample const &sample) {
 }
 
 std::size_t Replay::calls() const { return server_->head->calls_done; }
+
+std::vector<std::uint64_t> Replay::stack() const {
+  std::vector<std::uint64_t> stack(std::begin(server_->head->stack), std::end(server_->head->stack));
+  std::erase(stack, 0);
+  return stack;
+}
 
 std::vector<double> Replay::outputs_of(std::size_t call) const {
   replay::Head *head = server_->head;

@@ -16,9 +16,11 @@ namespace symreal::program {
 class Replay {
 public:
   // Starts the program. `what` it is, in words; `begun_as`: the name under which the kernel begins.
-  // With `code` it also runs that, and the graph, in the program.
+  // With `code` it also runs that, and the graph, in the program. With `profile` the program counts its branches, and
+  // writes them to that file when this ends; the kernel is called once then.
   Replay(std::string what, std::string const &executable, RunOptions const &options, std::string const &begun_as,
-         Graph const &graph, Workspace const &workspace, GeneratedCode const *code = nullptr);
+         Graph const &graph, Workspace const &workspace, GeneratedCode const *code = nullptr,
+         std::string const &profile = {});
   ~Replay();
   Replay(Replay const &) = delete;
   Replay &operator=(Replay const &) = delete;
@@ -36,6 +38,9 @@ public:
   std::vector<replay::LeftBehind> left_behind() const;
   GeneratedCode::Result run_generated(Sample const &sample);
   Evaluation run_graph(Sample const &sample);
+  // Where the kernel begins, in a program that counts its branches: return addresses, innermost first, relative to
+  // where it is loaded. Once a sample has run.
+  std::vector<std::uint64_t> stack() const;
 
 private:
   struct Server;

@@ -71,6 +71,8 @@ public:
       : options_(options),
         graph_(recorded.graph),
         scratch_(recorded.scratch),
+        annotated_(front.annotated),
+        kernel_(recorded.kernel),
         banner_(banner),
         code_(path, banner, graph_, {}, *front.workspace),
         source_(graph_, options.seed),
@@ -79,8 +81,9 @@ public:
     if (!banner.derivatives.empty()) derivatives_.emplace(graph_, path, banner, derivative_tolerance());
     bool const by_hand = front.original_program.empty();
     auto const start = [&](std::unique_ptr<Replay> &program, char const *what, std::string const &executable,
-                           GeneratedCode const *code) {
-      program = std::make_unique<Replay>(what, executable, run, recorded.begun_as, graph_, *front.workspace, code);
+                           GeneratedCode const *code, std::string const &profile = {}) {
+      program =
+          std::make_unique<Replay>(what, executable, run, recorded.begun_as, graph_, *front.workspace, code, profile);
     };
     start(original_, "the original", by_hand ? front.replay_program : front.original_program,
           code_.needs_program() ? &code_ : nullptr);
@@ -96,6 +99,12 @@ public:
     if (options.wrapper) {
       start(wrapped_, "the original with its wrapper", build_wrapped(front, recorded), &code_);
       result_.wrapped.resize(graph_.output_count());
+    }
+    if (options.branches) {
+      result_.branches = BranchResult{front.covered.obstacle, {}};
+      covered_run_ = {front.covered.path, front.workspace->file("branches"), {}, 0};
+      if (!front.covered.path.empty())
+        start(covered_, "the original that counts its branches", front.covered.path, nullptr, covered_run_.profile);
     }
     result_.mode = banner.mode;
     result_.is_single = banner.is_single;
@@ -128,6 +137,7 @@ public:
     if (threads_) result_.threads = threads_->finish(code_, timed_ ? &*timed_ : nullptr);
     result_.exact = exact_.judgement();
     if (derivatives_) result_.derivatives = derivatives_->result();
+    if (covered_) finish_branches();
     return std::move(result_);
   }
 
@@ -238,10 +248,28 @@ private:
       compare_inside(k, sample, original, generated, evaluated.outputs);
     else
       result_.outside_different += !(banner_.is_single ? all_near(original, generated) : all_same(original, generated));
+    if (inside && covered_) count_branches(sample);
     if (inside && derivatives_)
       derivatives_->compare(sample, std::span<double const>(computed.outputs).subspan(values));
     if (inside && !timed_) timed_ = {with_seeds(sample.inputs), sample.parameters};
     result_.inside += inside;
+  }
+
+  // A sample that the other compiler's program does not end on says nothing of the generated code.
+  void count_branches(Sample const &sample) {
+    try {
+      covered_->run(sample);
+      ++covered_run_.samples;
+    } catch (DiagnosticError const &error) {
+      result_.branches->obstacle = error.diagnostic().message;
+      covered_.reset();
+    }
+  }
+
+  void finish_branches() {
+    covered_run_.stack = covered_->stack();
+    covered_.reset(); // which writes the counts
+    *result_.branches = read_branches(covered_run_, annotated_, kernel_);
   }
 
   void compare_inside(std::size_t k, Sample const &sample, std::vector<double> const &original,
@@ -341,6 +369,8 @@ private:
   VerificationOptions const &options_;
   Graph const &graph_;
   std::vector<std::string> const &scratch_;
+  rewrite::Result const &annotated_;
+  rewrite::Kernel const &kernel_;
   Banner const &banner_;
   GeneratedCode code_;
   std::optional<GeneratedCode> own_code_;
@@ -350,7 +380,8 @@ private:
   std::optional<DerivativeVerification> derivatives_;
   std::optional<Sample> timed_;      // the first within the premises and all guards
   std::optional<SingleRuns> single_; // of the sample that is tried, where the code is in single precision
-  std::unique_ptr<Replay> original_, rewritten_, own_flags_, wrapped_;
+  std::unique_ptr<Replay> original_, rewritten_, own_flags_, wrapped_, covered_;
+  CoveredRun covered_run_;
   std::vector<replay::LeftBehind> left_by_generated_;
   std::vector<symreal::Decision> decisions_;
   std::vector<double> values_; // of the recorded graph, at the sample that is tried

@@ -1,6 +1,7 @@
 // The proof by samples: the original against the generated code, and against the rewritten text that was recorded.
 #pragma once
 
+#include "program/branches.h"
 #include "program/derivative_verification.h"
 #include "program/exact_values.h"
 #include "program/front.h"
@@ -27,6 +28,7 @@ struct VerificationOptions {
   std::vector<Sample> replayed = {}; // in place of those that are drawn, if there are any
   double tolerance = 1e-9;           // mode fast, and single precision
   bool wrapper = false;              // also what its wrapper does
+  bool branches = false;             // also count the branches of the original
 };
 
 inline constexpr double single_tolerance = 1e-3; // of single precision, unless another is asked for
@@ -79,6 +81,7 @@ struct Verification {
   std::map<std::size_t, Sample> named;     // those that other members name by their number
   std::vector<DecisionCoverage> decisions; // of the recorded graph, but of one that calls functions of the program
   std::size_t crossed = 0;                 // of these, that samples stand on both sides of
+  std::optional<BranchResult> branches;    // of the original, where they were asked for
   std::vector<OutputComparison> rewritten; // per slot, the rewritten text against the original: equal to the last bit
   std::vector<OutputComparison> called_again; // per slot, over the second and third of three calls in a row
   std::vector<OutputComparison> wrapped; // per slot, the generated code behind its wrapper against itself; or empty

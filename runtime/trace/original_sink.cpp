@@ -5,6 +5,7 @@
 #include "trace/kernel/again.h"
 #include "trace/kernel/object_layout.h"
 #include "trace/nodes/pool.h"
+#include "trace/report/call_stack.h"
 #include "trace/sinks.h"
 #include "verify/replay_server.h"
 
@@ -27,7 +28,7 @@ public:
   void begin(std::string const &name, void const *frame) override {
     if (is_again_) return;
     is_wanted_ = replay::replay_begin(
-        name, {[&] { image_ = MemoryImage::capture(frame); }, [this] { return image_.changes({}); }});
+        name, {[&] { image_ = MemoryImage::capture(frame); }, [this] { return image_.changes({}); }, call_stack});
   }
   void begin_object(Kind kind, std::string const &, Place const &) override { kind_ = kind; }
   void element(void *number, bool) override {

@@ -52,6 +52,7 @@ struct Head {
   std::uint32_t left_count;
   std::uint32_t calls_wanted, calls_done; // of the kernel in a row, each on the state that the one before it has left
   std::uint32_t unused_too;
+  std::uint64_t stack[16]; // of a program that counts its branches: where the kernel begins, see Memory::stack
   LeftBehind left[16];
 };
 static_assert(sizeof(Head) % sizeof(double) == 0);

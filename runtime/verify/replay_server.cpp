@@ -1,5 +1,6 @@
 #include "verify/replay_server.h"
 
+#include "verify/branch_counters.h"
 #include "verify/replay_code.h"
 #include "verify/replay_protocol.h"
 
@@ -19,6 +20,7 @@ namespace {
 
 Head *shared = nullptr; // set while the wanted kernel runs in a fork
 ReplayCode const *loaded = nullptr;
+BranchCounters const *counters = nullptr;
 std::uint32_t inputs_met, parameters_met, outputs_met, links_met; // in this call of the kernel
 
 struct Connection {
@@ -66,6 +68,12 @@ void serve(Connection const &connection, Head *head, Memory const &memory) {
   std::fflush(nullptr); // once, not in every fork
   static ReplayCode const code;
   loaded = &code;
+  static BranchCounters const branches;
+  counters = &branches;
+  if (branches.are_there()) {
+    std::vector<std::uintptr_t> const stack = memory.stack();
+    std::copy_n(stack.begin(), std::min(stack.size(), std::size(head->stack)), head->stack);
+  }
   for (Command command; read(connection.commands, &command, 1) == 1;) {
     head->state = State::begun;
     head->left_count = head->calls_done = 0;
@@ -84,11 +92,13 @@ void serve(Connection const &connection, Head *head, Memory const &memory) {
     if (child > 0) waitpid(child, &status, 0);
     if (write(connection.answers, &status, sizeof status) != sizeof status) break;
   }
+  branches.write();
   _exit(0);
 }
 
 [[noreturn]] void finish(State state) {
   shared->state = state;
+  if (state == State::complete) counters->add();
   _exit(0);
 }
 

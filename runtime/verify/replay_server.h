@@ -5,6 +5,7 @@
 
 #include "memory/memory_image.h"
 
+#include <cstdint>
 #include <functional>
 #include <string_view>
 
@@ -15,6 +16,8 @@ struct Memory {
   std::function<void()> prepare = [] {}; // before the first fork
   // What has changed in it since; after generated code that calls functions of the program.
   std::function<std::vector<memory::Change>()> changes = [] { return std::vector<memory::Change>(); };
+  // Where it stands: return addresses, relative to where it is loaded, innermost first.
+  std::function<std::vector<std::uintptr_t>()> stack = [] { return std::vector<std::uintptr_t>(); };
 };
 
 // At the first annotation. Returns in the forks, where it is true, and for what is not wanted.

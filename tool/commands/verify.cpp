@@ -58,7 +58,7 @@ void require_sense(CLI::App const &command) {
   for (char const *drawing : {"--samples", "--seed", "--min-samples", "--shard", "--certificate"})
     excludes("--replay", drawing, "which tries the samples of a file");
   for (char const *certified :
-       {"--samples", "--seed", "--min-samples", "--tol", "--shard", "--replay", "--certificate"})
+       {"--samples", "--seed", "--min-samples", "--tol", "--shard", "--replay", "--certificate", "--branches"})
     excludes("--check", certified, "which does what the certificate says");
   excludes("--shard", "--certificate", "which tries a share of the samples");
 }
@@ -88,6 +88,7 @@ std::optional<program::Front> make_front(Options const &options, Session &sessio
   program::FrontRequest request = options.source.request(session.flags);
   if (!options.numeric.c_compiler.empty()) request.build.c_compiler = options.numeric.c_compiler;
   request.replay = true;
+  request.branches = options.verification.branches;
   request.run.decisions = banner.decisions;
   request.run.floating_point = to_string(banner.mode);
   request.run.from_instructions = banner.from_instructions;
@@ -166,6 +167,7 @@ int run(CLI::App &command, Options &options, Session &session) {
     options.verification.min_samples = certified.min_samples;
     options.verification.seed = certified.seed;
     options.verification.tolerance = certified.tolerance;
+    options.verification.branches = certified.branches;
   }
   std::vector<std::string> sources = options.files;
   std::vector<std::string> const generated = take_generated(sources);
@@ -257,6 +259,8 @@ void add_verify(CLI::App &app, Session &session) {
                    "Try the samples that a result of --json names as the worst, or one of your own")
       ->type_name("FILE");
   command->add_flag("--bisect", options->bisect, "If an output differs, find the pass and the rewrite that do it");
+  command->add_flag("--branches", verification.branches,
+                    "Also say which branches of the original went one way only on all samples");
   command->add_option("--certificate", options->certificate, "Write what was verified, and of which files")
       ->type_name("FILE");
   command->add_option("--check", options->check, "Verify as a certificate says, and compare with it")

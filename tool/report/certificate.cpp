@@ -94,6 +94,7 @@ program::VerificationOptions options_of(Json const &certificate, std::string con
     options.min_samples = record.at("min_samples");
     options.seed = record.at("seed");
     options.tolerance = record.at("tolerance");
+    options.branches = record.contains("branches");
     return options;
   } catch (Json::exception const &) {
     fail(DiagnosticId::verification_file, {path}, "this file is no certificate that verify --certificate wrote");

@@ -227,6 +227,31 @@ Json decisions_json(std::vector<program::DecisionCoverage> const &decisions) {
   return json;
 }
 
+Json branches_json(program::BranchResult const &result) {
+  if (!result.obstacle.empty()) return {{"obstacle", result.obstacle}};
+  std::size_t const directions = 2 * result.branches.size();
+  Json json = {{"directions", directions},
+               {"taken", directions - program::count_unseen(result.branches)},
+               {"counts", Json::array()}};
+  for (program::BranchCount const &branch : result.branches) {
+    Json one = {{"place", branch.place}, {"condition", branch.condition}};
+    if (!branch.function.empty()) one["function"] = branch.function;
+    one["true"] = branch.yes;
+    one["false"] = branch.no;
+    json["counts"].push_back(std::move(one));
+  }
+  return json;
+}
+
+program::BranchResult branches_of(Json const &json) {
+  program::BranchResult result;
+  result.obstacle = json.value("obstacle", "");
+  for (Json const &one : json.value("counts", Json::array()))
+    result.branches.push_back({one.at("place"), one.at("condition"), one.value("function", ""),
+                               one.at("true").get<std::uint64_t>(), one.at("false").get<std::uint64_t>()});
+  return result;
+}
+
 VerificationRecord record_of(Json const &json) {
   VerificationRecord record;
   record.graph.kernel = json.at("kernel");
@@ -277,6 +302,7 @@ VerificationRecord record_of(Json const &json) {
     verification.decisions.push_back({one.at("place"),
                                       one.at("of") == "guard",
                                       {one.at("yes").get<std::size_t>(), one.at("no").get<std::size_t>()}});
+  if (json.contains("branches")) verification.branches = branches_of(json["branches"]);
   verification.left = left_of(json.at("left_behind"));
   verification.left_by_wrapper = left_of(json.at("left_by_wrapper"));
   for (Json const &one : json.at("named"))
@@ -337,6 +363,7 @@ Json to_json(VerificationRecord const &record) {
   json["left_by_wrapper"] = left_json(verification.left_by_wrapper);
   add_guards(json, verification);
   json["decisions"] = decisions_json(verification.decisions);
+  if (verification.branches) json["branches"] = branches_json(*verification.branches);
   json["named"] = Json::array();
   for (auto const &[number, sample] : verification.named)
     json["named"].push_back(

@@ -142,6 +142,25 @@ void print_decisions(std::ostream &out, program::Verification const &verificatio
   if (told > most) fmt::print(out, "    and {} more\n", told - most);
 }
 
+// Of the original's own branches, whatever became of them here, those that went one way only.
+void print_branches(std::ostream &out, program::BranchResult const &result) {
+  if (!result.obstacle.empty()) {
+    fmt::print(out, "  branches of the original: not counted: {}\n", result.obstacle);
+    return;
+  }
+  std::size_t const directions = 2 * result.branches.size(), unseen = program::count_unseen(result.branches);
+  fmt::print(out, "  branches of the original: {} of {} directions taken by some sample\n", directions - unseen,
+             directions);
+  for (program::BranchCount const &branch : result.branches) {
+    if (branch.yes != 0 && branch.no != 0) continue;
+    std::string_view const what = branch.yes + branch.no == 0 ? "never met"
+                                  : branch.yes == 0           ? "never true"
+                                                              : "never false";
+    fmt::print(out, "    {}: {}: {}{}\n", branch.place, what, branch.condition,
+               branch.function.empty() ? "" : ", in " + branch.function);
+  }
+}
+
 // What single precision cannot tell is left out, and said.
 void print_single(std::ostream &out, program::Verification const &verification) {
   fmt::print(out, "  single precision: compared to {} of the larger of the original's magnitude and 1\n",
@@ -228,6 +247,7 @@ void print_verification(std::ostream &out, Graph const &graph, program::Verifica
   if (verification.guards.empty() && program::explore_bounds(graph.decisions))
     out << "  every path is recorded: no sample is left to a guard\n";
   if (!verification.decisions.empty()) print_decisions(out, verification);
+  if (verification.branches) print_branches(out, *verification.branches);
   if (verification.threads) print_threads(out, *verification.threads);
   print_exact(out, graph, verification.exact);
   if (!verification.wrapped.empty()) fmt::print(out, "  the wrapper was tried as well\n");
