@@ -10,7 +10,8 @@
 namespace symreal::program {
 namespace {
 
-constexpr std::string_view explores = "explore:", selects = "auto:", zeros = ":zeros", apart = ":apart";
+constexpr std::string_view explores = "explore:", selects = "auto:", zeros = ":zeros", apart = ":apart",
+                           chosen = ":met=";
 
 RecordedPath recorded_path(Graph graph, Events const &events) {
   RecordedPath path{std::move(graph), {}, events.is_cut_off};
@@ -59,11 +60,12 @@ std::string path_variable(std::size_t kernel, Outcomes const &outcomes, bool is_
 
 static std::optional<Graph> explore_paths(std::size_t kernel, Place const &place, ExploreBounds const &bounds,
                                           std::function<std::optional<PathRun>(std::string const &)> const &run_path,
-                                          Exploration &exploration) {
+                                          ChoosePaths const &choose, Exploration &exploration) {
   PathTree tree;
   Graph first; // its interface
+  std::optional<MetPaths> met;
   std::optional<Outcomes> outcomes = Outcomes();
-  for (std::size_t tried = 0; outcomes; ++tried, outcomes = tree.next()) {
+  for (std::size_t tried = 0; outcomes;) {
     exploration.paths_left = tried == bounds.paths;
     if (exploration.paths_left) break;
     std::optional<PathRun> run = run_path(path_variable(kernel, *outcomes, false, bounds));
@@ -81,8 +83,17 @@ static std::optional<Graph> explore_paths(std::size_t kernel, Place const &place
            fmt::format("the kernel decides on values and calls '{}', which has an effect",
                        std::ranges::find(graph.externals, false, &External::pure)->name));
     bool const is_cut_off = run->events.is_cut_off;
-    if (tried == 0) first = without_nodes(graph);
+    if (tried == 0) {
+      first = without_nodes(graph);
+      if (!met) met = choose(graph);
+    }
     require_same_interface(first, graph, is_cut_off, place);
+    RecordedPath path = recorded_path(std::move(graph), run->events);
+    if (met) met->note(path);
+    if (std::optional<Outcomes> corrected = met ? MetPaths::correction(path) : std::nullopt) {
+      outcomes = std::move(corrected);
+      continue;
+    }
     ++(is_late      ? exploration.late
        : has_ended  ? exploration.ended
        : is_cut_off ? exploration.cut_off
@@ -95,11 +106,15 @@ static std::optional<Graph> explore_paths(std::size_t kernel, Place const &place
       exploration.joined = run->events.selects;
       exploration.joined_at = run->events.joined_at;
     }
-    if (!tree.add(recorded_path(std::move(graph), run->events))) fail_to_repeat(place);
+    if (!tree.add(std::move(path))) fail_to_repeat(place);
+    ++tried;
+    outcomes = tree.next();
   }
   Graph graph = tree.merge();
   exploration.selects = tree.selects();
   exploration.open = tree.open_branches();
+  exploration.unmet = tree.unmet();
+  exploration.samples = met ? met->samples() : 0;
   exploration.zeros = tree.assumed();
   exploration.by_range = tree.assumed_by_range();
   exploration.explored = tree.decided_at();
@@ -109,15 +124,15 @@ static std::optional<Graph> explore_paths(std::size_t kernel, Place const &place
 
 std::optional<Graph> explore(std::size_t kernel, Place const &place, ExploreBounds const &bounds,
                              std::function<std::optional<PathRun>(std::string const &)> const &run_path,
-                             Exploration &exploration) {
+                             ChoosePaths const &choose, Exploration &exploration) {
   try {
-    return explore_paths(kernel, place, bounds, run_path, exploration);
+    return explore_paths(kernel, place, bounds, run_path, choose, exploration);
   } catch (DiagnosticError const &error) { // ways that have come together may do so once and not again
     if (error.diagnostic().id != DiagnosticId::path_not_repeated || exploration.joins == 0) throw;
     exploration = {};
     ExploreBounds without = bounds;
     without.joins = false;
-    return explore_paths(kernel, place, without, run_path, exploration);
+    return explore_paths(kernel, place, without, run_path, choose, exploration);
   }
 }
 
@@ -180,13 +195,16 @@ std::optional<ExploreBounds> explore_bounds(std::string const &decisions) {
   char const *const colon = std::from_chars(numbers, end, bounds.paths).ptr;
   if (colon != end) std::from_chars(colon + 1, end, bounds.depth);
   bounds.zeros = decisions.find(zeros) != decisions.npos;
-  bounds.joins = !decisions.ends_with(apart);
+  bounds.joins = decisions.find(apart) == decisions.npos;
+  if (std::size_t const at = decisions.find(chosen); at != decisions.npos)
+    bounds.met = decisions.substr(at + chosen.size());
   return bounds;
 }
 
 std::string explore_policy(ExploreBounds const &bounds) {
-  return fmt::format("{}{}:{}{}{}", bounds.selects ? selects : explores, bounds.paths, bounds.depth,
-                     bounds.zeros ? zeros : "", bounds.joins ? "" : apart);
+  return fmt::format("{}{}:{}{}{}{}", bounds.selects ? selects : explores, bounds.paths, bounds.depth,
+                     bounds.zeros ? zeros : "", bounds.joins ? "" : apart,
+                     bounds.met.empty() ? "" : std::string(chosen) + bounds.met);
 }
 
 } // namespace symreal::program

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "program/events.h"
+#include "program/met_paths.h"
 #include "program/path_tree.h"
 #include "rewrite/facts/result.h"
 
@@ -20,6 +21,7 @@ struct ExploreBounds {
   bool selects = false;    // where the source allows it there is a select, and no paths: policy auto
   bool zeros = false;      // tests for exact zero are decisions as any
   bool joins = true;       // ways that come together again are one path
+  std::string met = {};    // of the table whose samples choose the paths: its hash
 };
 
 // What became of the decisions at one place of the source.
@@ -40,6 +42,8 @@ struct Exploration {
   std::size_t pieces = 0;   // of a run, between decisions, that this took
   std::size_t joined = 0;   // selects where they come together
   std::size_t open = 0;     // branches that no recorded path takes: a guard each
+  std::size_t samples = 0;  // that were given to choose the paths
+  std::size_t unmet = 0;    // branches that none of them takes: a guard each
   std::size_t beyond = 0;   // decisions beyond the depth on the path of the program's own values: a guard each
   std::size_t zeros = 0;    // tests for exact zero that are taken as not met: a guard each
   std::size_t by_range = 0; // conditions beyond the range of an input: a guard each
@@ -65,11 +69,14 @@ struct PathRun {
   bool is_late = false; // it took too long
 };
 
+// What chooses the paths of a kernel, once its inputs are known; nothing where all are explored.
+using ChoosePaths = std::function<std::optional<MetPaths>(Graph const &)>;
+
 // Explores the K-th kernel of a run. `run_path` runs the program with this $SYMREAL_PATH, or gives nothing if the run
 // met an error, which it has reported; then so does this. Fails where the program does not repeat itself.
 std::optional<Graph> explore(std::size_t kernel, Place const &place, ExploreBounds const &bounds,
                              std::function<std::optional<PathRun>(std::string const &)> const &run_path,
-                             Exploration &exploration);
+                             ChoosePaths const &choose, Exploration &exploration);
 
 // A warning that says which branches are guards, and why; nothing where there are none.
 std::vector<Diagnostic> open_branches(rewrite::Kernel const &kernel, Exploration const &exploration,
@@ -80,8 +87,8 @@ std::vector<Diagnostic> open_branches(rewrite::Kernel const &kernel, Exploration
 std::vector<DecidedPlace> decided_places(Graph const &graph, std::vector<Place> const &explored,
                                          std::vector<Place> const &joined);
 
-// What --decisions has said, with the bounds: "explore:128:64", "explore:128:64:zeros:apart", "auto:128:64". Nothing
-// for another policy.
+// What --decisions has said, with the bounds: "explore:128:64", "explore:128:64:zeros:apart", "auto:128:64:met=HASH".
+// Nothing for another policy.
 std::optional<ExploreBounds> explore_bounds(std::string const &decisions);
 std::string explore_policy(ExploreBounds const &bounds);
 

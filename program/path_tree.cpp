@@ -65,6 +65,7 @@ bool PathTree::add(RecordedPath path) {
     } else if (tree_[at].condition != condition || tree_[at].is_joined != step.is_joined) {
       return false;
     }
+    for (bool const outcome : {false, true}) tree_[at].is_met[outcome] |= step.is_met[outcome];
     std::size_t &branch = tree_[at].branches[step.outcome || step.is_joined];
     if (branch == none) {
       branch = tree_.size();
@@ -140,10 +141,10 @@ std::optional<Outcomes> PathTree::next() const {
   // The newest decisions of which one branch is untaken are the deepest of the newest path.
   for (std::size_t at = tree_.size(); at-- > 0;) {
     Node const &node = tree_[at];
-    if (node.condition == no_node || node.is_assumed || node.is_joined ||
-        (node.branches[0] != none && node.branches[1] != none))
-      continue;
-    Outcomes outcomes = node.branches[1] == none ? "t" : "f";
+    if (node.condition == no_node || node.is_assumed || node.is_joined) continue;
+    auto const is_wanted = [&node](bool outcome) { return node.branches[outcome] == none && node.is_met[outcome]; };
+    if (!is_wanted(true) && !is_wanted(false)) continue;
+    Outcomes outcomes = is_wanted(true) ? "t" : "f";
     for (std::size_t k = at; tree_[k].parent != none; k = tree_[k].parent) {
       Node const &above = tree_[tree_[k].parent];
       if (!above.is_assumed) outcomes += above.is_joined ? 'j' : tree_[k].branch_of_parent ? 't' : 'f';
@@ -196,7 +197,7 @@ void PathTree::join(std::size_t at) {
   for (bool outcome : {false, true}) {
     if (!is_open(node, outcome)) continue;
     node.results = std::move(tree_[node.branches[!outcome]].results);
-    ++(node.is_by_range ? by_range_ : node.is_assumed ? assumed_ : open_branches_);
+    ++(node.is_by_range ? by_range_ : node.is_assumed ? assumed_ : !node.is_met[outcome] ? unmet_ : open_branches_);
     Guard guard{outcome ? negated(node.condition) : node.condition, node.location,
                 node.text + std::string(outcome ? guard_is_false : "")};
     need(std::move(guard), at);

@@ -21,7 +21,8 @@ struct DecidedStep {
   bool is_joined;   // both are recorded, and have come together
   std::string text; // of the condition
   std::vector<std::uint64_t> addresses = {};
-  bool is_by_range = false; // assumed: the other outcome lies beyond an input's range
+  bool is_by_range = false;      // assumed: the other outcome lies beyond an input's range
+  bool is_met[2] = {true, true}; // by outcome: otherwise no given sample that comes by has it
 };
 
 struct RecordedPath {
@@ -39,7 +40,8 @@ public:
   // False where the path decides on another value than those that begin like it: the program does not repeat itself.
   bool add(RecordedPath path);
 
-  // The next path of a search in depth: it begins with these outcomes, the last of which no path has taken.
+  // The next path of a search in depth: it begins with these outcomes, the last of which no path has taken. None for
+  // what no sample meets.
   std::optional<Outcomes> next() const;
 
   // The graph of the whole. The tree is spent.
@@ -48,6 +50,8 @@ public:
   // After `merge`: the selects between paths, and the branches that are open.
   std::size_t selects() const { return selects_; }
   std::size_t open_branches() const { return open_branches_; }
+  // Those that no given sample takes, which are not counted among these.
+  std::size_t unmet() const { return unmet_; }
   // Where the program decides, each once, but for what is assumed.
   std::vector<std::vector<std::uint64_t>> decided_at() const;
   // Those whose other side was not to be tried, which are not counted among these.
@@ -65,6 +69,7 @@ private:
     std::string text = {};
     std::size_t branches[2] = {none, none}; // by outcome
     bool is_assumed = false, is_joined = false, is_by_range = false;
+    bool is_met[2] = {false, false};
     bool is_open = true; // nothing below comes to the kernel's end
     std::vector<NodeId> results = {};
     std::vector<Guard> guards = {}; // of the path that ends here
@@ -99,7 +104,7 @@ private:
   std::vector<char> node_exact_;
   std::vector<Node> tree_;          // a parent comes before its branches; empty as long as there is no path
   std::map<NodeId, Needed> needed_; // by condition
-  std::size_t selects_ = 0, open_branches_ = 0, assumed_ = 0, by_range_ = 0;
+  std::size_t selects_ = 0, open_branches_ = 0, unmet_ = 0, assumed_ = 0, by_range_ = 0;
 };
 
 } // namespace symreal::program

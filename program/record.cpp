@@ -223,6 +223,7 @@ Recording record(std::string const &executable, RunOptions const &options, rewri
                  LineSink const &sink) {
   std::string directory = workspace.directory("recording");
   std::optional<ExploreBounds> const bounds = explore_bounds(options.decisions);
+  FloatingPoint const mode = parse_floating_point(options.floating_point).value_or(FloatingPoint::finite);
   Command program = recording_command(executable, options, directory);
   if (bounds) program.environment.push_back(path_variable(0, {}, false, *bounds));
   if (!options.run_on && !wanted.empty())
@@ -268,9 +269,15 @@ Recording record(std::string const &executable, RunOptions const &options, rewri
       auto const number = static_cast<std::size_t>(found - events.kernels.begin());
       if (bounds && !explained && is_to_explore(events, number)) {
         auto const run = [&](std::string const &path) { return run_path(number, path); };
-        std::optional<Graph> whole = explore(number, kernel.place, *bounds, run, exploration.emplace());
+        std::optional<MetPaths> met;
+        auto const choose = [&](Graph const &interface) {
+          if (!options.paths_met.empty()) met.emplace(options.paths_met, interface);
+          return met;
+        };
+        std::optional<Graph> whole = explore(number, kernel.place, *bounds, run, choose, exploration.emplace());
         if (!whole) continue;
         graph = std::move(*whole);
+        if (met) met->require_inside(graph, mode, kernel.place);
         add_news(open_branches(kernel, *exploration, *bounds), recording.diagnostics);
       }
       resolve(graph, symbolizer);

@@ -24,6 +24,7 @@ struct RunOptions {
   double time_limit = 60;                                     // seconds
   bool run_on = false;                                        // let the program go on to its own end
   std::string decisions = "error", floating_point = "finite"; // for the recording, as the options spell them
+  std::string paths_met = {};                                 // a table of samples that choose the paths
   bool places = false;                                        // keep the source places of nodes
   bool from_instructions = false; // what runs is the original, whose instructions record themselves (oracle/)
 };

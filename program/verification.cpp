@@ -131,6 +131,8 @@ public:
         result_.around += options_.shard.has(options_.samples + k);
         try_sample(options_.samples + k, boundaries.samples[k]);
       }
+      std::size_t const drawn = options_.samples + boundaries.samples.size();
+      for (std::size_t k = 0; k < options_.given.size(); ++k) try_sample(drawn + k, options_.given[k]);
     }
     for (std::size_t k = 0; k < options_.replayed.size(); ++k) try_sample(k, options_.replayed[k]);
     keep_named();

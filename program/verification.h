@@ -25,6 +25,7 @@ struct VerificationOptions {
   std::size_t samples = 1000, min_samples = 100;
   std::uint64_t seed = 1;
   Shard shard = {};
+  std::vector<Sample> given = {};    // besides those that are drawn
   std::vector<Sample> replayed = {}; // in place of those that are drawn, if there are any
   double tolerance = 1e-9;           // mode fast, and single precision
   bool wrapper = false;              // also what its wrapper does

@@ -77,6 +77,28 @@ TEST(PathTree, AGuardStandsWhereAPathIsMissing) {
   EXPECT_EQ(tree.open_branches(), 1u);
 }
 
+TEST(PathTree, WhatNoSampleTakesIsNotAskedFor) {
+  PathTree tree;
+  program::RecordedPath only = path("tf");
+  only.steps[0].is_met[false] = false;
+  ASSERT_TRUE(tree.add(std::move(only)));
+  EXPECT_EQ(tree.next(), Outcomes("tt"));
+  ASSERT_TRUE(tree.add(path("tt")));
+  EXPECT_EQ(tree.next(), Outcomes("f")); // a sample of the other path takes it
+  PathTree another;
+  for (Outcomes const outcomes : {"tf", "tt"}) {
+    program::RecordedPath one = path(outcomes);
+    one.steps[0].is_met[false] = false;
+    ASSERT_TRUE(another.add(std::move(one)));
+  }
+  EXPECT_EQ(another.next(), std::nullopt);
+  Graph const graph = another.merge();
+  EXPECT_EQ(another.unmet(), 1u);
+  EXPECT_EQ(another.open_branches(), 0u);
+  ASSERT_EQ(graph.guards.size(), 1u);
+  EXPECT_EQ(graph.guards.front().text, "x > 0");
+}
+
 TEST(PathTree, AProgramThatDoesNotRepeatItselfIsFound) {
   PathTree tree;
   ASSERT_TRUE(tree.add(path("tt")));

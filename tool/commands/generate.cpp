@@ -232,6 +232,7 @@ int run(CLI::App &command, Options &options, Session &session) {
   Console console;
   program::FrontRequest request = options.source.request(session.flags);
   request.run.decisions = options.decisions.of_recording();
+  request.run.paths_met = options.decisions.paths_met;
   request.run.floating_point = options.passes.mode;
   request.run.places = true;
   request.run.from_instructions = options.via_ir;

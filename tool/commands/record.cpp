@@ -28,6 +28,7 @@ std::string program_path(std::string const &name) {
 int run(Options options, Session const &session) {
   options.decisions.require_sense();
   options.run.decisions = options.decisions.of_recording();
+  options.run.paths_met = options.decisions.paths_met;
   require_one_of("--fp", options.run.floating_point, "finite|strict|fast");
   options.frozen.require_sense();
   if (session.flags.empty()) fail(DiagnosticId::bad_option, {}, "name the program and its arguments after --");

@@ -9,6 +9,7 @@
 #include "tool/commands/subcommands.h"
 #include "tool/commands/verify_merge.h"
 #include "tool/commands/verify_numeric.h"
+#include "tool/options/decisions_option.h"
 #include "tool/report/certificate.h"
 #include "tool/report/console.h"
 #include "tool/report/verify_report.h"
@@ -32,7 +33,7 @@ struct Options {
   program::VerificationOptions verification;
   CLI::Option *tolerance = nullptr;
   NumericOptions numeric;
-  std::string shard, replay, certificate, check;
+  std::string shard, replay, certificate, check, paths_met;
   bool json = false, bisect = false, merge = false;
 };
 
@@ -90,6 +91,7 @@ std::optional<program::Front> make_front(Options const &options, Session &sessio
   request.replay = true;
   request.branches = options.verification.branches;
   request.run.decisions = banner.decisions;
+  request.run.paths_met = options.paths_met;
   request.run.floating_point = to_string(banner.mode);
   request.run.from_instructions = banner.from_instructions;
   request.run.places = true;
@@ -156,6 +158,25 @@ bool confirms(std::string const &path, nlohmann::ordered_json const &wanted, nlo
   return false;
 }
 
+// Code of chosen paths is recorded again by the same samples.
+void require_table(std::string const &table, std::vector<std::string> const &generated,
+                   std::vector<program::Banner> const &banners) {
+  bool is_used = false;
+  for (std::size_t k = 0; k < generated.size(); ++k) {
+    std::optional<program::ExploreBounds> const bounds = program::explore_bounds(banners[k].decisions);
+    if (!bounds || bounds->met.empty()) continue;
+    is_used = true;
+    if (table.empty())
+      fail(DiagnosticId::bad_option, {generated[k], 1, 1},
+           "this file was generated with --paths-met: give verify the same table of samples");
+    if (met_hash(table) != bounds->met)
+      fail(DiagnosticId::paths_met_file, {table, 1, 1},
+           "'" + generated[k] + "' was generated with another table of samples");
+  }
+  if (!table.empty() && !is_used)
+    fail(DiagnosticId::option_without_effect, {}, "--paths-met has no effect: no generated file had it");
+}
+
 int run(CLI::App &command, Options &options, Session &session) {
   require_sense(command);
   if (!options.shard.empty()) options.verification.shard = parse_shard(options.shard);
@@ -184,6 +205,8 @@ int run(CLI::App &command, Options &options, Session &session) {
                std::string(to_string(banners.back().mode)));
   }
 
+  require_table(options.paths_met, generated, banners);
+
   Console console;
   std::optional<program::Front> front;
   program::RunOptions as;
@@ -206,6 +229,7 @@ int run(CLI::App &command, Options &options, Session &session) {
     program::VerificationOptions asked = options.verification;
     asked.wrapper = !banner.is_single && banner.derivatives.empty() && has_wrapper(generated[k], recorded);
     if (banner.is_single && options.tolerance->count() == 0 && !wanted) asked.tolerance = program::single_tolerance;
+    if (!options.paths_met.empty()) asked.given = program::read_sample_table(options.paths_met, recorded.graph);
     if (!options.replay.empty()) asked.replayed = read_samples(options.replay, recorded.graph);
     program::Verification const verification = program::verify(*front, as, recorded, generated[k], banner, asked);
     console.clear();
@@ -259,6 +283,10 @@ void add_verify(CLI::App &app, Session &session) {
                    "Try the samples that a result of --json names as the worst, or one of your own")
       ->type_name("FILE");
   command->add_flag("--bisect", options->bisect, "If an output differs, find the pass and the rewrite that do it");
+  command
+      ->add_option("--paths-met", options->paths_met,
+                   "The table of samples that the code was generated with; tried as well")
+      ->type_name("FILE");
   command->add_flag("--branches", verification.branches,
                     "Also say which branches of the original went one way only on all samples");
   command->add_option("--certificate", options->certificate, "Write what was verified, and of which files")

@@ -1,5 +1,7 @@
 #include "tool/options/decisions_option.h"
 
+#include "program/durable_files.h"
+#include "support/files.h"
 #include "tool/options/options.h"
 
 namespace symreal::tool {
@@ -17,6 +19,9 @@ void DecisionsOption::add_to(CLI::App &app) {
   zero_tests = app.add_option("--zero-tests", zeros,
                               "explore, auto: tests for exact zero become guards (guard) or paths (explore)")
                    ->capture_default_str();
+  met = app.add_option("--paths-met", paths_met,
+                       "explore, auto: a table of samples (CSV); a guard refuses each branch that none of them takes")
+            ->type_name("FILE");
   join = app.add_option("--joins", joins,
                         "explore, auto: ways that come to the same state again are one path (on), or each a path (off)")
              ->capture_default_str();
@@ -27,10 +32,15 @@ void DecisionsOption::require_sense() const {
   require_one_of("--zero-tests", zeros, "guard|explore");
   require_one_of("--joins", joins, "on|off");
   if (is_exploring()) return;
-  for (CLI::Option const *bound : {max_paths, max_depth, zero_tests, join})
+  for (CLI::Option const *bound : {max_paths, max_depth, zero_tests, join, met})
     if (bound->count() != 0)
       fail(DiagnosticId::option_without_effect, {},
            bound->get_name() + " has no effect without --decisions=explore or auto");
+}
+
+std::string met_hash(std::string const &file) {
+  constexpr std::size_t digits = 16; // enough to tell two tables apart
+  return program::content_hash(read_file(file)).substr(0, digits);
 }
 
 std::string DecisionsOption::of_recording() const {
@@ -38,6 +48,7 @@ std::string DecisionsOption::of_recording() const {
   all.zeros = zeros == "explore";
   all.joins = joins == "on";
   all.selects = policy == "auto";
+  if (!paths_met.empty()) all.met = met_hash(paths_met);
   return is_exploring() ? program::explore_policy(all) : policy;
 }
 

@@ -90,6 +90,7 @@ std::string became(program::DecidedPlace const &decision) {
 
 char const *completeness(program::Exploration const &exploration) {
   if (!exploration.is_complete()) return "not complete: see the guards";
+  if (exploration.unmet != 0) return "complete for the paths that samples take: see the guards";
   if (exploration.guards == 0) return "complete: no guards";
   return exploration.zeros != 0 ? "complete but for exact zeros: see the guards"
                                 : "complete but for the guards of pragmas and conversions";
@@ -102,6 +103,10 @@ void print_exploration(std::ostream &out, program::Exploration const &exploratio
   if (exploration.joins != 0)
     fmt::print(out, "                 the ways from {} decision{} came together: {} pieces of a run, {} selects\n",
                exploration.joins, exploration.joins == 1 ? "" : "s", exploration.pieces, exploration.joined);
+  if (exploration.samples != 0)
+    fmt::print(out, "                 paths that {} given sample{} take{}; {} branch{} that none takes: a guard each\n",
+               exploration.samples, exploration.samples == 1 ? "" : "s", exploration.samples == 1 ? "s" : "",
+               exploration.unmet, exploration.unmet == 1 ? "" : "es");
   if (exploration.followed != 0)
     fmt::print(out, "                 {} decisions on these paths followed from earlier ones\n", exploration.followed);
   if (exploration.zeros != 0)
@@ -125,6 +130,10 @@ Json to_json(program::Exploration const &exploration) {
                {"joins", exploration.joins},           {"pieces", exploration.pieces},
                {"zeros", exploration.zeros},           {"more_paths", exploration.paths_left},
                {"complete", exploration.is_complete()}};
+  if (exploration.samples != 0) {
+    json["samples"] = exploration.samples;
+    json["unmet"] = exploration.unmet;
+  }
   for (program::DecidedPlace const &one : exploration.places)
     json["decisions"].push_back({{"file", one.place.file},
                                  {"line", one.place.line},
