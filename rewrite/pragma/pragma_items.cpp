@@ -278,6 +278,13 @@ private:
               {DiagnosticId::pragma_item, item.place, "'" + pragma.function[0].name + "' returns nothing"});
   }
 
+  // In words that C and C++ have.
+  static std::string integer_words(QualType type) {
+    if (auto const *enumeration = type->getAs<EnumType>()) type = enumeration->getDecl()->getIntegerType();
+    type = type.getCanonicalType().getUnqualifiedType();
+    return type->isBooleanType() ? "SYMREAL_BOOL" : type.getAsString();
+  }
+
   void wrap_returns(PragmaFact &pragma, FunctionDecl const *function) {
     ItemFact *returned = nullptr;
     for (ClauseFact &clause : pragma.clauses)
@@ -288,8 +295,16 @@ private:
         }
     if (!returned) return;
     std::string const place = place_arguments("return", returned->place);
-    std::string const macro =
-        returned->layout.text.empty() ? "(" + place : "_LAYOUT(" + place + ", " + layout_arguments(returned->layout);
+    QualType const type = function->getReturnType();
+    bool const is_integer = type->isIntegralOrEnumerationType();
+    if (is_integer && function->getASTContext().getTypeSize(type) > 32)
+      return facts_.diagnostics.push_back(
+          {DiagnosticId::pragma_item, returned->place,
+           "'" + pragma.function[0].name + "' returns an integer of more than 32 bits, which no output holds"});
+    std::string const macro = is_integer ? "_INTEGER(" + place + ", (" + integer_words(type) + ")"
+                              : returned->layout.text.empty()
+                                  ? "(" + place
+                                  : "_LAYOUT(" + place + ", " + layout_arguments(returned->layout);
     Returns returns;
     returns.TraverseStmt(function->getBody());
     for (ReturnStmt const *statement : returns.found) {

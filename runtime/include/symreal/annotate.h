@@ -63,6 +63,18 @@ using ProgramNumber = RealNumber;
 template <class T> using Returned =
     std::conditional_t<std::is_arithmetic_v<std::decay_t<T>>, ProgramNumber, std::decay_t<T>>;
 
+// An integer of type T as a number.
+template <class T, class Value> ProgramNumber integer_number(Value const &value) {
+  if constexpr (std::is_arithmetic_v<Value> || std::is_enum_v<Value>)
+    return static_cast<double>(static_cast<T>(value));
+  else if constexpr (std::is_same_v<Value, SymbolicBool>)
+    return ProgramNumber(value);
+  else if constexpr (std::is_same_v<T, bool>)
+    return ProgramNumber(SymbolicBool(value != 0));
+  else
+    return SymbolicInt<T>(value).number();
+}
+
 // Calls `visit` with the indices of each element of an array, row by row.
 template <class Visit> void each_index(std::vector<std::size_t> const &shape, Visit visit) {
   std::vector<std::size_t> index(shape.size(), 0);
@@ -270,6 +282,19 @@ public:
     } else if (active_) {
       begin_outputs();
       symreal_annotate(Kind::output, label, place, copy);
+      make_plain(&copy, sizeof copy);
+    }
+    return copy;
+  }
+
+  // The same of a function that returns an integer, as one of type T: no decision.
+  template <class T, class Value>
+  std::decay_t<Value> symreal_returned_integer(char const *label, SourcePlace place, Value &&result) {
+    std::decay_t<Value> copy = std::forward<Value>(result);
+    if (active_) {
+      begin_outputs();
+      detail::ProgramNumber number = detail::integer_number<T>(copy);
+      symreal_annotate(Kind::output, label, place, number);
       make_plain(&copy, sizeof copy);
     }
     return copy;

@@ -79,6 +79,7 @@
 #define SYMREAL_OUTPUTS_BEGIN
 #define SYMREAL_OUTPUTS_END
 #define SYMREAL_RETURN(label, file, line, column, ...) __VA_ARGS__
+#define SYMREAL_RETURN_INTEGER(label, file, line, column, type, ...) __VA_ARGS__
 #define SYMREAL_RETURN_LAYOUT(label, file, line, column, layout, types, ...) __VA_ARGS__
 #define SYMREAL_GENERATE(...)
 
@@ -305,6 +306,9 @@ public:                                                                         
   });
 #define SYMREAL_RETURN(label, file, line, column, ...)                                                                 \
   (symreal_kernel.symreal_returned(label, SYMREAL_PLACE(file, line, column), __VA_ARGS__))
+#define SYMREAL_BOOL bool
+#define SYMREAL_RETURN_INTEGER(label, file, line, column, type, ...)                                                   \
+  (symreal_kernel.symreal_returned_integer<SYMREAL_WORDS type>(label, SYMREAL_PLACE(file, line, column), __VA_ARGS__))
 #define SYMREAL_RETURN_LAYOUT(label, file, line, column, layout, types, ...)                                           \
   (symreal_kernel.symreal_returned_layout<SYMREAL_WORDS types>(label, SYMREAL_PLACE(file, line, column), layout,       \
                                                                __VA_ARGS__))

@@ -101,6 +101,14 @@ void symreal_original_keep(void const *frame);
     symreal_original_returned(symreal_kernel, label, file, line, column, &symreal_value, sizeof symreal_value, 0);     \
     symreal_value;                                                                                                     \
   }))
+#define SYMREAL_BOOL _Bool
+#define SYMREAL_RETURN_INTEGER(label, file, line, column, type, ...)                                                   \
+  (__extension__({                                                                                                     \
+    SYMREAL_WORDS type symreal_value = (__VA_ARGS__);                                                                  \
+    double symreal_number = symreal_value;                                                                             \
+    symreal_original_returned(symreal_kernel, label, file, line, column, &symreal_number, sizeof symreal_number, 0);   \
+    symreal_value;                                                                                                     \
+  }))
 #define SYMREAL_RETURN_LAYOUT(label, file, line, column, layout, types, ...)                                           \
   (__extension__({                                                                                                     \
     __typeof__(__VA_ARGS__) symreal_value = (__VA_ARGS__);                                                             \
@@ -224,6 +232,13 @@ template <class T> struct Returned<T, false> {
 template <class T> struct Returned<T &, false> : Returned<T> {};
 template <class T> struct Returned<T const, true> : Returned<T> {};
 
+template <class T> struct Decayed {
+  typedef T Type;
+};
+template <class T> struct Decayed<T &> : Decayed<T> {};
+template <class T> struct Decayed<T const> : Decayed<T> {};
+template <class T> struct Decayed<T volatile> : Decayed<T> {};
+
 /* The kernel of a function: its outputs are read when it returns. */
 class SymrealKernel {
 public:
@@ -239,6 +254,16 @@ public:
       walk(result, false);
       symreal_original_object_end();
       symreal_original_settle(&reinterpret_cast<char volatile &>(result), sizeof result);
+    }
+    return result;
+  }
+  template <class T, class Value> typename Decayed<Value>::Type
+  symreal_returned_integer(char const *label, char const *file, unsigned line, unsigned column, Value &&value) {
+    typename Decayed<Value>::Type result(static_cast<Value &&>(value));
+    if (symreal_original_leaving(active_) && symreal_original_object("output", label, file, line, column, 0)) {
+      double number = static_cast<double>(static_cast<T>(result));
+      walk(number, true);
+      symreal_original_object_end();
     }
     return result;
   }
@@ -294,6 +319,9 @@ template <class Outputs> OnReturn<Outputs> symreal_on_return(int active, Outputs
   SYMREAL_ORIGINAL_AGAIN(symreal_kernel.symreal_active())
 #define SYMREAL_RETURN(label, file, line, column, ...)                                                                 \
   (symreal_kernel.symreal_returned(label, file, line, column, __VA_ARGS__))
+#define SYMREAL_BOOL bool
+#define SYMREAL_RETURN_INTEGER(label, file, line, column, type, ...)                                                   \
+  (symreal_kernel.symreal_returned_integer<SYMREAL_WORDS type>(label, file, line, column, __VA_ARGS__))
 #define SYMREAL_RETURN_LAYOUT(label, file, line, column, layout, types, ...)                                           \
   (symreal_kernel.symreal_returned_layout<SYMREAL_WORDS types>(label, file, line, column, layout, __VA_ARGS__))
 #define SYMREAL_ORIGINAL_OUTPUTS(...)                                                                                  \
