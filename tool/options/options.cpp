@@ -1,6 +1,7 @@
 #include "tool/options/options.h"
 
 #include "diagnostics/diagnostic.h"
+#include "graph/names.h"
 #include "passes/pass.h"
 #include "passes/snap.h"
 #include "program/object_cache.h"
@@ -92,7 +93,11 @@ FloatingPoint PassOptions::floating_point() const {
 std::vector<std::string> PassOptions::names() const { return parse_passes(passes); }
 
 void EmitterOptions::add_to(CLI::App &app) {
-  app.add_option("--prefix", prefix, "Prefix of every external name of the generated code: P gives P_compute");
+  app.add_option("--prefix", prefix, "Prefix of every external name of the generated code: P gives P_compute")
+      ->each([](std::string const &given) {
+        if (!given.empty() && identifier(given) != given)
+          fail(DiagnosticId::bad_option, {}, "--prefix takes a name of C and C++, not '" + given + "'");
+      });
   app.add_option("--real", real, "The numbers of the generated code: double, or float for single precision")
       ->capture_default_str();
   auto const add_extra = [&](std::string const &name, std::string const &doc) {
