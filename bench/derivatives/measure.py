@@ -1,155 +1,108 @@
-"""Jacobians by Symreal and its peers, side by side, and the cost of gradients: see bench/derivatives/run.
+"""Derivatives by Symreal and its peers, side by side, and the cost of gradients: see bench/derivatives/run.
 
-   generate ──▶ compile ──▶ compare with differences of the original and with each other ──▶ turns ──▶ tables
+   generate ──▶ compile ──▶ compare with each other ──▶ turns ──▶ tables
 """
 import argparse
 import json
 import pathlib
-import re
 import statistics
 import struct
-import subprocess
 import sys
 import time
+from concurrent.futures import ThreadPoolExecutor
 
 HERE = pathlib.Path(__file__).parent
 sys.path.insert(0, str(HERE.parent / "peers"))
 import contenders  # noqa: E402
-import generate  # noqa: E402
+import makers  # noqa: E402
+import present  # noqa: E402
 import rows  # noqa: E402
-from work import WORK, digest, remembered, run  # noqa: E402
+from problems import LENGTHS, PROBLEMS, VECTORS  # noqa: E402
+from work import WORK, Missing, run  # noqa: E402
 
-JOINTS, AGREE = 6, 1e-9
-KERNELS = {"rnea": ("inverse dynamics", "tau"), "aba": ("forward dynamics", "qdd")}
-LENGTHS = [8, 16, 32, 64, 128]
-LEVELS = {"gcc": (("gcc", "g++"), ["-O3", "-march=native"]), "clang": (("clang-19", "clang++-19"), ["-O3", "-march=native"])}
-HEAD = """# Derivatives
-
-Written by `bench/derivatives/run`, on {machine}. The function and its Jacobian by `q` and `qd`, six joints of
-[inputs/chain](../../inputs/chain), textbook formulas. Operations are + - * /; signs, sines and cosines are not counted. CasADi and
-Pinocchio are those of [bench/peers](../peers); Pinocchio's derivatives are written by hand. Times are of one call on one thread, the
-better of gcc 12 and clang 19 at `-O3 -march=native`, median of turns, with quartiles. All agree to {agree:g} of the largest number.
-
-"""
+AGREE, ROUNDS, SECONDS = 1e-9, 31, 8
+COMPILE_SECONDS = {"Pinocchio": 300}  # 60 for generated code
+GRADIENTS = [8, 16, 32, 64, 128]
 
 
-def sources(kernel):
-    return [contenders.CHAIN / f"{name}.cpp" for name in (kernel, "algorithms", "example", "model", "spatial")]
+def level_of(compiler, operations):
+    """What bench/peers compiles with: large code at -O1."""
+    return ((contenders.GCC if compiler == "gcc" else contenders.CLANG),
+            ["-O1" if operations and operations > contenders.LARGE else "-O3", "-march=native"])
 
 
-def folder(*names):
-    path = WORK / "derivatives" / "-".join(map(str, names))
-    path.mkdir(parents=True, exist_ok=True)
-    return path
+def contender(problem, name, smaller):
+    """What was made of it, an object a compiler; or why it is missing. smaller: itself with fewer joints."""
+    if smaller and "missing" in smaller:
+        return smaller
+    try:
+        made = dict(makers.generated(problem, name))
+    except Missing as reason:
+        at = f", from N = {problem.joints}" if problem.joints and "more than" in str(reason) else ""
+        return {"missing": f"{reason}{at}"}
+    made["objects"], why = {}, ""
+    for compiler in ("gcc", "clang"):
+        try:
+            made["objects"][compiler] = contenders.compiled(made["sources"], made["flags"], level_of(compiler, made.get("operations")),
+                                                            COMPILE_SECONDS.get(name, 60))
+        except Missing as reason:
+            why = f"{reason}" + (f", from N = {problem.joints}" if problem.joints else "")
+    return made if made["objects"] else {"missing": why, **{key: made[key] for key in ("operations", "generate") if key in made}}
 
 
-def symreal(kernel, mode):
-    tool = pathlib.Path(contenders.SYMREAL).stat()
-
-    def make():
-        work, y = folder(kernel, mode), KERNELS[kernel][1]
-        options = ["--differentiate", f"jacobian({y}, [q, qd])", "--json", "--run-args", f"{JOINTS} {contenders.model_table()}"]
-        said = run([contenders.SYMREAL, "generate", *sources(kernel), "-o", work / "code.c", f"--fp={mode}", *options])[0]
-        code = (work / "code.c").read_text().replace('#include "code.h"', (work / "code.h").read_text())
-        (work / "contender.c").write_text(generate.MAKE.format(code=code, prepare=(
-            "static double constants[constant_count + 1];\n"
-            "static void evaluate(double const *x, double *y) { compute(x, constants, y); }\n")))
-        return json.loads(said)["kernels"][0]["operations"]["compute"]["arithmetic"], str(work / "contender.c")
-
-    operations, source = remembered(digest("derivatives", kernel, mode, tool.st_mtime_ns, tool.st_size), make)
-    flags = contenders.CONTRACTED if mode == "fast" else [*contenders.UNCONTRACTED, "-fno-tree-slp-vectorize"]
-    return operations, [source], flags
-
-
-def casadi(kernel):
-    import casadi
-
-    inputs = [casadi.SX.sym(f"x{i}", JOINTS) for i in range(3)]
-    y = casadi.vertcat(*generate.outputs(kernel, JOINTS, casadi, map(casadi.vertsplit, inputs)))
-    jacobian = casadi.jacobian(y, casadi.vertcat(*inputs[:2]))
-    whole = casadi.vertcat(y, casadi.vec(casadi.densify(jacobian.T)))
-    function = casadi.Function("code", inputs, [casadi.cse(whole)])
-    generator = casadi.CodeGenerator("code.c")
-    generator.add(function)
-    text = generator.dump()
-    arguments = ", ".join(f"x + {i * JOINTS}" for i in range(len(inputs)))
-    adapter = (f"static double work[{function.sz_w() + 1}];\nstatic void evaluate(double const *x, double *y) {{\n"
-               f"  double const *arguments[{function.sz_arg() + 1}] = {{{arguments}}};\n  double *results[{function.sz_res() + 1}] = {{y}};\n"
-               "  casadi_f0(arguments, results, 0, work, 0);\n}\n")
-    source = folder(kernel, "casadi") / "contender.c"
-    source.write_text(generate.MAKE.format(code=text, prepare=adapter))
-    code = re.search(r"^static int casadi_f0\(.*?^}", text, re.MULTILINE | re.DOTALL)[0]
-    return generate.operations(code), [source], contenders.CONTRACTED
-
-
-def pinocchio():
-    chain = [contenders.CHAIN / "model.cpp", contenders.CHAIN / "spatial.cpp"]
-    return None, [HERE / "pinocchio.cpp", *chain], contenders.PINOCCHIO
-
-
-def made(kernel):
-    """By name: operations, and an object a compiler."""
-    table = {"Symreal `finite`": symreal(kernel, "finite"), "Symreal `fast`": symreal(kernel, "fast")}
-    if "CasADi" in contenders.installed():
-        table["CasADi " + contenders.installed()["CasADi"]] = casadi(kernel)
-    if "Pinocchio" in contenders.installed():
-        table["Pinocchio " + contenders.installed()["Pinocchio"]] = pinocchio()
-    return {name: (operations, {level: contenders.compiled(files, flags, how, 600)["object"] for level, how in LEVELS.items()})
-            for name, (operations, files, flags) in table.items()}
-
-
-def turns(kernel, objects, rounds, seconds):
-    vectors = rows.inputs(kernel, JOINTS)
-    file = folder(kernel) / "inputs"
+def turns(problem, objects, rounds, seconds):
+    vectors = problem.vectors()
+    file = WORK / "inputs" / f"derivatives-{problem.name}"
+    file.parent.mkdir(parents=True, exist_ok=True)
     file.write_bytes(b"".join(struct.pack(f"{len(vector)}d", *vector) for vector in vectors))
-    return run([WORK / "turns", kernel, JOINTS, contenders.model_table(), file, len(vectors[0]), JOINTS * (1 + 2 * JOINTS), rounds,
-                seconds, 1, *objects])[0]
+    kernel = problem.name.partition("-")[0]
+    return run([WORK / "turns", kernel, problem.joints, contenders.model_table(), file, len(vectors[0]), problem.outputs, rounds, seconds, 1,
+                *objects])[0]
 
 
-def compare(kernel, table):
-    first = None
-    for name, (_, objects) in table.items():
-        for level, path in objects.items():
-            numbers = struct.unpack(f"{16 * JOINTS * (1 + 2 * JOINTS)}d", turns(kernel, [path], 0, 0))
-            first = first or numbers
-            distance = max(abs(a - b) for a, b in zip(first, numbers)) / max(map(abs, first))
-            if not distance < AGREE:
-                sys.exit(f"bench: {kernel}: {name}, {level}, is off by {distance:.1e}")
+def objects_of(row):
+    return [(name, compiler, each["object"]) for name, made in row.items() for compiler, each in made.get("objects", {}).items()]
 
 
-def measured(kernel, table):
-    """Nanoseconds a call, of the better compiler."""
-    every = [(name, path) for name, (_, objects) in table.items() for path in objects.values()]
-    lines = turns(kernel, [path for _, path in every], 41, 12).decode().splitlines()
-    columns = zip(*(map(float, line.split()) for line in lines))
-    times = {}
-    for (name, _), column in zip(every, columns):
+def compare(problem, row):
+    """All agree at each vector, relative to the largest number there; values apart from derivatives."""
+    first, outputs, own = None, problem.outputs, problem.counts[2]
+    for name, compiler, path in objects_of(row):
+        numbers = struct.unpack(f"{VECTORS * outputs}d", turns(problem, [path], 0, 0))
+        first = first or numbers
+        for begin in range(0, len(numbers), outputs):
+            for part in (slice(begin, begin + own), slice(begin + own, begin + outputs)):
+                distance = max(abs(a - b) for a, b in zip(first[part], numbers[part])) / max(map(abs, first[part]))
+                if not distance < AGREE:
+                    sys.exit(f"bench: {problem.name}: {name}, {compiler}, is off by {distance:.1e}")
+
+
+def prepare(problem, smaller):
+    with ThreadPoolExecutor(2) as pool:
+        made = list(pool.map(lambda name: contender(problem, name, smaller.get(name) if smaller else None), makers.NAMES))
+    row = dict(zip(makers.NAMES, made))
+    compare(problem, row)
+    return row
+
+
+def measure(problem, row):
+    """Quartiles of nanoseconds a call and bytes of code, of the better compiler."""
+    every = objects_of(row)
+    lines = turns(problem, [path for _, _, path in every], ROUNDS, SECONDS).decode().splitlines()
+    for (name, compiler, _), column in zip(every, zip(*(map(float, line.split()) for line in lines))):
         quartiles = statistics.quantiles(column, n=4)
-        times[name] = min(times.get(name, quartiles), quartiles, key=lambda each: each[1])
-    return times
-
-
-def jacobians():
-    text = "| Jacobian of | by | Operations | ns a call | Symreal `fast` is so many times as fast |\n|---|---|---|---|---|\n"
-    for kernel, (title, _) in KERNELS.items():
-        table = made(kernel)
-        compare(kernel, table)
-        times = measured(kernel, table)
-        own = times["Symreal `fast`"][1]
-        for name, (operations, _) in table.items():
-            low, middle, high = times[name]
-            text += (f"| {title} | {name} | {operations or ''} | {middle:.0f} ({low:.0f} to {high:.0f}) | {middle / own:.2f} |\n")
-    return text
+        if quartiles[1] < row[name].get("times", [0, float("inf")])[1]:
+            row[name].update(times=quartiles, compiler=compiler, bytes=row[name]["objects"][compiler]["text"])
 
 
 def gradients():
-    """The sum of all outputs with weights, by all inputs: what it adds to the function."""
-    text = ("\n## Gradients\n\nThe gradient of a weighted sum of all torques by positions, rates and accelerations, `vjp(tau, [q, qd, qdd])`, of "
-            "longer and longer\nchains, mode `finite`. The time is that of `symreal opt` from the recorded graph to C, reading included.\n\n"
-            "| Joints | Operations of the function | with its gradient | times as many | seconds | milliseconds a joint |\n|---|---|---|---|---|---|\n")
-    for joints in LENGTHS:
-        work = folder("gradient", joints)
-        run([contenders.SYMREAL, "generate", *sources("rnea"), "-o", work / "k.c", "--graph", work / "k.graph", "--run-args",
+    """The gradient of a weighted sum of all torques: what it adds to the function, chain by chain."""
+    table = []
+    for joints in GRADIENTS:
+        work = WORK / "derivatives" / f"gradient-{joints}"
+        work.mkdir(parents=True, exist_ok=True)
+        problem = next(each for each in PROBLEMS if each.name == "rnea-6")
+        run([contenders.SYMREAL, "generate", *problem.sources, "-o", work / "k.c", "--graph", work / "k.graph", "--run-args",
              f"{joints} {contenders.model_table()}"])
         counts = []
         for options in ([], ["--differentiate", "vjp(tau, [q, qd, qdd])"]):
@@ -157,21 +110,37 @@ def gradients():
             said = run([contenders.SYMREAL, "opt", work / "k.graph", "--lang=c", "-o", work / "g.c", "--json", *options])[0]
             seconds = time.monotonic() - begin
             counts.append(json.loads(said)["operations"]["compute"]["arithmetic"])
-        text += (f"| {joints} | {counts[0]} | {counts[1]} | {counts[1] / counts[0]:.2f} | {seconds:.2f} | "
-                 f"{1000 * seconds / joints:.1f} |\n")
-    return text
+        table.append((joints, *counts, seconds))
+    return table
 
 
 def main():
     parser = argparse.ArgumentParser(prog="bench/derivatives/run")
-    parser.add_argument("--only", action="store_true", help="only to the terminal")
+    parser.add_argument("--rows", nargs="+", metavar="ROW", choices=[each.name for each in PROBLEMS], help="only these, to the terminal")
+    parser.add_argument("--prepare", action="store_true", help="only generate, compile and compare")
+    parser.add_argument("--page", action="store_true", help="only write, from what was measured last")
     arguments = parser.parse_args()
+    kept = WORK / "derivatives" / "measured.json"
+    if arguments.page:
+        return present.write(*json.loads(kept.read_text()))
     rows.build_turns()
-    machine = next(line.split(":")[1].strip() for line in open("/proc/cpuinfo") if line.startswith("model name"))
-    text = HEAD.format(machine=machine, agree=AGREE) + jacobians() + gradients()
-    print(text)
-    if not arguments.only:
-        (HERE / "results.md").write_text(text)
+    wanted = [each for each in PROBLEMS if not arguments.rows or each.name in arguments.rows]
+    table, smaller = {}, {}
+    for problem in wanted:
+        kernel = problem.name.partition("-")[0] if problem.joints else None
+        table[problem.name] = prepare(problem, smaller.get(kernel))
+        smaller[kernel] = table[problem.name] if kernel else None
+        print(f"{problem.name}: " + ", ".join(f"{name} {made.get('missing') or made.get('operations', '')}"
+                                              for name, made in table[problem.name].items()), flush=True)
+    if arguments.prepare:
+        return
+    for problem in wanted:
+        measure(problem, table[problem.name])
+    if arguments.rows:
+        return print(present.derivatives(table))
+    kept.write_text(json.dumps([table, gradients()]))
+    present.write(*json.loads(kept.read_text()))
 
 
+assert set(LENGTHS) <= {each.joints for each in PROBLEMS}
 main()

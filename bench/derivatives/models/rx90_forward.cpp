@@ -1,0 +1,7 @@
+// Forward dynamics of the RX90 of inputs/dh, whose inertial parameters are numbers. x: positions, rates; z: torques.
+#include "dynamics.h"
+
+void model(double const *x, double const *z, double *y) {
+  std::vector<double> const inertial = dh::rx90_parameters();
+  dh::accelerations(dh::rx90(), inertial.data(), x, x + 6, z, y);
+}
