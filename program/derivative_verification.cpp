@@ -19,21 +19,21 @@ constexpr double most_operations = 4e7;  // in extended precision: a few seconds
 constexpr double most_off_duals = 1e-12; // of the larger of the magnitude and 1, where equal numbers are promised
 constexpr double most_rounding = 64;     // times as much as the derivative loses before any pass
 
-std::string obstacle(Differences const &differences, Graph const &graph, Banner const &banner) {
+std::string obstacle(Differences const &differences, Banner const &banner) {
   if (banner.is_single) return "the code is in single precision";
-  if (calls_program(graph)) return "the kernel calls functions of the program";
   return differences.obstacle();
 }
 
 } // namespace
 
 DerivativeVerification::DerivativeVerification(Graph const &recorded, std::string const &path, Banner const &banner,
-                                               double tolerance)
+                                               double tolerance, CallExternal const &call)
     : recorded_(recorded),
-      differences_(recorded, banner.derivatives),
+      call_(call),
+      differences_(recorded, banner.derivatives, call),
       differentiated_(differentiate(recorded, banner.derivatives, [](Diagnostic const &) {})),
       mode_(banner.mode) {
-  if (std::string const why = obstacle(differences_, recorded, banner); !why.empty())
+  if (std::string const why = obstacle(differences_, banner); !why.empty())
     fail(DiagnosticId::derivative_unverified, {path, 1, 1}, "the derivatives cannot be checked: " + why);
   result_.tolerance = tolerance;
   std::uint32_t next = static_cast<std::uint32_t>(recorded.output_count());
@@ -85,8 +85,9 @@ void DerivativeVerification::compare_with_formulas(Sample const &sample, std::sp
 void DerivativeVerification::compare(Sample const &sample, std::span<double const> stored) {
   if (result_.tried == most_) return;
   std::vector<double> const inputs = with_seeds(sample.inputs);
-  std::vector<double> const values = evaluate(differentiated_, inputs, sample.parameters);
-  auto const exact = evaluate_extended(differentiated_, std::span<double const>(inputs), sample.parameters, values);
+  std::vector<double> const values = evaluate(differentiated_, inputs, sample.parameters, call_);
+  auto const exact =
+      evaluate_extended(differentiated_, std::span<double const>(inputs), sample.parameters, values, call_);
   if (!exact) return; // at a decision
   ++result_.tried;
   std::vector<double> formulas, rounding; // of what is stored: the numbers of the formulas, and how far off they are
@@ -103,7 +104,7 @@ void DerivativeVerification::compare(Sample const &sample, std::span<double cons
   }
   auto const seeds = differences_.seeds_of_requests(seeds_);
   std::vector<long double> const duals =
-      dual_numbers(recorded_, differences_.requests(), seeds, sample.inputs, sample.parameters);
+      dual_numbers(recorded_, differences_.requests(), seeds, sample.inputs, sample.parameters, call_);
   std::vector<SharpNumber> const sharp = differences_.at(inputs, sample.parameters, result_.tolerance);
   internal_check(sharp.size() == found.size() && duals.size() == found.size());
   double const least = mode_ == FloatingPoint::fast ? result_.tolerance : most_off_duals;

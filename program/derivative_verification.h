@@ -33,9 +33,11 @@ struct DerivativeResult {
 
 class DerivativeVerification {
 public:
-  // Throws derivative_unverified for what cannot be checked at all: code in single precision, or that calls functions,
-  // and graphs that extended precision cannot evaluate. `recorded` outlives this.
-  DerivativeVerification(Graph const &recorded, std::string const &path, Banner const &banner, double tolerance);
+  // Throws derivative_unverified for what cannot be checked at all: code in single precision, and graphs that extended
+  // precision cannot evaluate. `recorded` outlives this, and has the functions that give derivatives; `call` calls
+  // those of the program.
+  DerivativeVerification(Graph const &recorded, std::string const &path, Banner const &banner, double tolerance,
+                         CallExternal const &call);
 
   // What is added to the original's inputs: the same for the same seed.
   std::vector<double> with_seeds(std::vector<double> inputs) const;
@@ -52,6 +54,7 @@ private:
   std::vector<double> unpacked(std::vector<double> const &stored) const;
 
   Graph const &recorded_;
+  CallExternal call_;
   Differences differences_;
   Graph differentiated_; // the formulas before any pass; they also tell how much rounding costs at a sample
   FloatingPoint mode_;

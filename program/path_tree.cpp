@@ -19,7 +19,8 @@ bool is_same(Table const &a, Table const &b) {
 }
 
 bool is_same(External const &a, External const &b) {
-  return a.name == b.name && a.pure == b.pure && a.returned == b.returned && a.parameters == b.parameters;
+  return a.name == b.name && a.pure == b.pure && a.returned == b.returned && a.parameters == b.parameters &&
+         a.derivatives == b.derivatives;
 }
 
 bool is_same(Frozen const &a, Frozen const &b) {

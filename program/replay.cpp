@@ -41,6 +41,12 @@ struct Replay::Server {
     if (code) {
       shape.constant_count = static_cast<std::uint32_t>(code->banner().constants);
       shape.guard_count = static_cast<std::uint32_t>(code->banner().guards);
+      shape.code_input_count = static_cast<std::uint32_t>(code->banner().inputs);
+      shape.code_output_count = static_cast<std::uint32_t>(code->banner().outputs);
+      for (External const &external : graph.externals) {
+        shape.most_arguments = std::max(shape.most_arguments, static_cast<std::uint32_t>(external.argument_count()));
+        shape.most_results = std::max(shape.most_results, static_cast<std::uint32_t>(external.result_count()));
+      }
     }
     shape.input_count = static_cast<std::uint32_t>(graph.input_count());
     shape.parameter_count = static_cast<std::uint32_t>(graph.parameter_count());
@@ -99,18 +105,52 @@ Replay::Replay(std::string what, std::string const &executable, RunOptions const
 
 Replay::~Replay() = default;
 
+void Replay::send(void const *bytes, std::size_t size) {
+  if (write(server_->commands, bytes, size) != static_cast<ssize_t>(size))
+    fail(DiagnosticId::replay_failed, place_, what_ + " did not reach its kernel again");
+}
+
+void Replay::end_calls() {
+  if (!is_calling_) return;
+  is_calling_ = false;
+  send(&replay::no_function, sizeof replay::no_function);
+  wait_for_answer();
+}
+
+void Replay::call(std::size_t function, std::span<double const> arguments, std::span<double> results) {
+  replay::Head *head = server_->head;
+  if (constexpr auto command = replay::Command::functions; !is_calling_) send(&command, sizeof command);
+  is_calling_ = true;
+  internal_check(arguments.size() <= head->most_arguments && results.size() <= head->most_results);
+  std::ranges::copy(arguments, replay::shared_arguments(head));
+  auto const number = static_cast<std::uint32_t>(function);
+  send(&number, sizeof number);
+  wait_for_answer();
+  std::copy_n(replay::shared_results(head), results.size(), results.begin());
+}
+
 void Replay::ask(replay::Command command, Sample const &sample) {
+  end_calls();
   Server &server = *server_;
   replay::Head *head = server.head;
-  std::copy(sample.inputs.begin(), sample.inputs.end(), replay::shared_inputs(head));
+  auto const own = std::span<double const>(sample.inputs).first(head->input_count); // seeds may follow
+  std::ranges::copy(own, replay::shared_inputs(head));
   std::copy(sample.parameters.begin(), sample.parameters.end(), replay::shared_parameters(head));
 
-  // The server limits the time of a sample; the time to the kernel's first annotation is limited here.
+  send(&command, sizeof command);
+  wait_for_answer();
+  if (head->state != replay::State::complete)
+    fail(DiagnosticId::replay_failed, place_,
+         "on a sample " + what_ + " reached other annotations than in the recorded run");
+}
+
+// The server limits the time of a sample; the time to the kernel's first annotation is limited here.
+void Replay::wait_for_answer() {
+  Server const &server = *server_;
   pollfd answer = {server.answers, POLLIN, 0};
   int status = 0;
-  bool asked = write(server.commands, &command, sizeof command) == sizeof command;
-  int patience = static_cast<int>(head->seconds + 5) * 1000;
-  if (!asked || poll(&answer, 1, patience) != 1 || read(server.answers, &status, sizeof status) != sizeof status)
+  int patience = static_cast<int>(server.head->seconds + 5) * 1000;
+  if (poll(&answer, 1, patience) != 1 || read(server.answers, &status, sizeof status) != sizeof status)
     fail(DiagnosticId::replay_failed, place_, what_ + " did not reach its kernel again");
   if (WIFSIGNALED(status) && WTERMSIG(status) == SIGALRM)
     fail(DiagnosticId::replay_failed, place_, what_ + "'s kernel does not end on a sample within the time limit");
@@ -118,9 +158,6 @@ void Replay::ask(replay::Command command, Sample const &sample) {
     fail(DiagnosticId::replay_failed, place_,
          fmt::format("signal {} ({}) ended {}'s kernel on a sample", WTERMSIG(status), strsignal(WTERMSIG(status)),
                      what_));
-  if (head->state != replay::State::complete)
-    fail(DiagnosticId::replay_failed, place_,
-         "on a sample " + what_ + " reached other annotations than in the recorded run");
 }
 
 std::size_t Replay::calls() const { return server_->head->calls_done; }
@@ -154,11 +191,14 @@ std::vector<replay::LeftBehind> Replay::left_behind() const {
   return {server_->head->left, server_->head->left + server_->head->left_count};
 }
 
-GeneratedCode::Result Replay::run_generated(Sample const &sample) {
+GeneratedCode::Result Replay::run_generated(Sample const &sample, std::span<double const> inputs) {
   replay::Head *head = server_->head;
-  std::fill_n(replay::shared_outputs(head), head->output_count, std::bit_cast<double>(GeneratedCode::untouched));
+  internal_check(inputs.size() == head->code_input_count);
+  double *const outputs = replay::shared_code_outputs(head);
+  std::fill_n(outputs, head->code_output_count, std::bit_cast<double>(GeneratedCode::untouched));
+  std::ranges::copy(inputs, replay::shared_code_inputs(head));
   ask(replay::Command::generated, sample);
-  return {head->failed, outputs_of(0)};
+  return {head->failed, {outputs, outputs + head->code_output_count}};
 }
 
 Evaluation Replay::run_graph(Sample const &sample) {

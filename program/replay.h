@@ -36,15 +36,23 @@ public:
   // What the kernel left, on the last sample that it ran on, in memory that outlives it and is no output; of the
   // original only.
   std::vector<replay::LeftBehind> left_behind() const;
-  GeneratedCode::Result run_generated(Sample const &sample);
+  // `inputs`: all that the generated code has, also those that derivatives add.
+  GeneratedCode::Result run_generated(Sample const &sample, std::span<double const> inputs);
   Evaluation run_graph(Sample const &sample);
   // Where the kernel begins, in a program that counts its branches: return addresses, innermost first, relative to
   // where it is loaded. Once a sample has run.
   std::vector<std::uint64_t> stack() const;
+  // A function of the program, by its number in the graph. Calls in a row find the state that the one before it has
+  // left.
+  void call(std::size_t function, std::span<double const> arguments, std::span<double> results);
 
 private:
   struct Server;
   void ask(replay::Command command, Sample const &sample);
+  void send(void const *bytes, std::size_t size);
+  void wait_for_answer();
+  void end_calls();
+  bool is_calling_ = false;
   std::string what_;
   std::unique_ptr<Server> server_;
   Place place_; // of the kernel, for diagnostics

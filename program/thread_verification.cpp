@@ -48,7 +48,7 @@ ThreadTimes times_of(GeneratedCode &alone, GeneratedCode &together, Sample const
 
 void ThreadVerification::compare(Sample const &sample, GeneratedCode::Result const &together) {
   GeneratedCode::Result const alone =
-      program_ ? program_->run_generated(sample) : alone_.run(sample.inputs, sample.parameters);
+      program_ ? program_->run_generated(sample, sample.inputs) : alone_.run(sample.inputs, sample.parameters);
   bool const is_same = alone.failed == together.failed &&
                        std::ranges::equal(alone.outputs, together.outputs, [](double one, double other) {
                          return same(one, other, FloatingPoint::strict, 0);

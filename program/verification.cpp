@@ -1,5 +1,6 @@
 #include "program/verification.h"
 
+#include "differentiate/calls.h"
 #include "differentiate/differentiate.h"
 #include "emit/origins/origins.h"
 #include "graph/evaluate.h"
@@ -69,7 +70,8 @@ public:
   Verifier(Front const &front, RunOptions const &run, Recorded const &recorded, std::string const &path,
            Banner const &banner, VerificationOptions const &options)
       : options_(options),
-        graph_(recorded.graph),
+        completed_(with_derivative_functions(recorded.graph, banner)),
+        graph_(completed_ ? *completed_ : recorded.graph),
         scratch_(recorded.scratch),
         annotated_(front.annotated),
         kernel_(recorded.kernel),
@@ -78,7 +80,6 @@ public:
         source_(graph_, options.seed),
         exact_(graph_),
         decisions_(counts_decisions() ? decisions_of(graph_) : std::vector<symreal::Decision>()) {
-    if (!banner.derivatives.empty()) derivatives_.emplace(graph_, path, banner, derivative_tolerance());
     bool const by_hand = front.original_program.empty();
     auto const start = [&](std::unique_ptr<Replay> &program, char const *what, std::string const &executable,
                            GeneratedCode const *code, std::string const &profile = {}) {
@@ -87,6 +88,8 @@ public:
     };
     start(original_, "the original", by_hand ? front.replay_program : front.original_program,
           code_.needs_program() ? &code_ : nullptr);
+    if (!banner.derivatives.empty())
+      derivatives_.emplace(graph_, path, banner, derivative_tolerance(), program_calls());
     if (!by_hand && !front.replay_program.empty())
       start(rewritten_, "the rewritten program", front.replay_program, nullptr);
     if (!front.own_flags_program.empty() && !banner.is_single)
@@ -155,6 +158,20 @@ private:
     return banner_.mode == FloatingPoint::fast ? options_.tolerance : VerificationOptions().tolerance;
   }
 
+  // What dual numbers and the formulas of derivatives call besides.
+  static std::optional<Graph> with_derivative_functions(Graph const &graph, Banner const &banner) {
+    if (banner.derivatives.empty() || !calls_program(graph)) return std::nullopt;
+    std::optional<Graph> completed(graph);
+    add_derivative_functions(*completed);
+    return completed;
+  }
+
+  CallExternal program_calls() const {
+    if (!code_.needs_program()) return {};
+    return [program = original_.get()](std::size_t function, std::span<double const> arguments,
+                                       std::span<double> results) { program->call(function, arguments, results); };
+  }
+
   std::vector<double> with_seeds(std::vector<double> const &inputs) const {
     return derivatives_ ? derivatives_->with_seeds(inputs) : inputs;
   }
@@ -218,8 +235,8 @@ private:
   void compare(std::size_t k, Sample const &sample) {
     bool const in_program = code_.needs_program();
     Evaluation const evaluated = evaluate_recorded(sample);
-    GeneratedCode::Result const computed =
-        in_program ? original_->run_generated(sample) : code_.run(with_seeds(sample.inputs), sample.parameters);
+    GeneratedCode::Result const computed = in_program ? original_->run_generated(sample, with_seeds(sample.inputs))
+                                                      : code_.run(with_seeds(sample.inputs), sample.parameters);
     // What the functions that it calls have left, as those of the original do.
     left_by_generated_ = in_program ? original_->left_behind() : std::vector<replay::LeftBehind>();
     if (threads_) threads_->compare({with_seeds(sample.inputs), sample.parameters}, computed);
@@ -369,6 +386,7 @@ private:
   }
 
   VerificationOptions const &options_;
+  std::optional<Graph> completed_; // of a kernel that calls functions of the program and has derivatives
   Graph const &graph_;
   std::vector<std::string> const &scratch_;
   rewrite::Result const &annotated_;

@@ -85,7 +85,7 @@ template <class Take> void visit(Take &take, ConfiguredClause &object)
 template <class Take> void visit(Take &take, ConfiguredKernel &object)
   SYMREAL_CONSISTS_OF(function, file, clauses)
 template <class Take> void visit(Take &take, ConfiguredExternal &object)
-  SYMREAL_CONSISTS_OF(function, pure, clauses)
+  SYMREAL_CONSISTS_OF(function, pure, clauses, derivatives)
 template <class Take> void visit(Take &take, Facts &object)
   SYMREAL_CONSISTS_OF(files, types, doubles, wraps, shared, members, reached, skipped, consumed, conversions,
     comparisons, printed, quoted, pasted, text_calls, pragmas, number_readers, by_hand, definitions, exported, uses,

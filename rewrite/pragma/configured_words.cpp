@@ -66,6 +66,7 @@ PragmaWords external_words(ConfiguredExternal const &external, ASTContext &conte
   Writer writer(context);
   writer.clause({{"external", external.function.place}, {external.function}});
   if (external.pure) writer.source({"pure", external.function.place});
+  if (!external.derivatives.empty()) writer.clause({{"derivative", external.function.place}, external.derivatives});
   for (ConfiguredClause const &clause : external.clauses) writer.clause(clause);
   return std::move(writer.words);
 }

@@ -9,18 +9,27 @@ Error syntax(std::size_t token, std::string message) {
   return {token, DiagnosticId::pragma_syntax, std::move(message)};
 }
 
-// The name in external(name), which may be qualified; `at` is left behind the closing parenthesis.
-std::string function_name(std::vector<PragmaToken> const &tokens, std::size_t &at) {
-  if (++at == tokens.size() || tokens[at].text != "(") throw syntax(at, "expected '(' after 'external'");
-  std::string name;
+// The names in external(name) and derivative(name, name), which may be qualified; `at` stands on the word before them,
+// and is left behind the closing parenthesis.
+std::vector<ExternalPragma::Function> function_names(std::vector<PragmaToken> const &tokens,
+                                                     std::vector<Place> const &places, std::size_t &at) {
+  std::string const word = tokens[at].text;
+  if (++at == tokens.size() || tokens[at].text != "(") throw syntax(at, "expected '(' after '" + word + "'");
+  std::vector<ExternalPragma::Function> names(1);
   for (++at; at < tokens.size() && tokens[at].text != ")"; ++at) {
+    ExternalPragma::Function &last = names.back();
+    if (tokens[at].text == "," && !last.name.empty()) {
+      names.emplace_back();
+      continue;
+    }
     if (!tokens[at].is_name && tokens[at].text != "::") throw syntax(at, "expected the name of a function");
-    name += tokens[at].text;
+    if (last.name.empty()) last.place = places[at];
+    last.name += tokens[at].text;
   }
   if (at == tokens.size()) throw syntax(at, "expected ')' before the end of the line");
-  if (name.empty()) throw syntax(at, "expected the name of a function");
+  if (names.back().name.empty()) throw syntax(at, "expected the name of a function");
   ++at;
-  return name;
+  return names;
 }
 
 ExternalPragma::Item read_item(std::vector<PragmaToken> const &tokens, PragmaItem const &item, std::size_t offset) {
@@ -45,12 +54,20 @@ std::variant<ExternalPragma, PragmaError> parse_external(std::vector<PragmaToken
                                                          std::vector<Place> const &places) try {
   ExternalPragma pragma;
   std::size_t at = 0;
-  pragma.function = function_name(tokens, at);
-  pragma.name_place = places[2];
+  std::vector<ExternalPragma::Function> const names = function_names(tokens, places, at);
+  if (names.size() > 1) return syntax(2, "one function is named in a pragma 'external'");
+  pragma.function = names[0].name;
+  pragma.name_place = names[0].place;
   std::vector<PragmaToken> rest;
   std::vector<std::size_t> position; // in the whole directive
   int depth = 0;
   for (; at < tokens.size(); ++at) {
+    if (depth == 0 && tokens[at].text == "derivative") {
+      if (!pragma.derivatives.empty()) return syntax(at, "'derivative' stands there twice");
+      pragma.derivatives = function_names(tokens, places, at);
+      --at;
+      continue;
+    }
     depth += (tokens[at].text == "(") - (tokens[at].text == ")");
     if (depth == 0 && tokens[at].text == "pure") {
       pragma.pure = true;
@@ -67,7 +84,8 @@ std::variant<ExternalPragma, PragmaError> parse_external(std::vector<PragmaToken
   for (PragmaClause const &clause : std::get<Pragma>(parsed).clauses) {
     std::string const &name = rest[clause.name].text;
     if (name != "input" && name != "output")
-      return syntax(position[clause.name], "beside external(...) stand pure, input(...) and output(...)");
+      return syntax(position[clause.name],
+                    "beside external(...) stand pure, input(...), output(...) and derivative(...)");
     for (PragmaItem const &item : clause.items) {
       (name == "input" ? pragma.inputs : pragma.outputs).push_back(read_item(rest, item, position[0]));
       (name == "input" ? pragma.inputs : pragma.outputs).back().place = places[position[item.tokens.begin]];

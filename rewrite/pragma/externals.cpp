@@ -1,6 +1,7 @@
 #include "rewrite/pragma/externals.h"
 
 #include "rewrite/facts/merge.h"
+#include "rewrite/pragma/external_derivatives.h"
 #include "rewrite/text/pragma_text.h"
 
 #include <algorithm>
@@ -15,6 +16,12 @@ struct Value {
   std::string text;
   std::string size = "0"; // where only a call knows it
   std::string error = {};
+
+  bool is(std::string_view kind) const { return text.starts_with(kind); }
+  std::size_t count() const {
+    std::size_t const space = text.rfind(' ');
+    return is("number") || is("integer") || space == text.npos ? 1 : std::stoul(text.substr(space + 1));
+  }
 };
 
 Value wrong(std::string error) { return {"", "0", std::move(error)}; }
@@ -63,15 +70,18 @@ public:
         reals_(reals) {}
 
   void resolve(ExternalPragma const &pragma) {
-    FunctionDecl const *function = look_up(pragma);
+    FunctionDecl const *function = look_up(pragma.function, pragma.name_place, pragma.configured.has_value());
     if (function && pragma.configured) facts_.configured_externals.insert(*pragma.configured);
-    if (!function || !is_callable(pragma, function)) return;
+    if (!function || !is_callable(pragma.function, pragma.name_place, function)) return;
     std::string text, sizes;
+    std::vector<QualType> given;
+    std::size_t numbers = 0, results = 0; // in what it is given, and in what it gives
     if (!function->getReturnType()->isVoidType()) {
       Value const returned = scalar_or_object(function->getReturnType(), context_);
       if (!returned.error.empty())
         return refuse(pragma.name_place, "what '" + pragma.function + "' returns " + returned.error);
       text = "returns " + returned.text;
+      results = returned.count();
     }
     bool any_size = false, good = check_names(pragma, function);
     for (unsigned i = 0; i < function->getNumParams(); ++i) {
@@ -83,17 +93,21 @@ public:
       text += (i != 0 ? " " : text.empty() ? "takes " : " takes ") + value.text;
       sizes += (i == 0 ? "" : " ") + value.size;
       any_size |= value.size != "0";
+      if (!value.is("output")) given.push_back(function->getParamDecl(i)->getType());
+      if (!value.is("output") && !value.is("integer")) numbers += value.count();
+      if (value.is("output") || value.is("updated")) results += value.count();
     }
     if (!good) return;
+    DerivativeForm form(context_, std::move(given), any_size ? 0 : numbers, results);
+    if (!add_derivatives(pragma, form)) return;
+    text += form.text();
     Place const place = map_.place(function->getLocation());
     std::string const arguments = in_quotes(function->getNameAsString()) + (pragma.pure ? ", true, " : ", false, ") +
                                   in_quotes(text) + ", " + in_quotes(any_size ? sizes : "") + ", " +
                                   in_quotes(place.file) + ", " + std::to_string(place.line) + ", " +
                                   std::to_string(place.column);
     reals_.add_external(function, {arguments, pragma.pure});
-    facts_.externals.emplace(ASTNameGenerator(context_).getName(function),
-                             Note{pragma.name_place, function->getNameAsString()});
-    keep_linkage(function);
+    declare(function, pragma.name_place);
   }
 
 private:
@@ -101,9 +115,29 @@ private:
     add_diagnostic(facts_, {id, place, std::move(message)});
   }
 
-  FunctionDecl const *look_up(ExternalPragma const &pragma) {
+  void declare(FunctionDecl const *function, Place const &place) {
+    facts_.externals.emplace(ASTNameGenerator(context_).getName(function), Note{place, function->getNameAsString()});
+    keep_linkage(function);
+  }
+
+  // The functions that give derivatives, each that of the one before it.
+  bool add_derivatives(ExternalPragma const &pragma, DerivativeForm &form) {
+    for (auto const &[name, place] : pragma.derivatives) {
+      FunctionDecl const *derivative = look_up(name, place, false);
+      if (!derivative || !is_callable(name, place, derivative)) return false;
+      std::string const why = pragma.pure ? form.add(derivative) : "'" + pragma.function + "' is not said to be pure";
+      if (!why.empty()) {
+        refuse(place, "'" + name + "' cannot be the derivative: " + why, DiagnosticId::external_derivative);
+        return false;
+      }
+      declare(derivative, place);
+    }
+    return true;
+  }
+
+  FunctionDecl const *look_up(std::string const &function_name, Place const &place, bool may_be_elsewhere) {
     DeclContext const *scope = context_.getTranslationUnitDecl();
-    llvm::StringRef rest = pragma.function;
+    llvm::StringRef rest = function_name;
     rest.consume_front("::");
     while (true) {
       auto const [name, inner] = rest.split("::");
@@ -117,14 +151,14 @@ private:
       scope = next;
       rest = inner;
     }
-    if (!pragma.configured) // another source may declare it
-      refuse(pragma.name_place, "no function '" + pragma.function + "' is declared in this file",
+    if (!may_be_elsewhere)
+      refuse(place, "no function '" + function_name + "' is declared in this file",
              DiagnosticId::pragma_undeclared_name);
     return nullptr;
   }
 
-  bool is_callable(ExternalPragma const &pragma, FunctionDecl const *function) {
-    std::string const name = "'" + pragma.function + "' ";
+  bool is_callable(std::string const &function_name, Place const &place, FunctionDecl const *function) {
+    std::string const name = "'" + function_name + "' ";
     std::string why;
     if (isa<CXXMethodDecl>(function) || !function->isExternC())
       why = "has C++ linkage: the generated C cannot name it";
@@ -134,7 +168,7 @@ private:
       why = "is defined in the sources, so its calls are recorded as they are";
     else if (function->isVariadic() || !function->getType()->getAs<FunctionProtoType>())
       why = "has no prototype that tells its parameters";
-    if (!why.empty()) refuse(pragma.name_place, name + why);
+    if (!why.empty()) refuse(place, name + why);
     return why.empty();
   }
 

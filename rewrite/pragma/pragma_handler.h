@@ -34,6 +34,11 @@ struct ExternalPragma {
   Place name_place;
   bool pure = false;
   std::vector<Item> inputs, outputs;
+  struct Function {
+    std::string name;
+    Place place;
+  };
+  std::vector<Function> derivatives;          // its first, the first of that, ...
   std::optional<std::size_t> configured = {}; // it stands in no file: which of the request's externals it is
 };
 

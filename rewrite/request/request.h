@@ -51,6 +51,7 @@ struct ConfiguredExternal {
   ConfiguredText function;
   bool pure = false;
   std::vector<ConfiguredClause> clauses = {};
+  std::vector<ConfiguredText> derivatives = {};
 };
 
 // A source that lies in no file: read and compiled as if it stood at this path.

@@ -88,9 +88,10 @@ void add_vjp(DerivativeRequest const &request, PointDifferences const &point, st
 
 } // namespace
 
-Differences::Differences(Graph const &graph, std::span<DerivativeWish const> wishes)
+Differences::Differences(Graph const &graph, std::span<DerivativeWish const> wishes, CallExternal call)
     : graph_(graph),
-      obstacle_(obstacle_to_extended(graph)) {
+      call_(std::move(call)),
+      obstacle_(obstacle_to_extended(graph, static_cast<bool>(call_))) {
   for (DerivativeWish const &wish : wishes) {
     DerivativeRequest const &request = requests_.emplace_back(read_request(wish, graph));
     std::size_t first = seed_count_;
@@ -123,7 +124,7 @@ std::vector<std::span<double const>> Differences::seeds_of_requests(std::span<do
 std::vector<SharpNumber> Differences::at(std::span<double const> inputs, std::span<double const> parameters,
                                          double tolerance) const {
   internal_check(obstacle_.empty() && inputs.size() == graph_.input_count() + seed_count());
-  PointDifferences const point(graph_, inputs.first(graph_.input_count()), parameters, tolerance);
+  PointDifferences const point(graph_, inputs.first(graph_.input_count()), parameters, tolerance, call_);
   auto const seeds = seeds_of_requests(inputs.subspan(graph_.input_count()));
   SharpVector result;
   for (std::size_t k = 0; k < requests_.size(); ++k) {

@@ -14,7 +14,8 @@ namespace symreal {
 class Differences {
 public:
   // `graph` is as recorded, without derivatives, and outlives this.
-  Differences(Graph const &graph, std::span<DerivativeWish const> wishes);
+  // `call`: the program's functions, if it calls some.
+  Differences(Graph const &graph, std::span<DerivativeWish const> wishes, CallExternal call = {});
 
   // Why there are none, in words; empty where there are.
   std::string const &obstacle() const { return obstacle_; }
@@ -34,6 +35,7 @@ public:
 
 private:
   Graph const &graph_;
+  CallExternal call_;
   std::vector<DerivativeRequest> requests_;
   std::vector<std::size_t> first_seed_; // of each, among the inputs that are added
   std::size_t seed_count_ = 0;

@@ -1,5 +1,6 @@
 #include "differentiate/differentiate.h"
 
+#include "differentiate/calls.h"
 #include "differentiate/matrix.h"
 #include "differentiate/path.h"
 #include "differentiate/request.h"
@@ -120,6 +121,8 @@ void add_derivative(Graph &graph, DerivativeRequest const &request, std::size_t 
     return add_matrix(graph, request, cheapest_jacobian(graph, rows, request.input_slots));
   Way const way = request.kind == DerivativeKind::jvp ? Way::forward : Way::reverse;
   std::vector<NodeId> const elements = product(way, graph, request, rows, seeds);
+  if (request.kind == DerivativeKind::hessian) // a function of the program may have a first derivative alone
+    require_differentiable(graph, find_path(graph, elements, request.input_slots), request);
   if (request.kind == DerivativeKind::hessian)
     return add_matrix(graph, request, cheapest_jacobian(graph, elements, request.input_slots, true));
   add_object(graph.outputs, request.name, request.extents(), request.place);
@@ -136,6 +139,7 @@ Graph differentiate(Graph graph, std::span<DerivativeWish const> wishes, Report 
       if (other.name == read.back().name)
         fail(DiagnosticId::bad_derivative, wish.place, wish.text + " is asked for twice");
   }
+  add_derivative_functions(graph);
   std::size_t const recorded = graph.inputs.size();
   for (std::size_t k = 0; k < wishes.size(); ++k) {
     add_derivative(graph, read[k], recorded, report);

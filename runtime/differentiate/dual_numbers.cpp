@@ -42,8 +42,8 @@ void add_jacobian(PointDuals const &point, DerivativeRequest const &request, Gra
 
 Vector dual_numbers(Graph const &graph, std::span<DerivativeRequest const> requests,
                     std::span<std::span<double const> const> seeds, std::span<double const> inputs,
-                    std::span<double const> parameters) {
-  PointDuals const point(graph, inputs, parameters);
+                    std::span<double const> parameters, CallExternal const &call) {
+  PointDuals const point(graph, inputs, parameters, call);
   Vector result;
   for (std::size_t k = 0; k < requests.size(); ++k) {
     DerivativeRequest const &request = requests[k];

@@ -1,6 +1,6 @@
 #include "differentiate/expressions.h"
 
-#include "differentiate/rules.h"
+#include "graph/opaque.h"
 
 #include <cmath>
 
@@ -133,6 +133,17 @@ NodeId Expressions::made_of(Term const &term, Node const &node, NodeId result) {
 NodeId Expressions::partial(NodeId id, std::size_t i) {
   Node const node = table_[id];
   return zero_free(made_of(derivative_of(node.op, i), node, id));
+}
+
+// By the number `i` among the arguments: the same arguments go to the function that gives derivatives.
+NodeId Expressions::partial_of_call(NodeId id, std::size_t i) {
+  Node const call = table_[table_[id].operand[0]];
+  std::size_t const function = derivative_function(graph_, function_of(graph_, graph_.nodes[table_[id].operand[0]]));
+  internal_check(function < graph_.externals.size());
+  NodeId const number = constant(static_cast<double>(function));
+  NodeId const derivative = intern(Op::call, call.operand[0], number, no_node);
+  NodeId const which = constant(static_cast<double>(first_partial(graph_, id) + i));
+  return intern(Op::returned, derivative, which, no_node);
 }
 
 } // namespace symreal

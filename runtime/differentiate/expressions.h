@@ -5,6 +5,8 @@
 // that was not taken would be NaN. So a product with a select that has a zero arm is that select of a product.
 #pragma once
 
+#include "differentiate/calls.h"
+#include "differentiate/rules.h"
 #include "graph/graph.h"
 #include "graph/node_table.h"
 #include "passes/term.h"
@@ -28,12 +30,25 @@ public:
   // Each operand may be no_node, for zero, and so may the result.
   NodeId sum(NodeId a, NodeId b);
   NodeId product(NodeId a, NodeId b);
+  // Node `id` of the graph as it was: calls `use(operand, partial)` with each number that it depends on by a formula,
+  // and how to get its derivative by it.
+  template <class Use> void for_each_slope(NodeId id, Use const &use) {
+    Node const node = table_[id];
+    if (node.op == Op::returned) {
+      std::vector<NodeId> const arguments = differentiable_arguments(graph_, id);
+      for (std::size_t i = 0; i < arguments.size(); ++i) use(arguments[i], [&] { return partial_of_call(id, i); });
+      return;
+    }
+    for (std::size_t i = 0; i < arity(node.op); ++i)
+      if (slope_of(node.op, i) == Slope::formula) use(node.operand[i], [&] { return partial(id, i); });
+  }
   // The derivative of node `id` by its operand `i`, which has a formula.
   NodeId partial(NodeId id, std::size_t i);
   // The node, or a zero that stands in its place.
   NodeId number(NodeId id) { return id == no_node ? constant(0) : id; }
 
 private:
+  NodeId partial_of_call(NodeId id, std::size_t i);
   NodeId operation(Op op, NodeId a, NodeId b = no_node, NodeId c = no_node);
   NodeId simplified(Op op, NodeId a, NodeId b, NodeId c);
   NodeId made_of(Term const &term, Node const &node, NodeId result);

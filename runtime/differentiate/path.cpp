@@ -1,5 +1,6 @@
 #include "differentiate/path.h"
 
+#include "differentiate/calls.h"
 #include "differentiate/rules.h"
 
 #include <algorithm>
@@ -20,6 +21,8 @@ std::vector<char> dependent(Graph const &graph, std::span<std::uint32_t const> i
     if (is_leaf(node.op)) continue;
     for (std::size_t i = 0; i < arity(node.op); ++i)
       if (result[node.operand[i]] && is_way(node.op, i)) result[id] = 1;
+    for (NodeId const argument : differentiable_arguments(graph, static_cast<NodeId>(id)))
+      if (result[argument]) result[id] = 1;
   }
   return result;
 }
@@ -35,6 +38,10 @@ DerivativePath find_path(Graph const &graph, std::span<NodeId const> outputs, st
   for (std::size_t id = needed.size(); id-- > 0;) {
     Node const &node = graph.nodes[id];
     if (!needed[id] || is_leaf(node.op)) continue;
+    std::vector<NodeId> const arguments = differentiable_arguments(graph, static_cast<NodeId>(id));
+    for (NodeId const argument : arguments)
+      if (reached[argument]) needed[argument] = 1;
+    if (!arguments.empty()) continue;
     bool jumps = false, is_unknown = false;
     for (std::size_t i = 0; i < arity(node.op); ++i) {
       if (!reached[node.operand[i]]) continue;

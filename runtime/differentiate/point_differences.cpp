@@ -60,14 +60,15 @@ private:
 std::size_t const PointDifferences::evaluations = 2 * (levels + perturbations + std::size(probes));
 
 PointDifferences::PointDifferences(Graph const &graph, std::span<double const> inputs,
-                                   std::span<double const> parameters, double tolerance)
+                                   std::span<double const> parameters, double tolerance, CallExternal call)
     : graph_(graph),
       inputs_(inputs.begin(), inputs.end()),
       parameters_(parameters),
       tolerance_(tolerance / 16),
-      values_(evaluate(graph, inputs, parameters)),
-      middle_(evaluate_extended(graph, std::span<long double const>(inputs_), parameters, values_).value_or(Vector())) {
-}
+      call_(std::move(call)),
+      values_(evaluate(graph, inputs, parameters, call_)),
+      middle_(evaluate_extended(graph, std::span<long double const>(inputs_), parameters, values_, 0, call_)
+                  .value_or(Vector())) {}
 
 std::vector<SharpNumber> PointDifferences::along(Vector const &direction, int order) const {
   std::vector<Neighbours> const neighbours = neighbours_along(direction);
@@ -161,7 +162,7 @@ Vector PointDifferences::moved(Vector const &direction, long double step, std::u
     if (perturbation != 0 && at[k] - inputs_[k] != change)
       at[k] = std::nextafter(at[k], perturbation % 2 == 0 ? 0 : 2 * at[k]);
   }
-  return evaluate_extended(graph_, std::span<long double const>(at), parameters_, values_, perturbation)
+  return evaluate_extended(graph_, std::span<long double const>(at), parameters_, values_, perturbation, call_)
       .value_or(Vector());
 }
 

@@ -1,7 +1,7 @@
 // Differences of a graph at one point, along a direction, in extended precision: extrapolated to a step of 0.
 #pragma once
 
-#include "graph/graph.h"
+#include "graph/evaluate.h"
 
 #include <optional>
 #include <span>
@@ -19,7 +19,7 @@ public:
   // Extended precision can evaluate `graph`, which outlives this, as do the parameters. A number is sharp if its error
   // is estimated to be within `tolerance` of the larger of its magnitude and 1.
   PointDifferences(Graph const &graph, std::span<double const> inputs, std::span<double const> parameters,
-                   double tolerance);
+                   double tolerance, CallExternal call = {});
 
   // The first or second derivative of all outputs along a direction.
   std::vector<SharpNumber> along(Vector const &direction, int order) const;
@@ -65,6 +65,7 @@ private:
   Vector inputs_;
   std::span<double const> parameters_;
   long double tolerance_;
+  CallExternal call_;
   std::vector<double> values_;
   Vector middle_; // as high and low
 };

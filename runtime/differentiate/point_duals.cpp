@@ -1,7 +1,10 @@
 #include "differentiate/point_duals.h"
 
+#include "differentiate/calls.h"
 #include "differentiate/rules.h"
+#include "graph/call_results.h"
 #include "graph/extended.h"
+#include "graph/opaque.h"
 
 namespace symreal {
 
@@ -42,16 +45,40 @@ Dual evaluate_dual(Op op, Duals const &operands) {
 
 } // namespace
 
-PointDuals::PointDuals(Graph const &graph, std::span<double const> inputs, std::span<double const> parameters)
+PointDuals::PointDuals(Graph const &graph, std::span<double const> inputs, std::span<double const> parameters,
+                       CallExternal const &call)
     : graph_(graph),
       value_(graph.nodes.size(), 0),
       slope_(graph.nodes.size()) {
+  CallResults calls(graph, call);
+  auto const results = [&](NodeId of, std::size_t function) -> std::vector<double> & {
+    return calls.of(of, function, [&](NodeId argument) { return static_cast<double>(value_[argument]); });
+  };
   for (std::size_t id = 0; id < value_.size(); ++id) {
     Node const &node = graph.nodes[id];
     if (node.op == Op::constant) value_[id] = node.value();
     if (node.op == Op::input) value_[id] = inputs[node.slot()];
     if (node.op == Op::parameter) value_[id] = parameters[node.slot()];
-    if (is_leaf(node.op)) continue;
+    if (node.op == Op::returned) {
+      NodeId const called = node.operand[0];
+      std::size_t const function = function_of(graph, graph.nodes[called]);
+      value_[id] = results(called, function)[result_of(graph, node)];
+      CallSlopes slopes{differentiable_arguments(graph, static_cast<NodeId>(id)), {}, {}};
+      std::size_t const count = slopes.arguments.size();
+      if (count == 0) continue;
+      std::size_t const first = first_partial(graph, static_cast<NodeId>(id));
+      std::size_t const derivative = derivative_function(graph, function);
+      auto const take = [](std::vector<double> const &all, std::size_t from, std::size_t number) {
+        auto const begin = all.begin() + static_cast<std::ptrdiff_t>(from);
+        return Vector(begin, begin + static_cast<std::ptrdiff_t>(number));
+      };
+      slopes.first = take(results(called, derivative), first, count);
+      if (std::size_t const second = derivative_function(graph, derivative); second != graph.externals.size())
+        slopes.second = take(results(called, second), first * count, count * count);
+      call_slopes_.emplace(static_cast<NodeId>(id), std::move(slopes));
+      continue;
+    }
+    if (is_leaf(node.op) || node.op == Op::argument || node.op == Op::call) continue;
     Duals duals;
     for (std::size_t i = 0; i < arity(node.op); ++i) duals[i].value = value_[node.operand[i]];
     duals[3].value = value_[id] = evaluate_extended(node.op, duals[0].value, duals[1].value, duals[2].value);
@@ -67,6 +94,9 @@ PointDuals::Vector PointDuals::tangents(Vector const &direction) const {
     if (node.op == Op::input) tangent[id] = direction[node.slot()];
     if (is_leaf(node.op)) continue;
     for (std::size_t i = 0; i < arity(node.op); ++i) tangent[id] += times(slope_[id][i], tangent[node.operand[i]]);
+    if (auto const found = call_slopes_.find(static_cast<NodeId>(id)); found != call_slopes_.end())
+      for (std::size_t i = 0; i < found->second.arguments.size(); ++i)
+        tangent[id] += times(found->second.first[i], tangent[found->second.arguments[i]]);
   }
   return tangent;
 }
@@ -86,6 +116,9 @@ PointDuals::Vector PointDuals::reverse(Vector const &weights) const {
     if (node.op == Op::input) result[node.slot()] += adjoint[id];
     if (is_leaf(node.op) || adjoint[id] == 0) continue;
     for (std::size_t i = 0; i < arity(node.op); ++i) adjoint[node.operand[i]] += times(slope_[id][i], adjoint[id]);
+    if (auto const found = call_slopes_.find(static_cast<NodeId>(id)); found != call_slopes_.end())
+      for (std::size_t i = 0; i < found->second.arguments.size(); ++i)
+        adjoint[found->second.arguments[i]] += times(found->second.first[i], adjoint[id]);
   }
   return result;
 }
@@ -100,6 +133,17 @@ PointDuals::Vector PointDuals::second(Vector const &weights, Vector const &direc
     auto const [weight, change] = adjoint[id];
     if (node.op == Op::input) result[node.slot()] += change;
     if (is_leaf(node.op) || (weight == 0 && change == 0)) continue;
+    if (auto const found = call_slopes_.find(static_cast<NodeId>(id)); found != call_slopes_.end()) {
+      auto const &[arguments, first, second] = found->second;
+      for (std::size_t i = 0; i < arguments.size(); ++i) {
+        Dual &sum = adjoint[arguments[i]];
+        sum.value += times(weight, first[i]);
+        sum.slope += times(change, first[i]);
+        for (std::size_t j = 0; j < arguments.size() && !second.empty(); ++j)
+          sum.slope += times(weight, times(second[i * arguments.size() + j], tangent[arguments[j]]));
+      }
+      continue;
+    }
     Duals duals;
     for (std::size_t i = 0; i < arity(node.op); ++i) duals[i] = {value_[node.operand[i]], tangent[node.operand[i]]};
     duals[3] = {value_[id], tangent[id]};

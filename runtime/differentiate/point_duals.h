@@ -3,9 +3,10 @@
 // sweeps nor the expressions.
 #pragma once
 
-#include "graph/graph.h"
+#include "graph/evaluate.h"
 
 #include <array>
+#include <map>
 #include <span>
 #include <vector>
 
@@ -16,7 +17,8 @@ public:
   using Vector = std::vector<long double>;
 
   // Extended precision can evaluate `graph`, which outlives this.
-  PointDuals(Graph const &graph, std::span<double const> inputs, std::span<double const> parameters);
+  PointDuals(Graph const &graph, std::span<double const> inputs, std::span<double const> parameters,
+             CallExternal const &call = {});
 
   // The slopes of all outputs along a direction of the inputs.
   Vector forward(Vector const &direction) const;
@@ -25,11 +27,19 @@ public:
   Vector second(Vector const &weights, Vector const &direction) const;
 
 private:
+  // Of a result of a call whose function has a derivative: its slopes by the numbers among the arguments, and how these
+  // change by each, where the derivative has a derivative.
+  struct CallSlopes {
+    std::vector<NodeId> arguments;
+    Vector first, second;
+  };
+
   Vector tangents(Vector const &direction) const;
 
   Graph const &graph_;
   Vector value_;                                  // per node
   std::vector<std::array<long double, 3>> slope_; // by each operand
+  std::map<NodeId, CallSlopes> call_slopes_;
 };
 
 } // namespace symreal

@@ -1,7 +1,5 @@
 #include "differentiate/sweeps.h"
 
-#include "differentiate/rules.h"
-
 namespace symreal {
 
 std::vector<NodeId> forward_sweep(Expressions &expressions, std::vector<char> const &carries,
@@ -13,9 +11,10 @@ std::vector<NodeId> forward_sweep(Expressions &expressions, std::vector<char> co
     if (node.op == Op::input) tangent[id] = direction[node.slot()];
     if (is_leaf(node.op)) continue;
     expressions.place_at(id);
-    for (std::size_t i = 0; i < arity(node.op); ++i)
-      if (NodeId const along = tangent[node.operand[i]]; along != no_node && slope_of(node.op, i) == Slope::formula)
-        tangent[id] = expressions.sum(tangent[id], expressions.product(along, expressions.partial(id, i)));
+    expressions.for_each_slope(id, [&](NodeId operand, auto const &partial) {
+      if (NodeId const along = tangent[operand]; along != no_node)
+        tangent[id] = expressions.sum(tangent[id], expressions.product(along, partial()));
+    });
   }
   std::vector<NodeId> result;
   for (NodeId const output : outputs) result.push_back(tangent[output]);
@@ -34,12 +33,10 @@ std::vector<NodeId> reverse_sweep(Expressions &expressions, std::vector<char> co
     if (node.op == Op::input) result[node.slot()] = expressions.sum(result[node.slot()], adjoint[id]);
     if (is_leaf(node.op)) continue;
     expressions.place_at(id);
-    for (std::size_t i = 0; i < arity(node.op); ++i) {
-      NodeId const operand = node.operand[i];
-      if (!carries[operand] || slope_of(node.op, i) != Slope::formula) continue;
-      adjoint[operand] =
-          expressions.sum(adjoint[operand], expressions.product(adjoint[id], expressions.partial(id, i)));
-    }
+    expressions.for_each_slope(id, [&](NodeId operand, auto const &partial) {
+      if (carries[operand])
+        adjoint[operand] = expressions.sum(adjoint[operand], expressions.product(adjoint[id], partial()));
+    });
   }
   return result;
 }

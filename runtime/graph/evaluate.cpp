@@ -1,5 +1,6 @@
 #include "graph/evaluate.h"
 
+#include "graph/call_results.h"
 #include "graph/complex_function.h"
 #include "graph/infinity.h"
 #include "graph/opaque.h"
@@ -9,7 +10,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <unordered_map>
 
 namespace symreal {
 
@@ -18,7 +18,7 @@ namespace {
 // The values of opaque nodes, made in the order of the nodes.
 class OpaqueValues {
 public:
-  OpaqueValues(Graph const &graph, CallExternal const &call) : graph_(graph), call_(call) {}
+  OpaqueValues(Graph const &graph, CallExternal const &call) : graph_(graph), results_(graph, call) {}
 
   double operator()(NodeId id, std::span<double const> values) {
     Node const &node = graph_.nodes[id];
@@ -26,30 +26,21 @@ public:
     case Op::lookup: return look_up(graph_.tables[table_of(graph_, node)], values[node.operand[1]], 0);
     case Op::lookup2:
       return look_up(graph_.tables[table_of(graph_, node)], values[node.operand[1]], values[node.operand[2]]);
-    case Op::returned: return results_.at(node.operand[0])[result_of(graph_, node)];
+    case Op::returned: return results_of(node.operand[0], values)[result_of(graph_, node)];
     case Op::call:
-    case Op::call_in_order: {
-      std::vector<double> arguments;
-      for (NodeId argument : arguments_of(graph_, node.operand[0])) arguments.push_back(values[argument]);
-      std::vector<double> &results = results_[id];
-      External const &external = graph_.externals[function_of(graph_, node)];
-      results.resize(external.result_count());
-      if (std::optional<ComplexFunction> const function = find_complex_function(external)) {
-        evaluate(*function, arguments, results);
-        return 0;
-      }
-      internal_check(static_cast<bool>(call_));
-      call_(function_of(graph_, node), arguments, results);
-      return 0;
-    }
+    case Op::call_in_order: results_of(id, values); return 0;
     default: return 0;
     }
   }
 
 private:
+  std::vector<double> const &results_of(NodeId call, std::span<double const> values) {
+    return results_.of(call, function_of(graph_, graph_.nodes[call]),
+                       [&](NodeId argument) { return values[argument]; });
+  }
+
   Graph const &graph_;
-  CallExternal const &call_;
-  std::unordered_map<NodeId, std::vector<double>> results_; // by call
+  CallResults results_;
 };
 
 } // namespace

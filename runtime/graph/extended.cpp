@@ -1,6 +1,7 @@
 #include "graph/extended.h"
 
-#include "graph/evaluate.h"
+#include "graph/call_results.h"
+#include "graph/opaque.h"
 
 #include <symreal/integer_functions.h>
 
@@ -69,23 +70,59 @@ template <class Number> Number choice_of(Op op, Number x, Number y, Number resul
 
 // By a unit in the last place or two: the first time up; then up or down at random, but always the same of a node. At
 // random alone two nodes in a row may cancel each time.
-long double moved(long double number, std::size_t id, std::uint64_t perturbation) {
+long double moved(long double number, std::size_t id, std::uint64_t perturbation,
+                  long double unit = std::numeric_limits<long double>::epsilon()) {
   std::uint64_t mixed = (4 * id + perturbation) * 0x9e3779b97f4a7c15;
   mixed = (mixed ^ (mixed >> 31)) * 0xbf58476d1ce4e5b9;
-  long double const unit = std::numeric_limits<long double>::epsilon();
   return number * (1 + (perturbation == 1 || mixed >> 63 != 0 ? unit : -unit));
 }
+
+bool is_of_call(Op op) { return op == Op::argument || op == Op::call || op == Op::returned; }
+
+// What calls give, that take and give doubles. A perturbation moves both by a unit of a double.
+class ExtendedCalls {
+public:
+  ExtendedCalls(Graph const &graph, CallExternal const &call, std::uint64_t perturbation)
+      : graph_(graph),
+        results_(graph, call),
+        perturbation_(perturbation) {}
+
+  long double value(NodeId id, std::vector<long double> const &wide) {
+    Node const &node = graph_.nodes[id];
+    if (node.op != Op::returned) return 0;
+    NodeId const call = node.operand[0];
+    std::vector<double> const &results =
+        results_.of(call, function_of(graph_, graph_.nodes[call]), [&](NodeId argument) {
+          return static_cast<double>(is_integer(argument) ? wide[argument] : perturbed(wide[argument], argument));
+        });
+    return perturbed(results[result_of(graph_, node)], id);
+  }
+
+private:
+  // It may be one: a constant, or what has been converted.
+  bool is_integer(NodeId argument) const {
+    Node const &node = graph_.nodes[argument];
+    return node.is_constant() || (!is_leaf(node.op) && reality_of(node.op) == Reality::jump);
+  }
+  long double perturbed(long double number, std::size_t id) const {
+    return perturbation_ == 0 ? number : moved(number, id, perturbation_, std::numeric_limits<double>::epsilon());
+  }
+
+  Graph const &graph_;
+  CallResults results_;
+  std::uint64_t perturbation_;
+};
 
 } // namespace
 
 long double evaluate_extended(Op op, long double x, long double y, long double z) { return evaluate_in(op, x, y, z); }
 
-std::string obstacle_to_extended(Graph const &graph) {
+std::string obstacle_to_extended(Graph const &graph, bool calls) {
   if (extended_bits <= std::numeric_limits<double>::digits) return "this machine has no numbers wider than double";
   std::vector<char> const live = live_nodes(graph);
   for (std::size_t id = 0; id < graph.nodes.size(); ++id) {
     Op const op = graph.nodes[id].op;
-    if (live[id] && !is_leaf(op) && reality_of(op) == Reality::none)
+    if (live[id] && !is_leaf(op) && reality_of(op) == Reality::none && !(calls && is_of_call(op)))
       return "'" + std::string(info(op).name) + "' is no operation on real numbers";
   }
   return {};
@@ -93,15 +130,17 @@ std::string obstacle_to_extended(Graph const &graph) {
 
 std::optional<std::vector<long double>> evaluate_extended(Graph const &graph, std::span<double const> inputs,
                                                           std::span<double const> parameters,
-                                                          std::span<double const> values) {
+                                                          std::span<double const> values, CallExternal const &call) {
   std::vector<long double> const wide(inputs.begin(), inputs.end());
-  return evaluate_extended(graph, std::span<long double const>(wide), parameters, values);
+  return evaluate_extended(graph, std::span<long double const>(wide), parameters, values, 0, call);
 }
 
 std::optional<std::vector<long double>> evaluate_extended(Graph const &graph, std::span<long double const> inputs,
                                                           std::span<double const> parameters,
-                                                          std::span<double const> values, std::uint64_t perturbation) {
+                                                          std::span<double const> values, std::uint64_t perturbation,
+                                                          CallExternal const &call) {
   std::vector<char> const active = active_nodes(graph, values);
+  ExtendedCalls calls(graph, call, perturbation);
   std::vector<long double> wide(graph.nodes.size(), 0);
   for (std::size_t id = 0; id < graph.nodes.size(); ++id) {
     Node const &node = graph.nodes[id];
@@ -112,6 +151,8 @@ std::optional<std::vector<long double>> evaluate_extended(Graph const &graph, st
       wide[id] = inputs[node.slot()];
     } else if (node.op == Op::parameter) {
       wide[id] = parameters[node.slot()];
+    } else if (is_of_call(node.op)) {
+      wide[id] = calls.value(static_cast<NodeId>(id), wide);
     } else {
       auto operand = [&](std::size_t i, auto const &of) {
         return node.operand[i] == no_node ? 0 : of[node.operand[i]];

@@ -1,7 +1,7 @@
 // A graph in extended precision: what its outputs would be if almost nothing were rounded.
 #pragma once
 
-#include "graph/graph.h"
+#include "graph/evaluate.h"
 
 #include <cstdint>
 #include <limits>
@@ -15,25 +15,25 @@ namespace symreal {
 // Of as many bits as the machine's widest numbers have: 64 on x86-64.
 inline constexpr int extended_bits = std::numeric_limits<long double>::digits;
 
-// Why a graph cannot be evaluated so, in words: an operation on something else than real numbers, such as a call. Empty
-// where it can.
-std::string obstacle_to_extended(Graph const &graph);
+// Why a graph cannot be evaluated so, in words: an operation on something else than real numbers. Empty where it can.
+// `calls`: pure functions of the program can be called.
+std::string obstacle_to_extended(Graph const &graph, bool calls = false);
 
 // One operation; those with integers as in double precision.
 long double evaluate_extended(Op op, long double x, long double y, long double z);
 
 // One number per output slot. `values` are those of the nodes in double precision: nothing where a comparison or a
 // conversion to an integer gives something else in extended precision, so that another formula would hold. The graph
-// has no obstacle.
+// has no obstacle. What it calls takes and gives doubles.
 std::optional<std::vector<long double>> evaluate_extended(Graph const &graph, std::span<double const> inputs,
                                                           std::span<double const> parameters,
-                                                          std::span<double const> values);
+                                                          std::span<double const> values,
+                                                          CallExternal const &call = {});
 // The same at inputs in extended precision, near those at which the nodes have these values. With a `perturbation`
 // other than 0 every result is moved by a unit in the last place, by 1 up, by others as its number says: so rounding
-// shows.
-std::optional<std::vector<long double>> evaluate_extended(Graph const &graph, std::span<long double const> inputs,
-                                                          std::span<double const> parameters,
-                                                          std::span<double const> values,
-                                                          std::uint64_t perturbation = 0);
+// shows. Of a call that is a unit of a double.
+std::optional<std::vector<long double>>
+evaluate_extended(Graph const &graph, std::span<long double const> inputs, std::span<double const> parameters,
+                  std::span<double const> values, std::uint64_t perturbation = 0, CallExternal const &call = {});
 
 } // namespace symreal

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -40,6 +41,16 @@ struct ExternalValue {
   bool is_pointer() const { return kind == Kind::input || kind == Kind::output || kind == Kind::updated; }
 };
 
+// Another function of the program, which gives the partial derivatives of one: it takes what that takes, without what
+// that only writes, and returns the one partial derivative that there is, or writes all into an array, its last
+// parameter: one result of that function behind the other, by each number that it takes.
+struct DerivativeFunction {
+  std::string name;
+  bool is_returned = false;
+
+  bool operator==(DerivativeFunction const &) const = default;
+};
+
 // A function with C linkage. A call takes a flat list of arguments, the numbers of each parameter that is given in
 // order, and has a flat list of results: what is returned, then what is written, in order.
 struct External {
@@ -48,12 +59,17 @@ struct External {
   ExternalValue returned;
   std::vector<ExternalValue> parameters;
   Place place = {};
+  std::vector<DerivativeFunction> derivatives = {}; // its first, the first of that, ...
 
   std::size_t argument_count() const;
   std::size_t returned_count() const { return returned.kind == ExternalValue::Kind::none ? 0 : returned.count; }
   std::size_t result_count() const;
   // Whether this one of the flat list of arguments is a parameter of integer type.
   bool takes_integer(std::size_t argument) const;
+  // Of the flat list of arguments, those that it can have derivatives by.
+  std::vector<std::size_t> number_arguments() const;
+  // The first of its derivatives, which has the others.
+  std::optional<External> derivative() const;
 };
 
 } // namespace symreal

@@ -32,8 +32,9 @@ template <class Archive> void serialize(Archive &file, Location &x) { file(x.pla
 template <class Archive> void serialize(Archive &file, Guard &x) { file(x.condition, x.location, x.text); }
 template <class Archive> void serialize(Archive &file, Table &x) { file(x.name, x.extents, x.values, x.place); }
 template <class Archive> void serialize(Archive &file, ExternalValue &x) { file(x.kind, x.count, x.type); }
+template <class Archive> void serialize(Archive &file, DerivativeFunction &x) { file(x.name, x.is_returned); }
 template <class Archive> void serialize(Archive &file, External &x) {
-  file(x.name, x.pure, x.returned, x.parameters, x.place);
+  file(x.name, x.pure, x.returned, x.parameters, x.place, x.derivatives);
 }
 template <class Archive> void serialize(Archive &file, OperationCounts &x) { file(x.by_op); }
 

@@ -69,7 +69,13 @@ void read_external(Line &line, std::vector<External> &externals) {
   if (line.accept("returns")) external.returned = read_value(line);
   if (external.returned.is_pointer()) line.error("a function returns a number, an integer or an object");
   if (line.accept("takes"))
-    while (!line.done() && line.peek() != "at") external.parameters.push_back(read_value(line));
+    while (!line.done() && line.peek() != "at" && line.peek() != "derivative")
+      external.parameters.push_back(read_value(line));
+  while (line.accept("derivative")) {
+    bool const is_returned = line.accept("returned");
+    external.derivatives.push_back({line.string("the name of its derivative"), is_returned});
+  }
+  if (!external.derivatives.empty() && !external.pure) line.error("a function with effects has no derivative");
   external.place = line.optional_place();
   externals.push_back(std::move(external));
 }
@@ -96,6 +102,8 @@ void write_externals(std::ostream &out, std::vector<External> const &externals) 
     }
     if (!external.parameters.empty()) out << " takes";
     for (ExternalValue const &parameter : external.parameters) write_value(out, parameter);
+    for (auto const &[name, is_returned] : external.derivatives)
+      out << (is_returned ? " derivative returned " : " derivative ") << in_quotes(name);
     write_place(out, external.place);
     out << '\n';
   }

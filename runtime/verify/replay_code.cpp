@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <dlfcn.h>
 #include <string>
+#include <unistd.h>
 
 namespace symreal::replay {
 
@@ -41,7 +42,21 @@ int ReplayCode::compute(Head const &head, double const *inputs, double const *pa
 }
 
 void ReplayCode::run_generated(Head &head) const {
-  head.failed = compute(head, shared_inputs(&head), shared_parameters(&head), shared_outputs(&head));
+  head.failed = compute(head, shared_code_inputs(&head), shared_parameters(&head), shared_code_outputs(&head));
+}
+
+void ReplayCode::answer_calls(Head &head, int commands, int answers) const {
+  using Thunk = void(double const *, double *);
+  std::vector<Thunk *> thunks;
+  for (std::size_t k = 0; k < graph_.externals.size(); ++k)
+    thunks.push_back(find<Thunk>(library_, "symreal_call_" + std::to_string(k)));
+  constexpr int done = 0; // as the status of a fork
+  for (std::uint32_t function; read(commands, &function, sizeof function) == sizeof function;) {
+    if (function == no_function) return;
+    alarm(head.seconds);
+    thunks.at(function)(shared_arguments(&head), shared_results(&head));
+    if (write(answers, &done, sizeof done) != sizeof done) return;
+  }
 }
 
 void ReplayCode::run_graph(Head &head) const {

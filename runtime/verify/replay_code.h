@@ -14,6 +14,8 @@ public:
   // 0, or the number of the guard that does not hold.
   int compute(Head const &head, double const *inputs, double const *parameters, double *outputs) const;
   void run_graph(Head &head) const;
+  // Until the client sends no_function, or has gone.
+  void answer_calls(Head &head, int commands, int answers) const;
 
 private:
   void *library_ = nullptr;

@@ -4,7 +4,9 @@
 //   client
 //
 // A kernel with external functions has its generated code and its recorded graph run here as well, in a fork likewise,
-// so that both call the program's own functions in the state in which the kernel finds them.
+// so that both call the program's own functions in the state in which the kernel finds them. For differences and dual
+// numbers a fork answers calls of functions, one behind the other: the client sends the number of a function, four
+// bytes, until it sends `no_function`.
 //
 // The environment of the program names the shared file, two descriptors and the kernel:
 //   SYMREAL_REPLAY=<file>,<commands>,<answers>   SYMREAL_REPLAY_KERNEL=<name under which the kernel begins>
@@ -24,7 +26,8 @@ namespace symreal::replay {
 
 enum class State : std::uint32_t { begun, complete, wrong_shape };
 
-enum class Command : char { original = 'o', generated = 'c', graph = 'g' };
+enum class Command : char { original = 'o', generated = 'c', graph = 'g', functions = 'f' };
+inline constexpr std::uint32_t no_function = ~std::uint32_t{0};
 
 // What the original's kernel has left in memory that outlives it, and that is no output.
 struct LeftBehind {
@@ -39,7 +42,8 @@ struct LeftBehind {
 };
 
 // The head of the shared file; inputs, parameters, the outputs of each call, and for each input the output that is the
-// same number or -1, follow as doubles.
+// same number or -1, follow as doubles; then inputs and outputs of the generated code, which may have derivatives, and
+// arguments and results of a call.
 struct Head {
   std::uint32_t input_count, parameter_count, output_count;
   std::uint32_t seconds; // after which a sample is given up
@@ -51,6 +55,8 @@ struct Head {
   std::uint8_t unused;
   std::uint32_t left_count;
   std::uint32_t calls_wanted, calls_done; // of the kernel in a row, each on the state that the one before it has left
+  std::uint32_t code_input_count, code_output_count;
+  std::uint32_t most_arguments, most_results; // of a function
   std::uint32_t unused_too;
   std::uint64_t stack[16]; // of a program that counts its branches: where the kernel begins, see Memory::stack
   LeftBehind left[16];
@@ -59,7 +65,9 @@ static_assert(sizeof(Head) % sizeof(double) == 0);
 
 inline std::size_t shared_size(Head const &head) {
   std::size_t const inputs = head.input_count, outputs = std::size_t{head.output_count} * head.calls_wanted;
-  return sizeof(Head) + sizeof(double) * (2 * inputs + head.parameter_count + outputs);
+  std::size_t const code = std::size_t{head.code_input_count} + head.code_output_count;
+  std::size_t const call = std::size_t{head.most_arguments} + head.most_results;
+  return sizeof(Head) + sizeof(double) * (2 * inputs + head.parameter_count + outputs + code + call);
 }
 inline double *shared_inputs(Head *head) { return reinterpret_cast<double *>(head + 1); }
 inline double *shared_parameters(Head *head) { return shared_inputs(head) + head->input_count; }
@@ -67,5 +75,9 @@ inline double *shared_outputs(Head *head) { return shared_parameters(head) + hea
 inline double *shared_links(Head *head) {
   return shared_outputs(head) + std::size_t{head->output_count} * head->calls_wanted;
 }
+inline double *shared_code_inputs(Head *head) { return shared_links(head) + head->input_count; }
+inline double *shared_code_outputs(Head *head) { return shared_code_inputs(head) + head->code_input_count; }
+inline double *shared_arguments(Head *head) { return shared_code_outputs(head) + head->code_output_count; }
+inline double *shared_results(Head *head) { return shared_arguments(head) + head->most_arguments; }
 
 } // namespace symreal::replay

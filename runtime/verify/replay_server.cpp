@@ -79,9 +79,14 @@ void serve(Connection const &connection, Head *head, Memory const &memory) {
     head->left_count = head->calls_done = 0;
     pid_t child = fork();
     if (child == 0) {
+      alarm(head->seconds);
+      if (command == Command::functions) {
+        code.answer_calls(*head, connection.commands, connection.answers);
+        head->state = State::complete;
+        _exit(0);
+      }
       close(connection.commands);
       close(connection.answers);
-      alarm(head->seconds);
       if (command == Command::original) return;
       command == Command::generated ? code.run_generated(*head) : code.run_graph(*head);
       tell_left(*head, memory.changes());

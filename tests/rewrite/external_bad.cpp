@@ -43,7 +43,7 @@ double cpp(double x);
 #pragma symreal external(sized) input(x[0:n], m[0:2][0:4])
 // CHECK-DAG: external_bad.cpp:[[@LINE+1]]:41: error: an array of an external function begins at 0 [SYM021]
 #pragma symreal external(sized) input(x[1:2])
-// CHECK-DAG: external_bad.cpp:[[@LINE+1]]:32: error: beside external(...) stand pure, input(...) and output(...) [SYM021]
+// CHECK-DAG: external_bad.cpp:[[@LINE+1]]:32: error: beside external(...) stand pure, input(...), output(...) and derivative(...) [SYM021]
 #pragma symreal external(fine) parameter(x)
 // CHECK-DAG: external_bad.cpp:[[@LINE+1]]:26: error: expected '(' after 'external' [SYM021]
 #pragma symreal external fine

@@ -100,17 +100,19 @@ rewrite::ConfiguredKernel read_kernel(Yaml const &node, std::string const &direc
 
 rewrite::ConfiguredExternal read_external(Yaml const &node) {
   std::vector<Yaml::Entry> const entries = node.entries();
-  rewrite::ConfiguredExternal external{required_function(entries, node), false, {}};
+  rewrite::ConfiguredExternal external{required_function(entries, node), false, {}, {}};
   for (auto const &[key, value] : entries) {
     if (key.text == "function") continue;
     std::optional<Clause> const clause = rewrite::find_configured_clause(key.text);
     if (key.text == "pure")
       external.pure = value.truth();
+    else if (key.text == "derivatives")
+      for (Yaml const &one : value.list()) external.derivatives.push_back(one.text());
     else if (clause == Clause::input || clause == Clause::output) {
       external.clauses.push_back({{name_of(*clause), key.place}, {}});
       for (Yaml const &one : value.list()) external.clauses.back().items.push_back(one.text());
     } else
-      refuse_key(key, "function, pure, inputs, outputs");
+      refuse_key(key, "function, pure, derivatives, inputs, outputs");
   }
   return external;
 }

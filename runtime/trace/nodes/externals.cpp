@@ -38,7 +38,7 @@ std::size_t Externals::number(Table table) {
 std::size_t Externals::number(External const &external) {
   auto found = std::find_if(functions_.begin(), functions_.end(), [&](External const &known) {
     return known.name == external.name && known.pure == external.pure && known.returned == external.returned &&
-           known.parameters == external.parameters;
+           known.parameters == external.parameters && known.derivatives == external.derivatives;
   });
   if (found != functions_.end()) return static_cast<std::size_t>(found - functions_.begin());
   memory::OwnWork const own;

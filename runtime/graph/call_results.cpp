@@ -1,0 +1,19 @@
+#include "graph/call_results.h"
+
+#include "graph/complex_function.h"
+
+namespace symreal {
+
+std::vector<double> CallResults::called(std::size_t function, std::vector<double> const &arguments) const {
+  External const &external = graph_.externals[function];
+  std::vector<double> results(external.result_count());
+  if (std::optional<ComplexFunction> const known = find_complex_function(external)) {
+    evaluate(*known, arguments, results);
+    return results;
+  }
+  internal_check(static_cast<bool>(call_));
+  call_(function, arguments, results);
+  return results;
+}
+
+} // namespace symreal
