@@ -242,7 +242,7 @@ BranchResult read_branches(CoveredRun const &run, rewrite::Result const &annotat
   if (counts.empty() || !object) return {"the program has written no counts", {}};
   llvm::SmallVector<std::unique_ptr<llvm::MemoryBuffer>> buffers;
   std::vector<std::string> const running = functions_at(run.program, run.stack);
-  std::optional<std::size_t> innermost;
+  std::size_t innermost = running.size();
   std::string failure;
   auto const for_each = [&](auto use) {
     auto readers = llvm::coverage::BinaryCoverageReader::create((*object)->getMemBufferRef(), "", buffers);
@@ -260,12 +260,12 @@ BranchResult read_branches(CoveredRun const &run, rewrite::Result const &annotat
     if (found == running.end() || record.Filenames.empty()) return;
     if (std::ranges::find(annotated.files, record.Filenames.front(), &rewrite::File::path) == annotated.files.end())
       return;
-    std::size_t const at = static_cast<std::size_t>(found - running.begin());
-    innermost = std::min(innermost.value_or(at), at);
+    innermost = std::min(innermost, static_cast<std::size_t>(found - running.begin()));
   });
-  if (failure.empty() && !innermost) failure = "the function that holds the kernel is not among those that are counted";
+  if (failure.empty() && innermost == running.size())
+    failure = "the function that holds the kernel is not among those that are counted";
   if (!failure.empty()) return {failure, {}};
-  Reader result(annotated, kernel, running[*innermost], run.samples);
+  Reader result(annotated, kernel, running[innermost], run.samples);
   for_each([&](CoverageMappingRecord const &record) {
     auto const found = counts.find({record.FunctionName.str(), record.FunctionHash});
     if (found != counts.end()) result.add(record, found->second);

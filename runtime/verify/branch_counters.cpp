@@ -6,17 +6,17 @@
 
 // Of clang's library for profiles, where the program has it.
 extern "C" {
-[[gnu::weak]] char *__llvm_profile_begin_counters();
-[[gnu::weak]] char *__llvm_profile_end_counters();
-[[gnu::weak]] int __llvm_profile_write_file();
+[[gnu::weak]] char *profile_begin_counters() __asm__("__llvm_profile_begin_counters");
+[[gnu::weak]] char *profile_end_counters() __asm__("__llvm_profile_end_counters");
+[[gnu::weak]] int profile_write_file() __asm__("__llvm_profile_write_file");
 }
 
 namespace symreal::replay {
 
 BranchCounters::BranchCounters() {
-  if (!__llvm_profile_begin_counters || !__llvm_profile_end_counters || !__llvm_profile_write_file) return;
-  counters_ = reinterpret_cast<std::uint64_t *>(__llvm_profile_begin_counters());
-  count_ = static_cast<std::size_t>(reinterpret_cast<std::uint64_t *>(__llvm_profile_end_counters()) - counters_);
+  if (!profile_begin_counters || !profile_end_counters || !profile_write_file) return;
+  counters_ = reinterpret_cast<std::uint64_t *>(profile_begin_counters());
+  count_ = static_cast<std::size_t>(reinterpret_cast<std::uint64_t *>(profile_end_counters()) - counters_);
   if (count_ == 0) return;
   void *shared = mmap(nullptr, count_ * sizeof *sums_, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, /*fd=*/-1,
                       /*offset=*/0);
@@ -32,7 +32,7 @@ void BranchCounters::add() const {
 void BranchCounters::write() const {
   if (count_ == 0) return;
   std::copy_n(sums_, count_, counters_);
-  if (__llvm_profile_write_file() != 0) std::abort();
+  if (profile_write_file() != 0) std::abort();
 }
 
 } // namespace symreal::replay
