@@ -5,6 +5,7 @@
 #include "differentiate/stored_matrix.h"
 #include "graph/evaluate.h"
 #include "graph/extended.h"
+#include "graph/implicit.h"
 #include "verify/compare.h"
 
 #include <algorithm>
@@ -26,13 +27,14 @@ std::string obstacle(Differences const &differences, Banner const &banner) {
 
 } // namespace
 
-DerivativeVerification::DerivativeVerification(Graph const &recorded, std::string const &path, Banner const &banner,
-                                               double tolerance, CallExternal const &call)
+DerivativeVerification::DerivativeVerification(Graph const &recorded, Graph const &marked, std::string const &path,
+                                               Banner const &banner, double tolerance, CallExternal const &call)
     : recorded_(recorded),
       call_(call),
       differences_(recorded, banner.derivatives, call),
-      differentiated_(differentiate(recorded, banner.derivatives, [](Diagnostic const &) {})),
-      mode_(banner.mode) {
+      differentiated_(differentiate(marked, banner.derivatives, [](Diagnostic const &) {})),
+      mode_(banner.mode),
+      is_implicit_(std::ranges::any_of(marked.externals, is_implicit)) {
   if (std::string const why = obstacle(differences_, banner); !why.empty())
     fail(DiagnosticId::derivative_unverified, {path, 1, 1}, "the derivatives cannot be checked: " + why);
   result_.tolerance = tolerance;
@@ -111,7 +113,7 @@ void DerivativeVerification::compare(Sample const &sample, std::span<double cons
   for (std::size_t k = 0; k < found.size(); ++k) {
     DerivativeElement &element = result_.elements[k];
     auto const dual = static_cast<double>(duals[k]);
-    if (std::isfinite(dual)) judge(element, sample, dual, found[k], least, rounding[k], false);
+    if (std::isfinite(dual) && !is_implicit_) judge(element, sample, dual, found[k], least, rounding[k], false);
     SharpNumber const &difference = sharp[k];
     if (!difference) continue;
     ++element.judged;

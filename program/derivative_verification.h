@@ -36,8 +36,10 @@ public:
   // Throws derivative_unverified for what cannot be checked at all: code in single precision, and graphs that extended
   // precision cannot evaluate. `recorded` outlives this, and has the functions that give derivatives; `call` calls
   // those of the program.
-  DerivativeVerification(Graph const &recorded, std::string const &path, Banner const &banner, double tolerance,
-                         CallExternal const &call);
+  // `marked` is the same graph, and tells what solvers have found, whose derivatives are not those of what was
+  // executed: then differences alone judge.
+  DerivativeVerification(Graph const &recorded, Graph const &marked, std::string const &path, Banner const &banner,
+                         double tolerance, CallExternal const &call);
 
   // What is added to the original's inputs: the same for the same seed.
   std::vector<double> with_seeds(std::vector<double> inputs) const;
@@ -58,6 +60,7 @@ private:
   Differences differences_;
   Graph differentiated_; // the formulas before any pass; they also tell how much rounding costs at a sample
   FloatingPoint mode_;
+  bool is_implicit_;
   DerivativeResult result_;
   std::vector<double> off_differences_; // that an element may be
   std::vector<double> seeds_;

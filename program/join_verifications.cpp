@@ -62,6 +62,23 @@ static void join(BranchResult &all, BranchResult const &other) {
   }
 }
 
+static void join(DerivativeElement &all, DerivativeElement const &other) {
+  if (std::pair(other.different != 0, other.error) > std::pair(all.different != 0, all.error)) {
+    all.error = other.error, all.expected = other.expected, all.found = other.found;
+    all.is_by_differences = other.is_by_differences, all.worst = other.worst;
+  }
+  if (all.broken == 0) all.promised = other.promised, all.given = other.given, all.first_broken = other.first_broken;
+  all.judged += other.judged;
+  all.different += other.different;
+  all.broken += other.broken;
+}
+
+static void join(DerivativeResult &all, DerivativeResult const &other) {
+  all.tried += other.tried;
+  all.promised += other.promised;
+  for (std::size_t k = 0; k < all.elements.size(); ++k) join(all.elements[k], other.elements.at(k));
+}
+
 void join(Verification &verification, Verification const &other) {
   for (auto const member :
        {&Verification::inside, &Verification::not_finite, &Verification::zero_sign, &Verification::undefined,
@@ -90,6 +107,7 @@ void join(Verification &verification, Verification const &other) {
     verification.guard_mismatch = other.guard_mismatch;
   if (other.threads) join(verification, *other.threads);
   join(verification.exact, other.exact);
+  if (verification.derivatives && other.derivatives) join(*verification.derivatives, *other.derivatives);
 }
 
 } // namespace symreal::program

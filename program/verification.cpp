@@ -4,6 +4,7 @@
 #include "differentiate/differentiate.h"
 #include "emit/origins/origins.h"
 #include "graph/evaluate.h"
+#include "graph/implicit.h"
 #include "program/guard_verification.h"
 #include "program/replay.h"
 #include "program/single_runs.h"
@@ -89,7 +90,7 @@ public:
     start(original_, "the original", by_hand ? front.replay_program : front.original_program,
           code_.needs_program() ? &code_ : nullptr);
     if (!banner.derivatives.empty())
-      derivatives_.emplace(graph_, path, banner, derivative_tolerance(), program_calls());
+      derivatives_.emplace(graph_, recorded.graph, path, banner, derivative_tolerance(), program_calls());
     if (!by_hand && !front.replay_program.empty())
       start(rewritten_, "the rewritten program", front.replay_program, nullptr);
     if (!front.own_flags_program.empty() && !banner.is_single)
@@ -160,9 +161,10 @@ private:
 
   // What dual numbers and the formulas of derivatives call besides.
   static std::optional<Graph> with_derivative_functions(Graph const &graph, Banner const &banner) {
-    if (banner.derivatives.empty() || !calls_program(graph)) return std::nullopt;
-    std::optional<Graph> completed(graph);
-    add_derivative_functions(*completed);
+    bool const has_implicit = std::ranges::any_of(graph.externals, is_implicit);
+    if (!has_implicit && (banner.derivatives.empty() || !calls_program(graph))) return std::nullopt;
+    std::optional<Graph> completed(without_implicit(graph));
+    if (!banner.derivatives.empty()) add_derivative_functions(*completed);
     return completed;
   }
 

@@ -117,6 +117,7 @@ def gradients():
 def main():
     parser = argparse.ArgumentParser(prog="bench/derivatives/run")
     parser.add_argument("--rows", nargs="+", metavar="ROW", choices=[each.name for each in PROBLEMS], help="only these, to the terminal")
+    parser.add_argument("--joints", nargs="+", type=int, default=LENGTHS, help="chains of these lengths, and of 6")
     parser.add_argument("--prepare", action="store_true", help="only generate, compile and compare")
     parser.add_argument("--page", action="store_true", help="only write, from what was measured last")
     arguments = parser.parse_args()
@@ -124,7 +125,8 @@ def main():
     if arguments.page:
         return present.write(*json.loads(kept.read_text()))
     rows.build_turns()
-    wanted = [each for each in PROBLEMS if not arguments.rows or each.name in arguments.rows]
+    wanted = [each for each in PROBLEMS
+              if (each.name in arguments.rows if arguments.rows else each.joints in (0, 6, *arguments.joints))]
     table, smaller = {}, {}
     for problem in wanted:
         kernel = problem.name.partition("-")[0] if problem.joints else None

@@ -4,7 +4,7 @@ import pathlib
 
 import contenders
 import makers
-from problems import PROBLEMS
+from problems import LENGTHS, PROBLEMS
 
 HERE = pathlib.Path(__file__).parent
 HEAD = """# Derivatives
@@ -73,6 +73,8 @@ def write(table, gradients):
     machine = next(line.split(":")[1].strip() for line in open("/proc/cpuinfo") if line.startswith("model name"))
     head = HEAD.format(machine=machine, large=contenders.LARGE, generate=makers.GENERATE_SECONDS)
     versions = ", ".join(f"{name} {version}" for name, version in contenders.installed().items() if name in makers.PEERS)
+    missing = [joints for joints in LENGTHS if f"rnea-{joints}" not in table]
+    versions += f". Not measured: chains of {', '.join(map(str, missing))} joints" if missing else ""
     (HERE / "results.md").write_text(f"{head}{versions}.\n{derivatives(table)}{growth(gradients)}")
     with open(HERE / "results.csv", "w", newline="") as file:
         writer = csv.writer(file, lineterminator="\n")

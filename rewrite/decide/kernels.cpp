@@ -116,6 +116,9 @@ void check(PragmaFact const &pragma, Result &result) {
       report(result, DiagnosticId::pragma_syntax, clause.place,
              "state(x, dx) stands after input(...) or output(...), and names an input and the output that is its "
              "derivative by time");
+    if (clause.clause == Clause::implicit && clause.items.size() != 2)
+      report(result, DiagnosticId::pragma_syntax, clause.place,
+             "implicit(x, r) names the numbers that were found, and the residual that is 0 there");
     if (info(clause.clause).has(trait::WORDS) && !has_begun)
       report(result, DiagnosticId::pragma_syntax, clause.place,
              "'" + name_of(clause.clause) + "' stands after input(...) or output(...)");

@@ -35,6 +35,15 @@ std::string rebinding(ClauseFact const &clause, ItemFact const &item) {
          with_real(item.sections[0].low) + ", " + with_real(item.sections[0].length) + ") ";
 }
 
+std::string implicit_text(ItemFact const &item) {
+  std::string extents;
+  for (Section const &section : item.sections) extents += (extents.empty() ? "" : ", ") + section.length;
+  return (item.sections.empty() ? "SYMREAL_IMPLICIT(" : "SYMREAL_IMPLICIT_SECTION(") +
+         place_arguments(item.label, item.place) + ", " +
+         (item.sections.empty() ? "" : "::symreal::symreal_extents(" + with_real(extents) + "), ") +
+         with_real(item.expression) + ") ";
+}
+
 std::string clause_text(PragmaFact const &pragma, ClauseFact const &clause) {
   if (clause.clause == Clause::generate)
     return "SYMREAL_GENERATE(" + clause.argument + ", " + in_quotes(clause.place.file) + ", " +
@@ -56,6 +65,10 @@ std::string clause_text(PragmaFact const &pragma, ClauseFact const &clause) {
   if (clause.clause == Clause::table) {
     for (ItemFact const &item : clause.items)
       text += "SYMREAL_TABLE(" + with_real(item.base) + ", " + with_real(item.sections[0].length) + ") ";
+    return text;
+  }
+  if (clause.clause == Clause::implicit) { // two items, or it is an error
+    for (ItemFact const &item : clause.items) text += implicit_text(item);
     return text;
   }
   for (ItemFact const &item : clause.items)

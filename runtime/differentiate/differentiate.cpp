@@ -6,6 +6,7 @@
 #include "differentiate/request.h"
 #include "differentiate/stored_matrix.h"
 #include "differentiate/sweeps.h"
+#include "graph/implicit.h"
 #include "graph/opaque.h"
 
 #include <algorithm>
@@ -145,7 +146,7 @@ Graph differentiate(Graph graph, std::span<DerivativeWish const> wishes, Report 
     add_derivative(graph, read[k], recorded, report);
     graph.derivatives.push_back(wishes[k].text);
   }
-  return graph;
+  return without_implicit(std::move(graph));
 }
 
 Graph derivatives_of(Graph graph, std::size_t own_outputs) {

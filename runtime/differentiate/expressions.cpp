@@ -101,6 +101,16 @@ NodeId Expressions::sum(NodeId a, NodeId b) {
 
 NodeId Expressions::product(NodeId a, NodeId b) { return product_within(a, b, 0); }
 
+NodeId Expressions::quotient(NodeId a, NodeId b) {
+  return a == no_node ? no_node : zero_free(operation(Op::div, a, b));
+}
+
+NodeId Expressions::negative(NodeId a) { return a == no_node ? no_node : zero_free(operation(Op::neg, a)); }
+
+NodeId Expressions::is_larger_magnitude(NodeId a, NodeId b) {
+  return operation(Op::gt, operation(Op::abs, a), operation(Op::abs, b));
+}
+
 // Selects within selects, further in than this, are multiplied as they are: a product costs a select for each.
 static constexpr int deepest = 8;
 

@@ -20,6 +20,8 @@ public:
   // Gives all nodes back.
   void finish();
 
+  // As it was.
+  Graph const &graph() const { return graph_; }
   std::size_t size() const { return table_.size(); }
   Node node(NodeId id) const { return table_[id]; }
   // What is made from now on has the place of this node.
@@ -30,6 +32,11 @@ public:
   // Each operand may be no_node, for zero, and so may the result.
   NodeId sum(NodeId a, NodeId b);
   NodeId product(NodeId a, NodeId b);
+  NodeId quotient(NodeId a, NodeId b); // b is a node
+  NodeId negative(NodeId a);
+  // Whether |a| > |b|, as a truth value; and the one or the other by it.
+  NodeId is_larger_magnitude(NodeId a, NodeId b);
+  NodeId choice(NodeId condition, NodeId yes, NodeId no) { return select(condition, yes, no); }
   // Node `id` of the graph as it was: calls `use(operand, partial)` with each number that it depends on by a formula,
   // and how to get its derivative by it.
   template <class Use> void for_each_slope(NodeId id, Use const &use) {

@@ -2,6 +2,7 @@
 
 #include "graph/call_results.h"
 #include "graph/complex_function.h"
+#include "graph/implicit.h"
 #include "graph/infinity.h"
 #include "graph/opaque.h"
 
@@ -46,8 +47,9 @@ private:
 } // namespace
 
 bool calls_program(Graph const &graph) {
-  return std::ranges::any_of(graph.externals,
-                             [](External const &external) { return !find_complex_function(external); });
+  return std::ranges::any_of(graph.externals, [](External const &external) {
+    return !find_complex_function(external) && !is_implicit(external);
+  });
 }
 
 double rounded(double value, Rounding rounding) {

@@ -1,4 +1,5 @@
 #include "passes/pass.h"
+#include "graph/implicit.h"
 
 #include "graph/validate.h"
 
@@ -45,6 +46,7 @@ std::vector<std::string> parse_passes(std::string_view text) {
 }
 
 Graph run_passes(Graph graph, std::span<std::string const> names, PassSettings const &settings) {
+  graph = without_implicit(std::move(graph));
   for (std::string const &name : names) {
     PassInfo const &pass = find_pass(name);
     if (!pass.runs_in(settings.mode)) continue;

@@ -26,6 +26,12 @@ void detail::end_object(std::size_t const *extents, std::size_t rank) noexcept {
   Kernel::current().sink().end_object({extents, extents + rank});
 }
 
+bool detail::begin_implicit(char const *label, SourcePlace place) noexcept {
+  return Kernel::current().begin_implicit(label, {place.file, place.line, place.column});
+}
+
+void detail::end_implicit() noexcept { Kernel::current().sink().end_implicit(); }
+
 bool detail::begin_function(CompiledAs program, char const *name, SourcePlace place, unsigned call) noexcept {
   return Kernel::current().begin_function(sink_of(program), name, place, call);
 }

@@ -2,6 +2,7 @@
 // annotated number becomes an ordinary one again.
 #include "graph/names.h"
 #include "support/number.h"
+#include "trace/calls/implicit.h"
 #include "trace/decisions/checkpoint.h"
 #include "trace/decisions/explored_path.h"
 #include "trace/decisions/guards.h"
@@ -35,6 +36,7 @@ public:
   void begin(std::string const &name, void const *frame) override {
     Checkpoint::current().begin();
     graph_ = {};
+    implicit_ = {};
     unwritten_.clear();
     declared_.clear();
     overlaps_.clear();
@@ -70,6 +72,7 @@ public:
   void element(void *number, bool is_temporary) override {
     Pause const pause;
     auto &real = *static_cast<RealNumber *>(number);
+    if (implicit_.is_open()) return implicit_.element(&real);
     Pool &pool = Pool::current();
     switch (kind_) {
     case Kind::constant:
@@ -155,6 +158,15 @@ public:
     std::vector<Object> &list = objects(kind_);
     object_.first = list.empty() ? 0 : list.back().first + list.back().count;
     list.push_back(object_);
+  }
+
+  bool begin_implicit(std::string const &label, Place const &place) override {
+    implicit_.begin(label, place);
+    return true;
+  }
+  void end_implicit() override {
+    Pause const pause;
+    implicit_.end();
   }
 
   void set_range(double low, double high) override {
@@ -339,6 +351,7 @@ private:
   bool const has_notes_;
   Graph graph_;
   Kind kind_ = Kind::input;
+  Implicit implicit_;
   Object object_;
   struct Kept {
     std::size_t element;

@@ -223,9 +223,6 @@ int run(CLI::App &command, Options &options, Session &session) {
     }
     console.stage("verifying");
     program::Recorded const &recorded = program::require_match(front->kernels, banner, generated[k]);
-    if (!options.shard.empty() && !banner.derivatives.empty())
-      fail(DiagnosticId::bad_option, {},
-           "--shard makes records that can be joined, and those of derivatives cannot: leave it out");
     program::VerificationOptions asked = options.verification;
     asked.wrapper = !banner.is_single && banner.derivatives.empty() && has_wrapper(generated[k], recorded);
     if (banner.is_single && options.tolerance->count() == 0 && !wanted) asked.tolerance = program::single_tolerance;

@@ -17,6 +17,7 @@ namespace {
 
 using Element = program::DerivativeElement;
 using Result = program::DerivativeResult;
+using Json = nlohmann::ordered_json;
 
 std::size_t first_of(Result const &result, Object const &object) { return object.first - result.objects.front().first; }
 
@@ -88,27 +89,97 @@ void print_derivatives(std::ostream &out, Result const &result) {
   }
 }
 
-nlohmann::ordered_json to_json(Result const &result) {
-  nlohmann::ordered_json json = {{"samples", result.tried},
-                                 {"samples_compared_with_formulas", result.promised},
-                                 {"tolerance", result.tolerance},
-                                 {"elements", nlohmann::ordered_json::array()}};
+static Json number_json(double value) { return std::isfinite(value) ? Json(value) : Json(shortest(value)); }
+
+static double number_of(Json const &json) {
+  return json.is_string() ? parse_number(json.get<std::string>()).value() : json.get<double>();
+}
+
+static Json numbers_json(std::vector<double> const &values) {
+  Json json = Json::array();
+  for (double const value : values) json.push_back(number_json(value));
+  return json;
+}
+
+static Json sample_json(Sample const &sample) {
+  return {{"inputs", numbers_json(sample.inputs)}, {"parameters", numbers_json(sample.parameters)}};
+}
+
+static Sample sample_of(Json const &json) {
+  Sample sample;
+  for (Json const &one : json.at("inputs")) sample.inputs.push_back(number_of(one));
+  for (Json const &one : json.at("parameters")) sample.parameters.push_back(number_of(one));
+  return sample;
+}
+
+Json to_json(Result const &result) {
+  Json json = {{"samples", result.tried},
+               {"samples_compared_with_formulas", result.promised},
+               {"tolerance", result.tolerance},
+               {"objects", Json::array()},
+               {"elements", Json::array()}};
+  for (Object const &object : result.objects)
+    json["objects"].push_back({{"label", object.label}, {"extents", object.extents}});
   for (std::size_t k = 0; k < result.elements.size(); ++k) {
     Element const &element = result.elements[k];
-    json["elements"].push_back(
-        {{"name", name_of(result, k)},
-         {"judged", element.judged},
-         {"different", element.different},
-         {"different_from_formulas", element.broken},
-         {"worst_relative_error", std::isfinite(element.error) ? nlohmann::ordered_json(element.error)
-                                                               : nlohmann::ordered_json(shortest(element.error))}});
+    json["elements"].push_back({{"name", name_of(result, k)},
+                                {"judged", element.judged},
+                                {"different", element.different},
+                                {"different_from_formulas", element.broken},
+                                {"worst_relative_error", number_json(element.error)}});
+    if (element.different != 0)
+      json["elements"].back()["worst"] = {{"by_differences", element.is_by_differences},
+                                          {"expected", number_json(element.expected)},
+                                          {"found", number_json(element.found)},
+                                          {"sample", sample_json(element.worst)}};
+    if (element.broken != 0)
+      json["elements"].back()["off_formulas"] = {{"expected", number_json(element.promised)},
+                                                 {"found", number_json(element.given)},
+                                                 {"sample", sample_json(element.first_broken)}};
   }
   return json;
 }
 
-std::optional<Diagnostic> derivative_failure(Result const &result, std::string const &file) {
+Result derivatives_of(Json const &json, std::size_t outputs) {
+  Result result;
+  result.tried = json.at("samples");
+  result.promised = json.at("samples_compared_with_formulas");
+  result.tolerance = json.at("tolerance");
+  auto next = static_cast<std::uint32_t>(outputs);
+  for (Json const &one : json.at("objects")) {
+    Object object{one.at("label"), one.at("extents").get<std::vector<std::size_t>>(), next};
+    object.count = static_cast<std::uint32_t>(number_count(object.extents, {}));
+    next += object.count;
+    result.objects.push_back(std::move(object));
+  }
+  for (Json const &one : json.at("elements")) {
+    Element &element = result.elements.emplace_back();
+    element.judged = one.at("judged");
+    element.different = one.at("different");
+    element.broken = one.at("different_from_formulas");
+    element.error = number_of(one.at("worst_relative_error"));
+    if (one.contains("worst")) {
+      Json const &worst = one["worst"];
+      element.is_by_differences = worst.at("by_differences");
+      element.expected = number_of(worst.at("expected"));
+      element.found = number_of(worst.at("found"));
+      element.worst = sample_of(worst.at("sample"));
+    }
+    if (one.contains("off_formulas")) {
+      Json const &broken = one["off_formulas"];
+      element.promised = number_of(broken.at("expected"));
+      element.given = number_of(broken.at("found"));
+      element.first_broken = sample_of(broken.at("sample"));
+    }
+  }
+  if (result.objects.empty() || result.elements.size() + outputs != next) throw std::invalid_argument("no derivatives");
+  return result;
+}
+
+std::optional<Diagnostic> derivative_failure(Result const &result, std::string const &file, bool is_whole) {
   if (std::optional<Diagnostic> failure = off_differences(result, file)) return failure;
   if (std::optional<Diagnostic> failure = off_formulas(result, file)) return failure;
+  if (!is_whole) return {}; // the other shards may judge
   std::size_t const wanted = std::min(program::least_judged, std::max<std::size_t>(result.tried / 2, 1));
   for (std::size_t k = 0; k < result.elements.size(); ++k)
     if (result.elements[k].judged < wanted)

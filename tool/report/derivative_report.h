@@ -12,8 +12,11 @@ namespace symreal::tool {
 
 void print_derivatives(std::ostream &out, program::DerivativeResult const &result);
 nlohmann::ordered_json to_json(program::DerivativeResult const &result);
+// Of a kernel with so many outputs of its own. Throws what nlohmann::json throws.
+program::DerivativeResult derivatives_of(nlohmann::ordered_json const &json, std::size_t outputs);
 
 // Where they are wrong, or where too few samples can tell.
-std::optional<Diagnostic> derivative_failure(program::DerivativeResult const &result, std::string const &file);
+std::optional<Diagnostic> derivative_failure(program::DerivativeResult const &result, std::string const &file,
+                                             bool is_whole);
 
 } // namespace symreal::tool

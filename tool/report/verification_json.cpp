@@ -296,6 +296,8 @@ VerificationRecord record_of(Json const &json) {
   if (json.contains("wrapped")) verification.wrapped = comparisons_of(json["wrapped"], count);
   if (json.contains("parallel"))
     verification.threads = program::ThreadResult{json["parallel"].at("threads"), json["parallel"].at("different")};
+  verification.has_values = json.value("has_values", true);
+  if (json.contains("derivatives")) verification.derivatives = derivatives_of(json["derivatives"], count);
   verification.exact = exact_of(json.value("extended", Json()), record.graph);
   read_guards(json, verification);
   for (Json const &one : json.at("decisions"))
@@ -352,6 +354,7 @@ Json to_json(VerificationRecord const &record) {
     json["lost"] = verification.lost;
   }
   if (verification.derivatives) json["derivatives"] = to_json(*verification.derivatives);
+  if (!verification.has_values) json["has_values"] = false;
   if (verification.threads) json["parallel"] = to_json(*verification.threads);
   if (verification.exact.calls != 0) json["extended"] = exact_json(record.graph, verification.exact);
   json["rewritten_different"] = program::count_different(verification.rewritten);

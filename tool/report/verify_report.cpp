@@ -322,7 +322,8 @@ std::optional<Diagnostic> verification_failure(Graph const &graph, program::Veri
                       fmt::format("only {} samples can be compared in single precision, and {} are required: --tol {} "
                                   "asks for more than float holds of the others",
                                   verification.inside - lost, wanted, verification.tolerance)};
-  return verification.derivatives ? derivative_failure(*verification.derivatives, file) : std::nullopt;
+  return verification.derivatives ? derivative_failure(*verification.derivatives, file, options.shard.count == 1)
+                                  : std::nullopt;
 }
 
 } // namespace symreal::tool

@@ -1,6 +1,7 @@
 #include "emit/c/externals.h"
 
 #include "graph/complex_function.h"
+#include "graph/implicit.h"
 #include "graph/opaque.h"
 
 #include <fmt/format.h>
@@ -66,7 +67,7 @@ std::string prototypes(Graph const &graph, std::set<std::size_t> const &function
   std::string text;
   for (std::size_t number : functions) {
     External const &external = graph.externals[number];
-    if (find_complex_function(external)) continue;
+    if (find_complex_function(external) || is_implicit(external)) continue;
     for (ExternalValue const &parameter : external.parameters)
       if (parameter.kind == Kind::object) objects.insert(parameter.count);
     if (external.returned.kind == Kind::object) objects.insert(external.returned.count);
@@ -148,7 +149,8 @@ std::vector<std::string> c_call(ExternalCall const &call) {
 
 std::string c_external_calls(Graph const &graph) {
   std::set<std::size_t> all;
-  for (std::size_t number = 0; number < graph.externals.size(); ++number) all.insert(number);
+  for (std::size_t number = 0; number < graph.externals.size(); ++number)
+    if (!is_implicit(graph.externals[number])) all.insert(number);
   std::string text = prototypes(graph, all);
   for (std::size_t number : all) {
     External const &external = graph.externals[number];

@@ -46,6 +46,10 @@ void scratch_file(char const *file) noexcept;
 bool begin_function(CompiledAs, char const *name, SourcePlace, unsigned call) noexcept;
 void end_function() noexcept;
 void end_region(CompiledAs, char const *file_name, SourcePlace) noexcept;
+// The numbers that follow were found by a solver, or, the second time, are the residual that is 0 there. Whether they
+// count: a kernel is recorded.
+bool begin_implicit(char const *label, SourcePlace) noexcept;
+void end_implicit() noexcept;
 void *private_copy(void const *original, std::size_t low, std::size_t count) noexcept;
 
 template <class> inline constexpr bool always_false = false;
@@ -163,6 +167,23 @@ void symreal_annotate_section(Kind kind, char const *label, SourcePlace place, E
   });
   shape.insert(shape.end(), inner.begin(), inner.end());
   detail::end_object(shape.data(), shape.size());
+}
+
+template <class T> void symreal_implicit(char const *label, SourcePlace place, T &&object) {
+  if (!detail::begin_implicit(label, place)) return;
+  detail::walk(object, !std::is_lvalue_reference_v<T &&>, nullptr);
+  detail::end_implicit();
+}
+
+template <class Element>
+void symreal_implicit_section(char const *label, SourcePlace place, Extents const &shape, Element element) {
+  if (!detail::begin_implicit(label, place)) return;
+  shape.declare();
+  detail::each_index(shape, [&](std::size_t const *index) {
+    decltype(auto) part = element(index);
+    detail::walk(part, !std::is_lvalue_reference_v<decltype(element(index))>, nullptr);
+  });
+  detail::end_implicit();
 }
 
 // constant: the bytes of the object, and the numbers in the storage that it owns, are known to be baked in.

@@ -73,6 +73,8 @@
 #define SYMREAL_STATE(...)
 #define SYMREAL_DIFFERENTIATE(...)
 #define SYMREAL_TABLE(...)
+#define SYMREAL_IMPLICIT(...)
+#define SYMREAL_IMPLICIT_SECTION(...)
 #define SYMREAL_REBIND(...)
 #define SYMREAL_FUNCTION(...)
 #define SYMREAL_ARGUMENT(...)
@@ -292,8 +294,18 @@ public:                                                                         
   ::symreal::symreal_differentiate(wish, SYMREAL_PLACE(file, line, column));
 #ifdef MBD_SYMBOLIC
 #define SYMREAL_TABLE(pointer, ...) ::symreal::symreal_declare_table(pointer, static_cast<__SIZE_TYPE__>(__VA_ARGS__));
+#define SYMREAL_IMPLICIT(label, file, line, column, ...)                                                               \
+  ::symreal::symreal_implicit(label, SYMREAL_PLACE(file, line, column), __VA_ARGS__);
+#define SYMREAL_IMPLICIT_SECTION(label, file, line, column, extents, ...)                                              \
+  ::symreal::symreal_implicit_section(label, SYMREAL_PLACE(file, line, column), extents,                               \
+                                      [&](__SIZE_TYPE__ const *symreal_i) -> decltype(auto) {                          \
+                                        (void)symreal_i;                                                               \
+                                        return (__VA_ARGS__);                                                          \
+                                      });
 #else
 #define SYMREAL_TABLE(...)
+#define SYMREAL_IMPLICIT(...)
+#define SYMREAL_IMPLICIT_SECTION(...)
 #endif
 #define SYMREAL_REBIND(pointer, low, count) pointer = ::symreal::symreal_rebind(pointer, low, count);
 /* The optional last argument is the call to record, counted from 1. */

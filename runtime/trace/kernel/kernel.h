@@ -40,6 +40,9 @@ public:
   // The kernel's own, though it lies with its caller.
   virtual void own(void const *, std::size_t) {}
   virtual void end_object(std::vector<std::size_t> extents) = 0;
+  // The elements that follow were found by a solver, or are a residual. Whether they are wanted.
+  virtual bool begin_implicit(std::string const &, Place const &) { return false; }
+  virtual void end_implicit() {}
   virtual void set_range(double low, double high) = 0;
   virtual void set_state(StatePair const &) {}
   virtual void differentiate(DerivativeWish const &) {}
@@ -66,6 +69,9 @@ public:
   void begin_again() { muted_ = false, phase_ = Phase::entering; }
   void end_region(char const *file_name, SourcePlace place);
 
+  bool begin_implicit(std::string const &label, Place const &place) {
+    return phase_ != Phase::none && !muted_ && !inert_region_ && sink_->begin_implicit(label, place);
+  }
   void set_range(double low, double high) {
     if (takes_clauses()) sink_->set_range(low, high);
   }
