@@ -250,7 +250,8 @@ bool is_about_rewriting(Diagnostic const &diagnostic) {
 void refuse_clauses_of_text(Facts const &facts, Result &result) {
   for (auto const &[span, pragma] : facts.pragmas)
     for (ClauseFact const &clause : pragma.clauses)
-      if (clause.clause == Clause::table || info(clause.clause).has(trait::SETTING))
+      if (clause.clause == Clause::table || clause.clause == Clause::implicit ||
+          info(clause.clause).has(trait::SETTING))
         result.diagnostics.push_back(
             {DiagnosticId::clause_of_text, clause.place,
              "'" + name_of(clause.clause) + "' is about rewritten text, and --via-ir records instructions"});
