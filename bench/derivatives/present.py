@@ -16,7 +16,8 @@ derivatives are written by hand, for the chain alone.
 
 - *operations* are + - * / and squares; signs and functions of the library are not counted.
 - *bytes* are those of the compiled object, as `size` has its text: CasADi's has functions of its own besides, Pinocchio's is a library.
-- *seconds* are those of recording, differentiating, optimising and writing, without start-up and without compiling what records.
+- *seconds* are those of recording, differentiating, optimising and writing, without start-up and without compiling what records. They are
+  taken while contenders are prepared, on a machine that may be doing other things: they tell orders of magnitude.
 - *ns a call* on one thread, the better of gcc 12 and clang 19 at `-O3 -march=native` (from {large} operations on at `-O1`), median of
   turns, with quartiles; *ratio* says how many times as fast the faster of Symreal's two modes is, of medians.
 
