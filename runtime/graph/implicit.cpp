@@ -15,6 +15,12 @@ External implicit_function(std::uint32_t count) {
 
 bool is_implicit(External const &external) { return external.name == name; }
 
+bool is_well_formed_implicit(External const &external) {
+  if (external.parameters.size() != 3 || !external.pure || external.parameters[0].count == 0) return false;
+  External const form = implicit_function(external.parameters[0].count);
+  return external.parameters == form.parameters && external.returned == form.returned;
+}
+
 bool is_implicit_call(Graph const &graph, NodeId id) {
   Node const &node = graph.nodes[id];
   return node.op == Op::call && is_implicit(graph.externals[function_of(graph, node)]);

@@ -11,6 +11,8 @@ namespace symreal {
 
 External implicit_function(std::uint32_t count);
 bool is_implicit(External const &external);
+// Whether what is called so takes as many unknowns as it takes residuals and gives.
+bool is_well_formed_implicit(External const &external);
 
 // Of a call of it.
 struct ImplicitSystem {

@@ -1,5 +1,6 @@
 #include "graph/validate.h"
 
+#include "graph/implicit.h"
 #include "graph/opaque.h"
 
 #include <algorithm>
@@ -82,6 +83,8 @@ std::string find_violation(Graph const &graph) {
     if (std::string violation = check_objects(*objects); !violation.empty()) return violation;
   for (DerivativeMatrix const &matrix : graph.matrices)
     if (std::string violation = check_matrix(matrix, graph.outputs); !violation.empty()) return violation;
+  for (External const &external : graph.externals)
+    if (is_implicit(external) && !is_well_formed_implicit(external)) return "'implicit function' has another form";
   if (graph.results.size() != graph.output_count()) return "the number of results differs from the outputs' size";
   if (graph.input_values.size() != graph.input_count()) return "the number of input values differs";
   if (graph.parameter_values.size() != graph.parameter_count()) return "the number of parameter values differs";
