@@ -58,6 +58,9 @@ template <int bits, bool is_signed, class T>
     constexpr int unused = 64 - bits;
     static_assert(unused >= 0);
     return static_cast<Wide>(static_cast<unsigned long long>(value) << unused) >> unused;
+  } else if constexpr (detail::is_symbolic_int<T>) {
+    constexpr int unused = 64 - bits;
+    return SymbolicInt<Wide>(SymbolicInt<unsigned long long>(value) << unused) >> unused;
   } else
     return value;
 }
