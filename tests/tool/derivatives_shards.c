@@ -17,6 +17,11 @@
    RUN: not %symreal verify --merge %t/4.json %t/5.json 2>&1 | FileCheck %s --check-prefix=WRONG
    WRONG: error: {{[0-9]+}} of 4 elements of derivatives differ from those of the original
    WRONG: jacobian_y_x[{{.*}} give {{.*}}, generated {{.*}}, inputs
+
+   A record without derivatives is of another shape.
+   RUN: /usr/bin/python3 -c "import json; d = json.load(open('%t/2.json')); del d['kernels'][1]['derivatives']; json.dump(d, open('%t/none.json', 'w'))"
+   RUN: not %symreal verify --merge %t/1.json %t/none.json %t/3.json 2>&1 | FileCheck %s --check-prefix=SHAPE
+   SHAPE: none.json: error: this file cannot be joined with those before it: its kernel has another shape [SYM109]
 */
 #include <math.h>
 

@@ -15,6 +15,10 @@ VerificationRecord record_of(Graph const &graph, std::string const &file, progra
   return record;
 }
 
+static std::size_t derivative_count(program::Verification const &verification) {
+  return verification.derivatives ? verification.derivatives->elements.size() : 0;
+}
+
 // Of what must be the same in all shards, the first that is not.
 static std::string difference(VerificationRecord const &one, VerificationRecord const &other) {
   program::Verification const &a = one.verification, &b = other.verification;
@@ -24,7 +28,8 @@ static std::string difference(VerificationRecord const &one, VerificationRecord 
     return "it is of another mode or tolerance";
   if (a.outputs.size() != b.outputs.size() || a.guards.size() != b.guards.size() ||
       a.decisions.size() != b.decisions.size() || a.wrapped.size() != b.wrapped.size() ||
-      a.own_flags_ulp.size() != b.own_flags_ulp.size() || a.own_code_ulp.size() != b.own_code_ulp.size())
+      a.own_flags_ulp.size() != b.own_flags_ulp.size() || a.own_code_ulp.size() != b.own_code_ulp.size() ||
+      derivative_count(a) != derivative_count(b))
     return "its kernel has another shape";
   if (one.options.samples != other.options.samples || one.options.seed != other.options.seed)
     return "it has other samples or another seed";
