@@ -30,7 +30,6 @@ bool watches_memory() {
 
 } // namespace symreal::trace
 
-using symreal::IntegerObject;
 using symreal::RealNumber;
 
 extern "C" {
