@@ -143,6 +143,10 @@ bool rewrite_sources(FrontRequest const &request, Front &front, Talk const &talk
   for (rewrite::TextSource const &one : request.source.texts)
     std::erase(front.read, rewrite::real_source({one.path, {}, {}}));
   front.wanted = wanted_kernels(front.rewritten, request);
+  for (rewrite::Kernel const &kernel : front.wanted)
+    if (source.annotations_only && !kernel.is_function)
+      talk.note(fmt::format(
+          "--via-ir does not see what kernel '{}' reads of the locals around its block: it is baked in", kernel.name));
   return true;
 }
 
