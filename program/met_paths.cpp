@@ -35,15 +35,6 @@ std::vector<Cell> cells_of(std::string_view line) {
   fail(DiagnosticId::paths_met_file, {file, static_cast<unsigned>(line), column}, why);
 }
 
-std::vector<std::string> element_names(std::vector<Object> const &objects, std::size_t count) {
-  std::vector<std::string> names(count);
-  std::vector<std::string> const objects_names = identifiers(objects);
-  for (std::size_t k = 0; k < objects.size(); ++k)
-    for (std::uint32_t element = 0; element < objects[k].count; ++element)
-      names.at(objects[k].first + element) = element_name(objects_names[k], objects[k], element);
-  return names;
-}
-
 // Which column each name has. All must be there, or none where that is allowed.
 std::vector<std::size_t> columns_of(std::vector<std::string> const &names, std::vector<Cell> const &header,
                                     bool may_lack, std::string const &file, std::string const &kernel) {
@@ -92,9 +83,8 @@ std::vector<Sample> read_sample_table(std::string const &file, Graph const &grap
     std::vector<Cell> const cells = cells_of(line);
     if (number == 0) {
       header = cells;
-      inputs = columns_of(element_names(graph.inputs, graph.input_count()), header, false, file, graph.kernel);
-      parameters =
-          columns_of(element_names(graph.parameters, graph.parameter_count()), header, true, file, graph.kernel);
+      inputs = columns_of(element_names(graph.inputs), header, false, file, graph.kernel);
+      parameters = columns_of(element_names(graph.parameters), header, true, file, graph.kernel);
       continue;
     }
     if (cells.size() != header.size())

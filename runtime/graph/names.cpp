@@ -200,6 +200,15 @@ std::string element_name(std::string const &identifier, Object const &object, st
   return element_name(identifier, object.extents, object.members, element);
 }
 
+std::vector<std::string> element_names(std::vector<Object> const &objects, NameRules const &rules) {
+  std::vector<std::string> const names = identifiers(objects, rules);
+  std::vector<std::string> elements;
+  for (std::size_t i = 0; i < objects.size(); ++i)
+    for (std::uint32_t element = 0; element < objects[i].count; ++element)
+      elements.push_back(element_name(names[i], objects[i], element));
+  return elements;
+}
+
 std::optional<std::string> element_name(std::vector<Object> const &objects, std::uint32_t slot) {
   std::vector<std::string> const names = identifiers(objects);
   for (std::size_t i = 0; i < objects.size(); ++i)

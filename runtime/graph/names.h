@@ -38,6 +38,8 @@ std::vector<std::string> identifiers(std::vector<Member> const &members, NameRul
 
 // "q[2]", "m[1][0]", "x", "bodies[1].mass": how a person calls one element of an object.
 std::string element_name(std::string const &identifier, Object const &object, std::uint32_t element);
+// Of all elements, slot by slot.
+std::vector<std::string> element_names(std::vector<Object> const &objects, NameRules const &rules = c_names);
 // That of the slot; nothing where no object has it.
 std::optional<std::string> element_name(std::vector<Object> const &objects, std::uint32_t slot);
 

@@ -21,11 +21,7 @@ std::vector<std::string> names_of(Graph const &graph) {
   append(all, graph.inputs);
   append(all, graph.parameters);
   append(all, graph.outputs);
-  std::vector<std::string> const objects = identifiers(all);
-  std::vector<std::string> names;
-  for (std::size_t i = 0; i < all.size(); ++i)
-    for (std::uint32_t k = 0; k < all[i].count; ++k) names.push_back(element_name(objects[i], all[i], k));
-  return names;
+  return element_names(all);
 }
 
 // The inputs and parameters that a result is computed from, by their indices as variables.

@@ -13,16 +13,6 @@ std::string op_name(Op op) {
   return op == Op::input ? "input" : op == Op::parameter ? "parameter" : std::string(info(op).name);
 }
 
-// "q[2]" by slot.
-std::vector<std::string> element_names(std::vector<Object> const &objects) {
-  std::vector<std::string> const names = identifiers(objects);
-  std::vector<std::string> elements;
-  for (std::size_t i = 0; i < objects.size(); ++i)
-    for (std::uint32_t element = 0; element < objects[i].count; ++element)
-      elements.push_back(element_name(names[i], objects[i], element));
-  return elements;
-}
-
 // Constants, each once, in the order in which they are met.
 class Constants {
 public:

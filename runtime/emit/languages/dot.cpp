@@ -9,15 +9,6 @@ namespace symreal {
 
 namespace {
 
-// Of every number of a role.
-std::vector<std::string> names_of(std::vector<Object> const &objects) {
-  std::vector<std::string> const labels = identifiers(objects);
-  std::vector<std::string> names;
-  for (std::size_t i = 0; i < objects.size(); ++i)
-    for (std::uint32_t k = 0; k < objects[i].count; ++k) names.push_back(element_name(labels[i], objects[i], k));
-  return names;
-}
-
 class GraphPrinter {
 public:
   explicit GraphPrinter(Emission const &emission)
@@ -35,9 +26,9 @@ public:
 
   std::string print() {
     std::string text = fmt::format("\ndigraph {} {{\n  node [fontsize=10];\n", quoted(graph_.kernel));
-    text += leaves(Op::input, names_of(graph_.inputs)) + leaves(Op::parameter, names_of(graph_.parameters));
+    text += leaves(Op::input, element_names(graph_.inputs)) + leaves(Op::parameter, element_names(graph_.parameters));
     text += cluster("preprocess", false) + cluster("compute", true);
-    std::vector<std::string> const outputs = names_of(graph_.outputs);
+    std::vector<std::string> const outputs = element_names(graph_.outputs);
     for (std::size_t k = 0; k < graph_.results.size(); ++k)
       text += fmt::format("  o{} [shape=box, label={}];\n", k, quoted(outputs[k])) +
               edge(graph_.results[k], fmt::format("o{}", k));
