@@ -31,6 +31,21 @@ std::size_t count_unseen(std::vector<BranchCount> const &branches) {
   return unseen;
 }
 
+void add(std::vector<BranchCount> &all, std::vector<BranchCount> const &more) {
+  std::map<std::array<std::string, 3>, std::size_t> known;
+  auto const name = [](BranchCount const &one) { return std::array{one.place, one.condition, one.function}; };
+  for (std::size_t k = 0; k < all.size(); ++k) known.try_emplace(name(all[k]), k);
+  for (BranchCount const &one : more) {
+    auto const [at, is_new] = known.try_emplace(name(one), all.size());
+    if (is_new) {
+      all.push_back(one);
+    } else {
+      all[at->second].yes += one.yes;
+      all[at->second].no += one.no;
+    }
+  }
+}
+
 CoveredProgram build_covered(BuildRequest const &request, Overlay const &rewritten, Overlay const &annotated,
                              Workspace const &workspace) {
   if (!llvm::sys::findProgramByName(clang_compiler))
@@ -149,21 +164,16 @@ public:
   }
 
   std::vector<BranchCount> result() {
-    std::vector<BranchCount> all;
-    std::map<std::array<std::string, 3>, std::size_t> known;
+    std::vector<BranchCount> all,
+        once; // one branch may be of several sources, or of several uses of a macro in a macro
     for (auto &[place, instances] : functions_)
       for (Function const &function : instances)
         for (BranchCount branch : function.branches) {
           if (instances.size() > 1) branch.function = function.name;
-          auto const [at, is_new] = known.try_emplace({branch.place, branch.condition, branch.function}, all.size());
-          if (is_new) {
-            all.push_back(branch);
-          } else { // of another source, or another use of one macro in a macro
-            all[at->second].yes += branch.yes;
-            all[at->second].no += branch.no;
-          }
+          all.push_back(branch);
         }
-    return all;
+    program::add(once, all);
+    return once;
   }
 
 private:

@@ -19,6 +19,9 @@ struct BranchCount {
   std::uint64_t yes = 0, no = 0;
 };
 
+// Adds the counts of each to those of the same branch in `all`.
+void add(std::vector<BranchCount> &all, std::vector<BranchCount> const &more);
+
 struct BranchResult {
   std::string obstacle; // why they could not be counted, or empty
   std::vector<BranchCount> branches;

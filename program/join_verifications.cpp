@@ -49,17 +49,7 @@ static void join(Verification &all, ThreadResult const &threads) {
 
 static void join(BranchResult &all, BranchResult const &other) {
   if (all.obstacle.empty()) all.obstacle = other.obstacle;
-  for (BranchCount const &more : other.branches) {
-    auto const found = std::ranges::find_if(all.branches, [&more](BranchCount const &one) {
-      return one.place == more.place && one.condition == more.condition && one.function == more.function;
-    });
-    if (found == all.branches.end()) {
-      all.branches.push_back(more);
-    } else {
-      found->yes += more.yes;
-      found->no += more.no;
-    }
-  }
+  add(all.branches, other.branches);
 }
 
 static void join(DerivativeElement &all, DerivativeElement const &other) {

@@ -13,16 +13,8 @@ import types
 
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent / "peers"))
+from generate import MAKE  # noqa: E402
 from problems import PROBLEMS  # noqa: E402
-
-MAKE = """#include "contender.h"
-{code}
-{prepare}
-Evaluate contender(char const *kernel, int joints, char const *model) {{
-  (void)kernel, (void)joints, (void)model;
-  return evaluate;
-}}
-"""
 
 
 def operations(text):
