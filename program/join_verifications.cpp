@@ -89,6 +89,7 @@ void join(Verification &verification, Verification const &other) {
   }
   verification.crossed = std::max(verification.crossed, other.crossed);
   if (verification.branches && other.branches) join(*verification.branches, *other.branches);
+  if (verification.errors && other.errors) join(*verification.errors, *other.errors);
   add(verification.left, other.left);
   add(verification.left_by_wrapper, other.left_by_wrapper);
   for (std::size_t k = 0; k < verification.guards.size(); ++k) verification.guards[k].failed += other.guards[k].failed;

@@ -110,6 +110,7 @@ public:
       if (!front.covered.path.empty())
         start(covered_, "the original that counts its branches", front.covered.path, nullptr, covered_run_.profile);
     }
+    if (options.exact_bits != 0) errors_.emplace(graph_, options.exact_bits);
     result_.mode = banner.mode;
     result_.is_single = banner.is_single;
     result_.has_values = banner.has_values;
@@ -142,6 +143,7 @@ public:
     keep_named();
     if (threads_) result_.threads = threads_->finish(code_, timed_ ? &*timed_ : nullptr);
     result_.exact = exact_.judgement();
+    if (errors_) result_.errors = errors_->result();
     if (derivatives_) result_.derivatives = derivatives_->result();
     if (covered_) finish_branches();
     return std::move(result_);
@@ -214,6 +216,9 @@ private:
     for (auto const *outputs : {&result_.outputs, &result_.rewritten, &result_.called_again, &result_.wrapped})
       for (OutputComparison const &output : *outputs)
         if (output.has_worst()) keep(output.worst_sample);
+    if (errors_)
+      for (ErrorsOfOutput const &output : errors_->result().outputs)
+        if (output.has_worst()) keep(output.worst_sample);
     if (result_.guard_mismatch) keep(result_.guard_mismatch->sample);
     result_.named = std::move(kept);
     most_named_ = std::max<std::size_t>(least_named, result_.named.size());
@@ -269,6 +274,7 @@ private:
       compare_inside(k, sample, original, generated, evaluated.outputs);
     else
       result_.outside_different += !(banner_.is_single ? all_near(original, generated) : all_same(original, generated));
+    if (inside && errors_) is_named_ |= errors_->compare(k, sample.inputs, sample.parameters, original, generated);
     if (inside && covered_) count_branches(sample);
     if (inside && derivatives_)
       derivatives_->compare(sample, std::span<double const>(computed.outputs).subspan(values));
@@ -398,6 +404,7 @@ private:
   std::optional<GeneratedCode> own_code_;
   SampleSource source_;
   ExactValues exact_;
+  std::optional<ExactErrors> errors_;
   std::optional<ThreadVerification> threads_;
   std::optional<DerivativeVerification> derivatives_;
   std::optional<Sample> timed_;      // the first within the premises and all guards

@@ -3,6 +3,7 @@
 
 #include "program/branches.h"
 #include "program/derivative_verification.h"
+#include "program/exact_errors.h"
 #include "program/exact_values.h"
 #include "program/front.h"
 #include "program/generated_code.h"
@@ -30,6 +31,7 @@ struct VerificationOptions {
   double tolerance = 1e-9;           // mode fast, and single precision
   bool wrapper = false;              // also what its wrapper does
   bool branches = false;             // also count the branches of the original
+  unsigned exact_bits = 0;           // also compare with exact values, of so many bits
 };
 
 inline constexpr double single_tolerance = 1e-3; // of single precision, unless another is asked for
@@ -94,6 +96,7 @@ struct Verification {
   std::optional<GuardMismatch> guard_mismatch; // the first of them
   std::optional<ThreadResult> threads;         // of code whose threads share an evaluation
   ExactJudgement exact;                        // of mode fast, beyond the tolerance
+  std::optional<ErrorResult> errors;           // against exact values, where they were asked for
   std::optional<DerivativeResult> derivatives; // of code that has some
 };
 

@@ -1,72 +1,12 @@
 #include "graph/extended.h"
 
 #include "graph/call_results.h"
+#include "graph/evaluate_in.h"
 #include "graph/opaque.h"
-
-#include <symreal/integer_functions.h>
-
-#include <cmath>
 
 namespace symreal {
 
 namespace {
-
-// What an operation has to do with real numbers.
-enum class Reality : std::uint8_t {
-  formula, // a function of them
-  jump,    // one that is constant but for its jumps
-  none,    // it depends on how numbers are stored, or on what is no number
-};
-
-Reality reality_of(Op op) {
-  OperationInfo const &row = info(op);
-  if (row.has(flag::OPAQUE | flag::WIDE | flag::TAKES_WIDE)) return Reality::none;
-  switch (op) {
-  case Op::f32:
-  case Op::nextafter: return Reality::none;
-  case Op::floor:
-  case Op::ceil:
-  case Op::trunc:
-  case Op::round:
-  case Op::rint:
-  case Op::logb: return Reality::jump;
-  default:
-    return row.has(flag::BOOLEAN) || row.form == Form::local || row.form == Form::cast ? Reality::jump
-                                                                                       : Reality::formula;
-  }
-}
-
-[[maybe_unused]] int opaque() { return 0; }
-
-// The reference semantics, in extended precision. What the table computes with integers in doubles is computed so.
-template <class Number> Number evaluate_in(Op op, Number x, Number y, Number z) {
-  using namespace flag;
-  (void)z;
-  switch (op) {
-#define OPERATION(id, arity, form, c, precedence, evaluate, derivative, cost, flags, domain, doc)                      \
-  case Op::id:                                                                                                         \
-    if constexpr ((Form::form == Form::infix || Form::form == Form::prefix || Form::form == Form::call ||              \
-                   Form::form == Form::select) &&                                                                      \
-                  ((flags) & (WIDE | TAKES_WIDE)) == 0)                                                                \
-      return static_cast<Number>(evaluate);                                                                            \
-    else                                                                                                               \
-      break;
-#include <symreal/operations.def>
-#undef OPERATION
-  default: break;
-  }
-  return evaluate(op, static_cast<double>(x), static_cast<double>(y), static_cast<double>(z));
-}
-
-// Where an operation jumps, it has made a choice; two that are equal lie between the same jumps.
-template <class Number> Number choice_of(Op op, Number x, Number y, Number result) {
-  switch (op) {
-  case Op::copysign: return std::signbit(y) ? 1 : 0;
-  case Op::fmod: return std::trunc(x / y);
-  case Op::remainder: return std::rint(x / y);
-  default: return reality_of(op) == Reality::jump ? result : 0;
-  }
-}
 
 // By a unit in the last place or two: the first time up; then up or down at random, but always the same of a node. At
 // random alone two nodes in a row may cancel each time.
@@ -115,7 +55,9 @@ private:
 
 } // namespace
 
-long double evaluate_extended(Op op, long double x, long double y, long double z) { return evaluate_in(op, x, y, z); }
+long double evaluate_extended(Op op, long double x, long double y, long double z) {
+  return evaluate_in<long double>(op, x, y, z);
+}
 
 std::string obstacle_to_extended(Graph const &graph, bool calls) {
   if (extended_bits <= std::numeric_limits<double>::digits) return "this machine has no numbers wider than double";
@@ -139,34 +81,21 @@ std::optional<std::vector<long double>> evaluate_extended(Graph const &graph, st
                                                           std::span<double const> parameters,
                                                           std::span<double const> values, std::uint64_t perturbation,
                                                           CallExternal const &call) {
-  std::vector<char> const active = active_nodes(graph, values);
   ExtendedCalls calls(graph, call, perturbation);
-  std::vector<long double> wide(graph.nodes.size(), 0);
-  for (std::size_t id = 0; id < graph.nodes.size(); ++id) {
-    Node const &node = graph.nodes[id];
-    if (!active[id]) continue;
-    if (node.op == Op::constant) {
-      wide[id] = node.value();
-    } else if (node.op == Op::input) {
-      wide[id] = inputs[node.slot()];
-    } else if (node.op == Op::parameter) {
-      wide[id] = parameters[node.slot()];
-    } else if (is_of_call(node.op)) {
-      wide[id] = calls.value(static_cast<NodeId>(id), wide);
-    } else {
-      auto operand = [&](std::size_t i, auto const &of) {
-        return node.operand[i] == no_node ? 0 : of[node.operand[i]];
-      };
-      long double const x = operand(0, wide), y = operand(1, wide);
-      wide[id] = evaluate_in(node.op, x, y, operand(2, wide));
-      long double const in_double = choice_of<double>(node.op, operand(0, values), operand(1, values), values[id]);
-      if (choice_of(node.op, x, y, wide[id]) != in_double) return std::nullopt;
-      if (perturbation != 0 && reality_of(node.op) == Reality::formula && !info(node.op).has(flag::QUIET))
-        wide[id] = moved(wide[id], id, perturbation);
-    }
-  }
+  auto const leaf = [&](NodeId id, Node const &node, std::vector<long double> const &wide) -> long double {
+    if (node.op == Op::input) return inputs[node.slot()];
+    if (node.op == Op::parameter) return parameters[node.slot()];
+    return calls.value(id, wide);
+  };
+  auto const move = [&](NodeId id, long double &number) {
+    Op const op = graph.nodes[id].op;
+    if (perturbation != 0 && reality_of(op) == Reality::formula && !info(op).has(flag::QUIET))
+      number = moved(number, id, perturbation);
+  };
+  std::optional<std::vector<long double>> const wide = evaluate_nodes<long double>(graph, values, leaf, move);
+  if (!wide) return std::nullopt;
   std::vector<long double> outputs;
-  for (NodeId result : graph.results) outputs.push_back(wide[result]);
+  for (NodeId result : graph.results) outputs.push_back((*wide)[result]);
   return outputs;
 }
 

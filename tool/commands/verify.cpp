@@ -58,8 +58,8 @@ void require_sense(CLI::App const &command) {
   };
   for (char const *drawing : {"--samples", "--seed", "--min-samples", "--shard", "--certificate"})
     excludes("--replay", drawing, "which tries the samples of a file");
-  for (char const *certified :
-       {"--samples", "--seed", "--min-samples", "--tol", "--shard", "--replay", "--certificate", "--branches"})
+  for (char const *certified : {"--samples", "--seed", "--min-samples", "--tol", "--shard", "--replay", "--certificate",
+                                "--branches", "--exact"})
     excludes("--check", certified, "which does what the certificate says");
   excludes("--shard", "--certificate", "which tries a share of the samples");
 }
@@ -189,6 +189,7 @@ int run(CLI::App &command, Options &options, Session &session) {
     options.verification.seed = certified.seed;
     options.verification.tolerance = certified.tolerance;
     options.verification.branches = certified.branches;
+    options.verification.exact_bits = certified.exact_bits;
   }
   std::vector<std::string> sources = options.files;
   std::vector<std::string> const generated = take_generated(sources);
@@ -203,6 +204,9 @@ int run(CLI::App &command, Options &options, Session &session) {
       fail(DiagnosticId::option_without_effect, {},
            "--tol is for code of mode fast and for single precision; this is of mode " +
                std::string(to_string(banners.back().mode)));
+    if (options.verification.exact_bits != 0 && !banners.back().has_values)
+      fail(DiagnosticId::option_without_effect, {},
+           "--exact compares values, and '" + path + "' has derivatives alone");
   }
 
   require_table(options.paths_met, generated, banners);
@@ -286,6 +290,11 @@ void add_verify(CLI::App &app, Session &session) {
       ->type_name("FILE");
   command->add_flag("--branches", verification.branches,
                     "Also say which branches of the original went one way only on all samples");
+  command
+      ->add_option("--exact", verification.exact_bits,
+                   "Also say how far both are from the exact values, computed in numbers of BITS bits, such as 256")
+      ->type_name("BITS")
+      ->check(CLI::Range(program::least_exact_bits, program::most_exact_bits));
   command->add_option("--certificate", options->certificate, "Write what was verified, and of which files")
       ->type_name("FILE");
   command->add_option("--check", options->check, "Verify as a certificate says, and compare with it")

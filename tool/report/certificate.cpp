@@ -95,6 +95,7 @@ program::VerificationOptions options_of(Json const &certificate, std::string con
     options.seed = record.at("seed");
     options.tolerance = record.at("tolerance");
     options.branches = record.contains("branches");
+    if (record.contains("errors")) options.exact_bits = record["errors"].at("bits");
     return options;
   } catch (Json::exception const &) {
     fail(DiagnosticId::verification_file, {path}, "this file is no certificate that verify --certificate wrote");

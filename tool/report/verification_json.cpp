@@ -4,6 +4,7 @@
 #include "support/files.h"
 #include "support/number.h"
 #include "tool/report/derivative_report.h"
+#include "tool/report/error_report.h"
 #include "tool/report/thread_report.h"
 #include "tool/report/verification_record.h"
 
@@ -305,6 +306,7 @@ VerificationRecord record_of(Json const &json) {
                                       one.at("of") == "guard",
                                       {one.at("yes").get<std::size_t>(), one.at("no").get<std::size_t>()}});
   if (json.contains("branches")) verification.branches = branches_of(json["branches"]);
+  if (json.contains("errors")) verification.errors = errors_of(json["errors"], count);
   verification.left = left_of(json.at("left_behind"));
   verification.left_by_wrapper = left_of(json.at("left_by_wrapper"));
   for (Json const &one : json.at("named"))
@@ -367,6 +369,7 @@ Json to_json(VerificationRecord const &record) {
   add_guards(json, verification);
   json["decisions"] = decisions_json(verification.decisions);
   if (verification.branches) json["branches"] = branches_json(*verification.branches);
+  if (verification.errors) json["errors"] = to_json(*verification.errors);
   json["named"] = Json::array();
   for (auto const &[number, sample] : verification.named)
     json["named"].push_back(

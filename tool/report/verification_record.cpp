@@ -31,6 +31,8 @@ static std::string difference(VerificationRecord const &one, VerificationRecord 
       a.own_flags_ulp.size() != b.own_flags_ulp.size() || a.own_code_ulp.size() != b.own_code_ulp.size() ||
       derivative_count(a) != derivative_count(b))
     return "its kernel has another shape";
+  if (a.errors.has_value() != b.errors.has_value() || (a.errors && a.errors->bits != b.errors->bits))
+    return "it has other exact values";
   if (one.options.samples != other.options.samples || one.options.seed != other.options.seed)
     return "it has other samples or another seed";
   if (one.options.shard.count != other.options.shard.count)

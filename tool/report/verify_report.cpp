@@ -4,6 +4,7 @@
 #include "graph/names.h"
 #include "support/number.h"
 #include "tool/report/derivative_report.h"
+#include "tool/report/error_report.h"
 #include "tool/report/number_list.h"
 #include "tool/report/thread_report.h"
 
@@ -250,6 +251,7 @@ void print_verification(std::ostream &out, Graph const &graph, program::Verifica
   if (verification.branches) print_branches(out, *verification.branches);
   if (verification.threads) print_threads(out, *verification.threads);
   print_exact(out, graph, verification.exact);
+  if (verification.errors) print_errors(out, graph, *verification.errors);
   if (!verification.wrapped.empty()) fmt::print(out, "  the wrapper was tried as well\n");
   if (verification.derivatives && !verification.has_values) return print_derivatives(out, *verification.derivatives);
   fmt::print(out, "  {:<28}{:>10}{:>22}{:>12}{}{}\n", "output", "elements",

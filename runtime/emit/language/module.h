@@ -42,6 +42,9 @@ struct ModuleSyntax {
   std::string_view begin = {};
   std::string_view size = {};       // $name $value
   std::string_view index_list = {}; // $name $count $values: of a matrix of derivatives
+  // Longer ones are made of parts, where a language bounds what stands in one: $name $count $values; $parts.
+  std::size_t most_indices = 0;
+  std::string_view index_part = {}, joined_indices = {};
   ObjectsSyntax places = {}, structure = {};
   std::string_view functions = {};                                 // behind them
   std::string_view contains = {};                                  // between declarations and functions

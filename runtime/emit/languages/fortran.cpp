@@ -458,6 +458,10 @@ Language language_fortran() {
       .begin = "module ${module}_kernel\n  use, intrinsic :: iso_c_binding, only: c_double, c_float, c_int64_t\n"
                "  implicit none\n  private :: c_double, c_float, c_int64_t\n\n",
       .size = "  integer, parameter :: $name = $value\n",
+      .index_list = "  integer, parameter :: $name($count) = [integer :: $values]\n",
+      .most_indices = 2000, // a statement has 255 continuation lines
+      .index_part = "  integer, parameter, private :: $name($count) = [integer :: $values]\n",
+      .joined_indices = "  integer, parameter :: $name($count) = [$parts]\n",
       .places = {.begin = "\n  ! The index of the first number of each $role.\n",
                  .object = "  integer, parameter :: ${role}_$name = $first\n"},
       .structure = {.begin =

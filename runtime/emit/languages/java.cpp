@@ -346,6 +346,13 @@ Language language_java() {
       .is_named_after_file = true,
       .begin = "public final class $unit {\n  private $unit() {}\n\n",
       .size = "  public static final int $NAME = $value;\n",
+      .index_list = "  private static final class Indices_of_$name {\n    static final int[] values = {$values};\n  }\n"
+                    "  public static final int[] $NAME = Indices_of_$name.values;\n",
+      .most_indices = 4000, // a method has room for 64 KB
+      .index_part = "  private static final class Indices_of_$name {\n    static final int[] values = {$values};\n  }\n"
+                    "  private static final int[] $name = Indices_of_$name.values;\n",
+      .joined_indices = "  public static final int[] $NAME = java.util.stream.Stream.of($parts)\n"
+                        "    .flatMapToInt(java.util.Arrays::stream).toArray();\n",
       .structure = {.begin =
                         "\n  /** The numbers of the $role by their names and indices. */\n"
                         "  public static final class $Role {\n    public final $real[] numbers = new $real[$count];\n",

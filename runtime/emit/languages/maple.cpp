@@ -234,6 +234,7 @@ Language language_maple() {
   maple.module = {
       .begin = "\n",
       .size = "$name := $value:\n",
+      .index_list = "$name := [$values]:\n",
       .places = {.begin = "\n# The index of the first number of each $role, and its extents.\n${role}_at := table([\n",
                  .end = "\n]):\n",
                  .object = "  \"$name\" = [$first, [$extents]]",

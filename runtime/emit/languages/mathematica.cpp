@@ -210,6 +210,7 @@ Language language_mathematica() {
   table.module = {
       .begin = "\nBeginPackage[\"${module}`\"];\n\n",
       .size = "$name = $value;\n",
+      .index_list = "$name = {$values};\n",
       .places = {.begin = "\n(* The index of the first number of each $role, and its extents. *)\n${role}At = <|\n",
                  .end = "\n|>;\n",
                  .object = "  \"$name\" -> {$first, {$extents}}",

@@ -444,6 +444,7 @@ function kernel = $base()
   kernel.unpack = @unpack;
 )",
       .size = "  kernel.$name = $value;\n",
+      .index_list = "  kernel.$name = [$values];\n",
       .places = {.object = "  kernel.${role}_at.$name = struct('first', $first, 'extents', [$extents]);\n"},
       .functions = R"(end
 

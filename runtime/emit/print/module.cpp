@@ -104,6 +104,29 @@ std::string all_objects(Emission const &emission, ObjectsSyntax const &syntax) {
          objects(emission, syntax, "output", graph.outputs);
 }
 
+std::string index_list(Emission const &emission, Filling fill, std::string const &name, IndexList const &list) {
+  ModuleSyntax const &syntax = emission.language.module;
+  std::vector<std::string> const values = list.texts();
+  auto const print = [&](std::string_view syntax_of_list, std::string const &name_of_list, std::size_t first,
+                         std::size_t count) {
+    auto const begin = values.begin() + static_cast<std::ptrdiff_t>(first);
+    return fill.set_name("name", name_of_list)
+        .set("count", count)
+        .set("values", lines_of(emission.language, {begin, begin + static_cast<std::ptrdiff_t>(count)}))(syntax_of_list);
+  };
+  std::size_t const most = syntax.most_indices;
+  if (most == 0 || values.size() <= most) return print(syntax.index_list, name, 0, values.size());
+  std::string text;
+  std::vector<std::string> parts;
+  for (std::size_t first = 0; first < values.size(); first += most) {
+    parts.push_back(emission.language.names.spelled(name + "_" + std::to_string(parts.size() + 1)));
+    text += print(syntax.index_part, parts.back(), first, std::min(most, values.size() - first));
+  }
+  return text + fill.set_name("name", name)
+                    .set("count", values.size())
+                    .set("parts", lines_of(emission.language, parts))(syntax.joined_indices);
+}
+
 std::string matrices(Emission const &emission) {
   ModuleSyntax const &syntax = emission.language.module;
   if (syntax.index_list.empty()) return {};
@@ -114,9 +137,7 @@ std::string matrices(Emission const &emission) {
     for (auto const &[name, value] : matrix.sizes())
       text += fill.set_name("name", emission.name(matrix.name + "_" + name)).set("value", value)(syntax.size);
     for (IndexList const &list : matrix.lists)
-      text += fill.set_name("name", emission.name(matrix.name + "_" + std::string(list.name)))
-                  .set("count", list.values.size())
-                  .set("values", lines_of(emission.language, list.texts()))(syntax.index_list);
+      text += index_list(emission, fill, emission.name(matrix.name + "_" + std::string(list.name)), list);
   }
   return text;
 }

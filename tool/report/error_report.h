@@ -1,0 +1,18 @@
+// What a verification says of the errors of the original and of the generated code, against exact values.
+#pragma once
+
+#include "graph/graph.h"
+#include "program/exact_errors.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <ostream>
+
+namespace symreal::tool {
+
+void print_errors(std::ostream &out, Graph const &graph, program::ErrorResult const &result);
+nlohmann::ordered_json to_json(program::ErrorResult const &result);
+// Throws what the library throws for a member that is missing or of another type.
+program::ErrorResult errors_of(nlohmann::ordered_json const &json, std::size_t outputs);
+
+} // namespace symreal::tool
