@@ -137,8 +137,12 @@ bool Reals::call_stays_double(CallExpr const *call) const {
   FunctionDecl const *function = call->getDirectCallee();
   if (!function || in_roots(function) || external(function)) return false;
   if (is_math(function)) {
-    for (Expr const *argument : call->arguments())
+    for (Expr const *argument : call->arguments()) {
+      bool const is_object = argument->getType().getNonReferenceType()->isRecordType(); // a complex number
       if (!stays_double(argument)) return false;
+      if (is_object && carries_real(argument->getType().getNonReferenceType()) && !object_is_passive(argument))
+        return false;
+    }
     return true;
   }
   if (auto const *method = dyn_cast<CXXMethodDecl>(function))

@@ -6,6 +6,7 @@
 // RUN: %t.orig > %t.plain && %t.exe | diff %t.plain -
 // RUN: %symreal generate %s -o %t.c -- -std=c++20 && %symreal verify %s %t.c --min-samples=20 --samples=100 -- -std=c++20
 #include <compare>
+#include <complex>
 #include <concepts>
 #include <cstdio>
 #include <type_traits>
@@ -34,7 +35,7 @@ struct Point {
   auto operator<=>(Point const &) const = default;
 };
 
-#pragma symreal function input(x[0:2]) output(y[0:12]) decisions(guard)
+#pragma symreal function input(x[0:2]) output(y[0:13]) decisions(guard)
 void compute(double const *x, double *y) {
   // CHECK: * sizeof(REAL_TRUTH(
   y[0] = x[0] * sizeof(x[0] > 1);
@@ -50,10 +51,15 @@ void compute(double const *x, double *y) {
   y[9] = x[0] * chosen(x[0] > 1);
   y[10] = x[0] * (Point{x[0], 1.0} < Point{x[1], 2.0} ? 1.0 : 2.0);
   y[11] = x[0] * ((x[0] <=> x[1]) > 0 ? 1.0 : 2.0);
+  // The absolute value of a complex number is one of REALs.
+  // CHECK: sizeof(REAL_TRUTH(std::abs(z) > 1)){{.*}}sizeof(std::abs(one) > 1)
+  std::complex<double> const z(x[0], 1.0);
+  static constexpr std::complex<double> one(1.0, 0.0);
+  y[12] = x[0] * sizeof(std::abs(z) > 1) + sizeof(std::abs(one) > 1);
 }
 
 int main() {
-  double x[2] = {5.3, 2.0}, y[12];
+  double x[2] = {5.3, 2.0}, y[13];
   compute(x, y);
   for (double each : y) std::printf("%.17g\n", each);
 }
