@@ -42,9 +42,10 @@ struct ModuleSyntax {
   std::string_view begin = {};
   std::string_view size = {};       // $name $value
   std::string_view index_list = {}; // $name $count $values: of a matrix of derivatives
-  // Longer ones are made of parts, where a language bounds what stands in one: $name $count $values; $parts.
+  // Longer ones are made of parts, where a language bounds what stands in one: $name and $count of the list, and
+  // $part, its name, $first, $last, from the language's first index, $values; behind them $parts, a list of names.
   std::size_t most_indices = 0;
-  std::string_view index_part = {}, joined_indices = {};
+  std::string_view long_index_list = {}, index_part = {}, joined_indices = {};
   ObjectsSyntax places = {}, structure = {};
   std::string_view functions = {};                                 // behind them
   std::string_view contains = {};                                  // between declarations and functions

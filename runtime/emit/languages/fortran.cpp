@@ -460,8 +460,8 @@ Language language_fortran() {
       .size = "  integer, parameter :: $name = $value\n",
       .index_list = "  integer, parameter :: $name($count) = [integer :: $values]\n",
       .most_indices = 2000, // a statement has 255 continuation lines
-      .index_part = "  integer, parameter, private :: $name($count) = [integer :: $values]\n",
-      .joined_indices = "  integer, parameter :: $name($count) = [$parts]\n",
+      .long_index_list = "  integer, protected :: $name($count)\n  integer, private :: ${name}_at\n",
+      .index_part = "  data ($name(${name}_at), ${name}_at = $first, $last) / $values /\n",
       .places = {.begin = "\n  ! The index of the first number of each $role.\n",
                  .object = "  integer, parameter :: ${role}_$name = $first\n"},
       .structure = {.begin =

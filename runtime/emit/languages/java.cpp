@@ -349,8 +349,8 @@ Language language_java() {
       .index_list = "  private static final class Indices_of_$name {\n    static final int[] values = {$values};\n  }\n"
                     "  public static final int[] $NAME = Indices_of_$name.values;\n",
       .most_indices = 4000, // a method has room for 64 KB
-      .index_part = "  private static final class Indices_of_$name {\n    static final int[] values = {$values};\n  }\n"
-                    "  private static final int[] $name = Indices_of_$name.values;\n",
+      .index_part = "  private static final class Indices_of_$part {\n    static final int[] values = {$values};\n  }\n"
+                    "  private static final int[] $part = Indices_of_$part.values;\n",
       .joined_indices = "  public static final int[] $NAME = java.util.stream.Stream.of($parts)\n"
                         "    .flatMapToInt(java.util.Arrays::stream).toArray();\n",
       .structure = {.begin =

@@ -104,27 +104,25 @@ std::string all_objects(Emission const &emission, ObjectsSyntax const &syntax) {
          objects(emission, syntax, "output", graph.outputs);
 }
 
-std::string index_list(Emission const &emission, Filling fill, std::string const &name, IndexList const &list) {
+// `fill` has the list's name.
+std::string index_list(Emission const &emission, Filling fill, std::string const &name,
+                       std::vector<std::string> const &values) {
   ModuleSyntax const &syntax = emission.language.module;
-  std::vector<std::string> const values = list.texts();
-  auto const print = [&](std::string_view syntax_of_list, std::string const &name_of_list, std::size_t first,
-                         std::size_t count) {
-    auto const begin = values.begin() + static_cast<std::ptrdiff_t>(first);
-    return fill.set_name("name", name_of_list)
-        .set("count", count)
-        .set("values", lines_of(emission.language, {begin, begin + static_cast<std::ptrdiff_t>(count)}))(syntax_of_list);
-  };
-  std::size_t const most = syntax.most_indices;
-  if (most == 0 || values.size() <= most) return print(syntax.index_list, name, 0, values.size());
-  std::string text;
+  fill.set("count", values.size());
+  std::size_t const most = syntax.most_indices, base = emission.language.expressions.first_index;
+  if (most == 0 || values.size() <= most)
+    return fill.set("values", lines_of(emission.language, values))(syntax.index_list);
+  std::string text = fill(syntax.long_index_list);
   std::vector<std::string> parts;
   for (std::size_t first = 0; first < values.size(); first += most) {
+    std::size_t const last = std::min(first + most, values.size());
     parts.push_back(emission.language.names.spelled(name + "_" + std::to_string(parts.size() + 1)));
-    text += print(syntax.index_part, parts.back(), first, std::min(most, values.size() - first));
+    fill.set_name("part", parts.back()).set("first", first + base).set("last", last - 1 + base);
+    text += fill.set("values", lines_of(emission.language, {values.begin() + static_cast<std::ptrdiff_t>(first),
+                                                            values.begin() + static_cast<std::ptrdiff_t>(last)}))(
+        syntax.index_part);
   }
-  return text + fill.set_name("name", name)
-                    .set("count", values.size())
-                    .set("parts", lines_of(emission.language, parts))(syntax.joined_indices);
+  return text + fill.set("parts", lines_of(emission.language, parts))(syntax.joined_indices);
 }
 
 std::string matrices(Emission const &emission) {
@@ -136,8 +134,10 @@ std::string matrices(Emission const &emission) {
     text += "\n" + indented(emission.language, matrix_remark(emission, matrix));
     for (auto const &[name, value] : matrix.sizes())
       text += fill.set_name("name", emission.name(matrix.name + "_" + name)).set("value", value)(syntax.size);
-    for (IndexList const &list : matrix.lists)
-      text += index_list(emission, fill, emission.name(matrix.name + "_" + std::string(list.name)), list);
+    for (IndexList const &list : matrix.lists) {
+      std::string const name = emission.name(matrix.name + "_" + std::string(list.name));
+      text += index_list(emission, fill.set_name("name", name), name, list.texts());
+    }
   }
   return text;
 }
