@@ -1,6 +1,8 @@
 #!/usr/bin/env python3
 """generated.py SYMREAL INPUTS [--count N] [--seed K] [-jJ]: changes one thing at random in the C of an example program, and asks
 `symreal verify` whether it notices. What it does not notice is tried once more on twenty times as many samples with another seed.
+Where these notice nothing either, the same place is changed by much: if that is noticed, the first change changes no value that a
+sample comes by (`<` for `<=`, 0 for -0, a last bit that is rounded away); if not, no sample comes there.
 
 The changes: an operator, a comparison, a number (its last bit, its sign, one more), sin for cos, an element of an array beside it,
 a variable for another one."""
@@ -22,7 +24,8 @@ TOKEN = re.compile(r"""(?P<number>(?<![\w.\]])\d+\.\d+(?:e[-+]?\d+)?)|(?P<elemen
                        |(?P<comparison>(?<= )(?:<=|>=|==|!=|<|>)(?= ))|(?P<operator>(?<=[\w\])])\s?[-+*/]\s?(?=[\w(]))|(?P<variable>\b(?:t\d+|y_\d+)\b)""", re.VERBOSE)
 COMPARISONS = {"<": ["<=", ">"], "<=": ["<", ">="], ">": [">=", "<"], ">=": [">", "<="], "==": ["!="], "!=": ["=="]}
 OPERATORS = {"+": "-", "-": "+", "*": "/", "/": "*"}
-CAUGHT, BY_MORE, UNNOTICED, BROKEN = "noticed", "noticed on more samples", "not noticed", "does not compile"
+OPPOSITES = {"<": ">=", "<=": ">", ">": "<=", ">=": "<", "==": "!=", "!=": "=="}
+CAUGHT, BY_MORE, NOT_MET, NO_CHANGE, BROKEN = "noticed", "noticed on more samples", "no sample comes there", "changes no value", "does not compile"
 
 
 def changed(kind, text, earlier, random):
@@ -41,8 +44,18 @@ def changed(kind, text, earlier, random):
     return random.choice(earlier) if earlier else text
 
 
+def changed_by_much(kind, text):
+    if kind == "comparison":
+        return OPPOSITES[text]
+    if kind == "operator":
+        return f"*1.25{text}" if text.strip() in "*/" else text.replace(text.strip(), f"*1.25 {text.strip()} 0.5 +")
+    if kind == "variable":  # which may be a truth value
+        return f"({text} == 0)"
+    return f"1.25*{text}" if kind == "function" else f"(1.25*{text} + 0.5)"
+
+
 def mutant(code, random):
-    """The code with one thing changed in a function's body, and what that is."""
+    """The code with one thing changed in a function's body, the code with the same thing changed by much, and what it is."""
     bodies = [match.span() for match in re.finditer(r"^(?:static )?(?:void|int) \w+\(.*?^}", code, re.MULTILINE | re.DOTALL)]
     tokens = [token for begin, end in bodies for token in TOKEN.finditer(code, code.index("{", begin), end)
               if "(void)" not in code[code.rfind("\n", 0, token.start()):token.start()]]
@@ -54,7 +67,12 @@ def mutant(code, random):
     earlier = sorted(set(re.findall(r"double const (\w+) =", code[begin:token.start()])) - {token.group()})
     text = changed(kind, token.group(), earlier, random)
     line = code.count("\n", 0, token.start()) + 1
-    return code[:token.start()] + text + code[token.end():], f"line {line}: {token.group().strip()} becomes {text.strip()}", kind
+    before, after, by_much = code[:token.start()], code[token.end():], changed_by_much(kind, token.group())
+    return before + text + after, before + by_much + after, f"line {line}: {token.group().strip()} becomes {text.strip()}", kind
+
+
+def compiles(file):
+    return subprocess.run(["gcc", "-std=c99", "-fsyntax-only", "-w", file], capture_output=True).returncode == 0
 
 
 class Program:
@@ -75,16 +93,22 @@ class Program:
 
     def judge(self, number, seed):
         chance = random.Random(f"{seed} {self.name} {number}")
-        code, what, kind = mutant(self.code, chance)
+        code, by_much, what, kind = mutant(self.code, chance)
         file = self.directory / f"{self.name}_{number}.c"
         if code == self.code:
             return self.judge(number + 100000, seed)
         file.write_text(code)
-        if subprocess.run(["gcc", "-std=c99", "-fsyntax-only", "-w", file], capture_output=True).returncode != 0:
+        if not compiles(file):
             return BROKEN, kind, what
         if self.verify(file) == 3:
             return CAUGHT, kind, what
-        return (BY_MORE if self.verify(file, "--samples", "20000", "--seed", "77") == 3 else UNNOTICED), kind, what
+        more = ["--samples", "20000", "--seed", "77"]
+        if self.verify(file, *more) == 3:
+            return BY_MORE, kind, what
+        file.write_text(by_much)
+        if not compiles(file):
+            sys.exit(f"{self.name}, {what}: the change by much does not compile")
+        return (NO_CHANGE if self.verify(file, *more) == 3 else NOT_MET), kind, what
 
 
 def main():
@@ -104,7 +128,7 @@ def main():
             table[kind, verdict] += 1
             if verdict not in (CAUGHT, BROKEN):
                 print(f"{program.name}, {what}: {verdict}", flush=True)
-    verdicts = [CAUGHT, BY_MORE, UNNOTICED, BROKEN]
+    verdicts = [CAUGHT, BY_MORE, NOT_MET, NO_CHANGE, BROKEN]
     print(f"\n| | {' | '.join(verdicts)} |\n|---|{'---:|' * len(verdicts)}")
     for kind in sorted({kind for kind, _ in table}):
         print(f"| {kind} | {' | '.join(str(table[kind, verdict]) for verdict in verdicts)} |")

@@ -1,4 +1,5 @@
-"""every_rule.py SYMREAL RULES: for each row of rules.def the graph of its pattern, and what the pass of its topic alone makes of it."""
+"""every_rule.py SYMREAL RULES: for each row of rules.def the graph of its pattern, and what the pass of its topic alone makes of it; of a
+row that is for truth values also what it makes of numbers."""
 import re
 import subprocess
 import sys
@@ -63,6 +64,21 @@ def expression(text, names):
     return spelled(re.search(r"^result 0 (\S+)", text, re.MULTILINE).group(1))
 
 
+def simplified(symreal, topic, mode, pattern, condition):
+    text, letters = graph_of(pattern, condition)
+    nodes = dict(re.findall(r"^(%\d+) = (.*)$", text, re.MULTILINE))
+    names = {re.sub(r"%\d+", lambda name: nodes[name.group()], f"({nodes[place]})" if " %" in nodes[place] else nodes[place]): letter
+             for place, letter in letters.items()}
+    with tempfile.NamedTemporaryFile("w", suffix=".graph") as file:
+        file.write(text)
+        file.flush()
+        passes = topic if topic in ("identities", "signs") else "simplify"
+        done = subprocess.run([symreal, "opt", file.name, f"--passes={passes}", f"--fp={mode}"], capture_output=True, text=True)
+    if done.returncode != 0:
+        sys.exit(f"{pattern}: {done.stderr}\n{text}")
+    return expression(done.stdout, names)
+
+
 def main():
     symreal, rules = sys.argv[1:]
     for line in open(rules):
@@ -70,18 +86,9 @@ def main():
         if not row:
             continue
         topic, mode, pattern, condition = row.groups()
-        text, letters = graph_of(pattern, condition)
-        nodes = dict(re.findall(r"^(%\d+) = (.*)$", text, re.MULTILINE))
-        names = {re.sub(r"%\d+", lambda name: nodes[name.group()], f"({nodes[place]})" if " %" in nodes[place] else nodes[place]): letter
-                 for place, letter in letters.items()}
-        with tempfile.NamedTemporaryFile("w", suffix=".graph") as file:
-            file.write(text)
-            file.flush()
-            passes = topic if topic in ("identities", "signs") else "simplify"
-            done = subprocess.run([symreal, "opt", file.name, f"--passes={passes}", f"--fp={mode}"], capture_output=True, text=True)
-        if done.returncode != 0:
-            sys.exit(f"{pattern}: {done.stderr}\n{text}")
-        print(f"{topic} {mode}: {pattern} -> {expression(done.stdout, names)}")
+        print(f"{topic} {mode}: {pattern} -> {simplified(symreal, topic, mode, pattern, condition)}")
+        if condition == "x_truth":
+            print(f"    of a number -> {simplified(symreal, topic, mode, pattern, 'x_number')}")
 
 
 main()
