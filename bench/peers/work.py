@@ -4,6 +4,7 @@ import json
 import os
 import pathlib
 import resource
+import signal
 import subprocess
 import tempfile
 
@@ -30,7 +31,8 @@ def run(words, seconds=600, doing="", **options):
             file.seek(0)
         said, complaint = out.read(), error.read().decode(errors="replace")
     took = usage.ru_utime + usage.ru_stime
-    if status and (took > seconds - 1 or "CPU time limit exceeded" in complaint):
+    is_cut_off = os.WIFSIGNALED(status) and os.WTERMSIG(status) == signal.SIGXCPU
+    if status and (is_cut_off or took > seconds - 1 or "CPU time limit exceeded" in complaint):
         raise Missing(f"{doing} takes more than {seconds} s".strip())
     if status and any(word in complaint for word in ("bad_alloc", "MemoryError", "out of memory", "annot allocate memory")):
         raise Missing(f"{doing} takes more than {MEMORY >> 30} GB".strip())
