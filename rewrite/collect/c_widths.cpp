@@ -100,9 +100,25 @@ void Collector::c_widths(UnaryOperator const *operation) {
     wrap(operation, Use::width, words(width.bits, width.is_signed));
 }
 
+// A bit-field that is narrower than int is an int in C wherever it is computed with. g++ forgets that in an arm.
+void Collector::promoted_arm(Expr const *arm) {
+  Expr const *field = arm->IgnoreParenImpCasts();
+  if (!isa<MemberExpr>(field) || !field->getType()->isUnsignedIntegerType()) return;
+  QualType const promoted = context_.isPromotableBitField(const_cast<Expr *>(field));
+  if (!promoted.isNull() && promoted->isSignedIntegerType())
+    wrap(arm->IgnoreImpCasts(), Use::cast, spelled(promoted));
+}
+
+void Collector::c_widths(BinaryConditionalOperator const *choice) {
+  if (map_.language().CPlusPlus || !choice->getType()->isIntegerType() || !map_.in_roots(choice->getQuestionLoc()))
+    return;
+  for (Expr const *arm : {choice->getCommon(), choice->getFalseExpr()}) promoted_arm(arm);
+}
+
 void Collector::c_widths(ConditionalOperator const *choice) {
   if (map_.language().CPlusPlus || !choice->getType()->isIntegerType()) return;
   if (!map_.in_roots(choice->getQuestionLoc())) return;
+  for (Expr const *arm : {choice->getTrueExpr(), choice->getFalseExpr()}) promoted_arm(arm);
   Width const yes = width_of(choice->getTrueExpr()), no = width_of(choice->getFalseExpr());
   if (yes.bits == 0 || no.bits == 0 || (!yes.is_narrow() && !no.is_narrow())) return;
   if (is_in_body(map_, choice->getQuestionLoc()))

@@ -97,6 +97,7 @@ public:
   void c_widths(clang::BinaryOperator const *operation);
   void c_widths(clang::UnaryOperator const *operation);
   void c_widths(clang::ConditionalOperator const *choice);
+  void c_widths(clang::BinaryConditionalOperator const *choice);
 
   // Variables of files in C (tentative.cpp).
   void tentative_definitions(clang::VarDecl const *variable);
@@ -210,6 +211,7 @@ private:
   static Width common(Width one, Width other);
   Width width_of(clang::Expr const *expression);
   Width computed_width(clang::Expr const *expression);
+  void promoted_arm(clang::Expr const *arm);
   void as_width(clang::SourceLocation operation, clang::Expr const *operand, Width width);
 
   void wrap(clang::Expr const *expression, Use use, std::string detail = {});

@@ -180,6 +180,10 @@ public:
     collect_.c_widths(choice);
     return true;
   }
+  bool VisitBinaryConditionalOperator(BinaryConditionalOperator *choice) override {
+    collect_.c_widths(choice);
+    return true;
+  }
   bool VisitReturnStmt(ReturnStmt *statement) override {
     if (!passive_ && function_ && depends(function_->getReturnType()))
       collect_.dependent_value(statement->getRetValue());

@@ -28,7 +28,7 @@ double weighted(double x)
     y += sizeof(0, name) * 1e5 + sizeof(i ? 'a' : 'b') * 1e6 + sizeof(name) * 1e7;
     // CHECK: y += sizeof(REAL_OF_C(int, isnan(x))) * 1e8 + sizeof(REAL_OF_C(int, true)) * 1e9 + sizeof(i == 2 ? 1.5 : 'a') * 1e10;
     y += sizeof(isnan(x)) * 1e8 + sizeof(true) * 1e9 + sizeof(i == 2 ? 1.5 : 'a') * 1e10;
-    // CHECK: y += sizeof((unsigned int)(i ? flags.all : 1u)) * 1e11 + sizeof((int)(i ? flags.low : flags.low)) * 1e12;
+    // CHECK: y += sizeof((unsigned int)(i ? flags.all : 1u)) * 1e11 + sizeof((int)(i ? (int)(flags.low) : (int)(flags.low))) * 1e12;
     y += sizeof(i ? flags.all : 1u) * 1e11 + sizeof(i ? flags.low : flags.low) * 1e12;
     // CHECK: y += sizeof(REAL_OF_C(int, i ? *name : *table)) * 1e13 + sizeof(i ? *name : i) * 1e14 + sizeof *name;
     y += sizeof(i ? *name : *table) * 1e13 + sizeof(i ? *name : i) * 1e14 + sizeof *name;
