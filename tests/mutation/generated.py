@@ -87,9 +87,12 @@ class Program:
                        check=True, capture_output=True)
         self.code = path.read_text()
 
-    def verify(self, file, *options):
-        return subprocess.run([self.symreal, "verify", *self.sources, file, *self.before, *options, *(["--", *self.flags.split()] if self.flags else [])],
-                              capture_output=True, text=True).returncode
+    def notices(self, file, *options):
+        words = [self.symreal, "verify", *self.sources, file, *self.before, *options, *(["--", *self.flags.split()] if self.flags else [])]
+        done = subprocess.run(words, capture_output=True, text=True)
+        if done.returncode not in (0, 3):
+            sys.exit(f"{' '.join(map(str, words))}\n{done.stderr}")
+        return done.returncode == 3
 
     def judge(self, number, seed):
         chance = random.Random(f"{seed} {self.name} {number}")
@@ -100,15 +103,15 @@ class Program:
         file.write_text(code)
         if not compiles(file):
             return BROKEN, kind, what
-        if self.verify(file) == 3:
+        if self.notices(file):
             return CAUGHT, kind, what
         more = ["--samples", "20000", "--seed", "77"]
-        if self.verify(file, *more) == 3:
+        if self.notices(file, *more):
             return BY_MORE, kind, what
         file.write_text(by_much)
         if not compiles(file):
             sys.exit(f"{self.name}, {what}: the change by much does not compile")
-        return (NO_CHANGE if self.verify(file, *more) == 3 else NOT_MET), kind, what
+        return (NO_CHANGE if self.notices(file, *more) else NOT_MET), kind, what
 
 
 def main():

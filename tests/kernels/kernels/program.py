@@ -84,7 +84,7 @@ def probe(path, kernels, language):
 def glue(kernel, path, banner):
     """The generated code of one kernel, which lies at `path`, as a function of flat arrays, in a file with that of others."""
     with open(path) as file:
-        helpers = re.findall(r"^(?:static [\w ]*?(?=\w+\()|union |struct )(\w+)", file.read(), flags=re.M)
+        helpers = re.findall(r"^(?:static [\w ]*?(?=\w+[(\[])|union |struct )(\w+)", file.read(), flags=re.M)
     own = {name: f"{kernel.name}_{name}" for name in ["compute", "preprocess", "guard_text", *dict.fromkeys(helpers)]}
     lines = [f"#define {name} {other}" for name, other in own.items()]
     lines += [f"#define {kernel.name.upper()}_H", declarations(banner), f'#include "{path}"']
