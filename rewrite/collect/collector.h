@@ -98,6 +98,8 @@ public:
   void c_widths(clang::UnaryOperator const *operation);
   void c_widths(clang::ConditionalOperator const *choice);
   void c_widths(clang::BinaryConditionalOperator const *choice);
+  // Narrower ones in both languages.
+  void promoted_operands(clang::BinaryOperator const *operation);
 
   // Variables of files in C (tentative.cpp).
   void tentative_definitions(clang::VarDecl const *variable);
@@ -211,7 +213,7 @@ private:
   static Width common(Width one, Width other);
   Width width_of(clang::Expr const *expression);
   Width computed_width(clang::Expr const *expression);
-  void promoted_arm(clang::Expr const *arm);
+  void as_promoted(clang::Expr const *operand, Use use);
   void as_width(clang::SourceLocation operation, clang::Expr const *operand, Width width);
 
   void wrap(clang::Expr const *expression, Use use, std::string detail = {});
