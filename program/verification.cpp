@@ -296,7 +296,7 @@ private:
   void finish_branches() {
     covered_run_.stack = covered_->stack();
     covered_.reset(); // which writes the counts
-    *result_.branches = read_branches(covered_run_, annotated_, kernel_);
+    result_.branches = read_branches(covered_run_, annotated_, kernel_);
   }
 
   void compare_inside(std::size_t k, Sample const &sample, std::vector<double> const &original,
