@@ -3,8 +3,8 @@
 #pragma once
 
 #include "program/exact_outputs.h"
+#include "verify/samples.h"
 
-#include <optional>
 #include <string>
 
 namespace symreal::program {
@@ -22,7 +22,7 @@ struct ErrorResult {
   std::string obstacle;                // why there are no exact values, in words
   std::size_t samples = 0;             // that were looked at
   std::size_t untold = 0;              // besides: a decision falls otherwise in exact numbers, or a value is not finite
-  std::size_t left_out = 0;            // besides: there were enough operations before them
+  std::size_t left_out = 0;            // besides: they would take too long
   std::vector<ErrorsOfOutput> outputs; // per slot
 };
 
@@ -33,9 +33,10 @@ class ExactErrors {
 public:
   ExactErrors(Graph const &graph, unsigned bits);
 
-  // Of one sample. Whether an error is the largest so far.
-  bool compare(std::size_t sample, std::span<double const> inputs, std::span<double const> parameters,
-               std::span<double const> original, std::span<double const> generated);
+  // Sample k, at which the nodes have `values` in double precision; none are needed where there is an obstacle. Whether
+  // an error is the largest so far.
+  bool compare(std::size_t k, Sample const &sample, std::span<double const> values, std::span<double const> original,
+               std::span<double const> generated);
 
   ErrorResult const &result() const { return result_; }
 

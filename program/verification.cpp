@@ -274,7 +274,7 @@ private:
       compare_inside(k, sample, original, generated, evaluated.outputs);
     else
       result_.outside_different += !(banner_.is_single ? all_near(original, generated) : all_same(original, generated));
-    if (inside && errors_) is_named_ |= errors_->compare(k, sample.inputs, sample.parameters, original, generated);
+    if (inside && errors_) is_named_ |= errors_->compare(k, sample, values_, original, generated);
     if (inside && covered_) count_branches(sample);
     if (inside && derivatives_)
       derivatives_->compare(sample, std::span<double const>(computed.outputs).subspan(values));

@@ -12,6 +12,8 @@
    RUN: %t/run | sed 's/.*= //' > %t/generated.txt
    RUN: %t/original | diff - %t/generated.txt
    RUN: %symreal verify %t/main.c %t/k.c --link "-L%t -lexternal" --samples=100 2>&1 | FileCheck %s --check-prefix=PROOF
+   RUN: %symreal verify %t/main.c %t/k.c --link "-L%t -lexternal" --samples=100 --exact 256 2>&1 | FileCheck %s --check-prefix=EXACT
+   EXACT: exact values, in 256 bits: there are none: it calls functions of the program
 
    A change in what is called is found.
    RUN: sed 's/counted(\(.*\), \(.*\))/counted(\1 + 1, \2)/' %t/k.c > %t/changed.c

@@ -1,42 +1,27 @@
 // The functions of numbers with as many bits as asked for.
+#include "graph/evaluate.h"
 #include "graph/extended.h"
 #include "graph/graph_text.h"
 #include "program/exact_errors.h"
+#include "tests/unit/runtime/operation_samples.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
-#include <random>
 
 namespace symreal::program {
 namespace {
 
-double operand_of(Domain domain, std::mt19937_64 &random) {
-  double const x = std::uniform_real_distribution<double>(0.1, 0.9)(random);
-  switch (domain) {
-  case Domain::any: return random() % 2 == 0 ? 4 * x : -4 * x;
-  case Domain::positive: return 4 * x;
-  case Domain::unit: return random() % 2 == 0 ? x : -x;
-  case Domain::above_one: return 1 + x;
-  case Domain::integer: return std::trunc(100 * x);
-  }
-  return x;
-}
-
 TEST(Multiprecision, EveryOperationIsThatOfLongDouble) {
   Multiprecision::set_bits(200);
-  std::mt19937_64 random(7);
   std::size_t compared = 0;
   for (OperationInfo const &row : detail::operation_table) {
     if (row.has(flag::OPAQUE | flag::WIDE | flag::TAKES_WIDE) || row.op == Op::nextafter) continue;
-    for (int k = 0; k < 50; ++k) {
-      double const x = operand_of(row.domain, random), y = operand_of(row.domain, random),
-                   z = operand_of(row.domain, random);
-      auto const exact =
-          static_cast<double>(evaluate_exact(row.op, Multiprecision(x), Multiprecision(y), Multiprecision(z)) -
-                              Multiprecision(static_cast<double>(evaluate_extended(row.op, x, y, z))));
-      double const expected = static_cast<double>(evaluate_extended(row.op, x, y, z));
+    for (auto const &[x, y, z] : test::samples(row, 50)) {
+      auto const expected = static_cast<double>(evaluate_extended(row.op, x, y, z));
       if (std::isnan(expected)) continue;
-      EXPECT_LE(std::fabs(exact), 0x1p-52 * std::fabs(expected)) << row.name << " of " << x << ", " << y << ", " << z;
+      Multiprecision const exact = evaluate_exact(row.op, Multiprecision(x), Multiprecision(y), Multiprecision(z));
+      EXPECT_LE(std::fabs(static_cast<double>(exact - Multiprecision(expected))), 0x1p-52 * std::fabs(expected))
+          << row.name << " of " << x << ", " << y << ", " << z;
       ++compared;
     }
   }
@@ -65,24 +50,40 @@ Graph read(std::string const &body) {
 TEST(ExactErrors, TellsWhichIsNearer) {
   Graph const graph = read("%1 = div %0 3\nresult 0 %1\n");
   ExactErrors errors(graph, 256);
-  std::vector<double> const x = {2}, original = {2.0 / 3}, code = {std::nextafter(2.0 / 3, 1)};
-  EXPECT_TRUE(errors.compare(5, x, {}, original, code));
-  EXPECT_FALSE(errors.compare(6, x, {}, original, original));
+  Sample const sample{{2}, {}};
+  std::vector<double> const values = evaluate(graph, sample.inputs, {}), original = {2.0 / 3},
+                            code = {std::nextafter(2.0 / 3, 1)};
+  EXPECT_TRUE(errors.compare(5, sample, values, original, code));
+  EXPECT_FALSE(errors.compare(6, sample, values, original, original));
   ErrorsOfOutput const &told = errors.result().outputs[0];
   EXPECT_EQ(errors.result().samples, 2u);
-  EXPECT_EQ(told.original_nearer, 1u);
+  EXPECT_EQ(told.original_nearer, 1u); // it is rounded down by a third of its last place
   EXPECT_EQ(told.generated_nearer, 0u);
   EXPECT_EQ(told.worst_sample, 5u);
-  EXPECT_NEAR(told.original, 0x1p-54 * 2 / 3, 1e-20); // 2/3 is rounded up by a third of its last place
-  EXPECT_NEAR(told.generated - told.original, 0, 0x1p-53);
+  EXPECT_NEAR(told.original, 0x1p-53 / 3, 1e-20);
+  EXPECT_NEAR(told.generated, 0x1p-53 * 2 / 3, 1e-20);
+}
+
+// More bits take longer, so fewer samples are looked at.
+TEST(ExactErrors, LeavesOutWhatTakesTooLong) {
+  std::string body = "%1 = add %0 1\n";
+  for (int k = 2; k < 200000; ++k) body += "%" + std::to_string(k) + " = add %" + std::to_string(k - 1) + " 1\n";
+  Graph const graph = read(body + "result 0 %199999\n");
+  ExactErrors errors(graph, most_exact_bits);
+  Sample const sample{{1}, {}};
+  std::vector<double> const y = {200000};
+  EXPECT_FALSE(errors.compare(0, sample, evaluate(graph, sample.inputs, {}), y, y));
+  EXPECT_EQ(errors.result().left_out, 1u);
+  EXPECT_EQ(errors.result().samples, 0u);
 }
 
 // An integer of a number that double precision rounds up is the one below.
 TEST(ExactErrors, ADecisionThatFallsOtherwiseIsCounted) {
   Graph const graph = read("%1 = sub 3 1e-17\n%2 = mul %1 %0\n%3 = int32 %2\nresult 0 %3\n");
   ExactErrors errors(graph, 256);
-  std::vector<double> const x = {1}, y = {3};
-  errors.compare(0, x, {}, y, y);
+  Sample const sample{{1}, {}};
+  std::vector<double> const y = {3};
+  errors.compare(0, sample, evaluate(graph, sample.inputs, {}), y, y);
   EXPECT_EQ(errors.result().untold, 1u);
   EXPECT_EQ(errors.result().samples, 0u);
 }
