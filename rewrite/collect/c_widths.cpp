@@ -100,41 +100,9 @@ void Collector::c_widths(UnaryOperator const *operation) {
     wrap(operation, Use::width, words(width.bits, width.is_signed));
 }
 
-// A bit-field that is narrower than int is an int wherever it is computed with. g++ forgets that of an arm of C, and a
-// template that has the place of an operator sees the type that the bit-field is declared with.
-void Collector::as_promoted(Expr const *operand, Use use) {
-  Expr const *field = operand->IgnoreParenImpCasts();
-  if (!isa<MemberExpr>(field) || !field->getType()->isUnsignedIntegerType()) return;
-  QualType const promoted = context_.isPromotableBitField(const_cast<Expr *>(field));
-  if (!promoted.isNull() && promoted->isSignedIntegerType())
-    wrap(operand->IgnoreImpCasts(), use, use == Use::cast ? spelled(promoted) : "(" + spelled(promoted) + ")");
-}
-
-// Beside an integer that is computed from real numbers. In `n /= o.bits` g++ computes with the declared type, as a
-// template does.
-void Collector::promoted_operands(BinaryOperator const *operation) {
-  if (operation->isLogicalOp() || operation->isCommaOp() || operation->getOpcode() == BO_Assign) return;
-  if (!map_.in_roots(operation->getOperatorLoc())) return;
-  auto const look = [&](Expr const *operand, Expr const *other) {
-    if (const_cast<Expr *>(operand->IgnoreParenImpCasts())->getSourceBitField() &&
-        (other->isInstantiationDependent() || may_be_truth(other)))
-      as_promoted(operand, Use::before);
-  };
-  if (operation->isCompoundAssignmentOp() && map_.language().CPlusPlus) return;
-  if (!operation->isCompoundAssignmentOp()) look(operation->getLHS(), operation->getRHS());
-  look(operation->getRHS(), operation->getLHS());
-}
-
-void Collector::c_widths(BinaryConditionalOperator const *choice) {
-  if (map_.language().CPlusPlus || !choice->getType()->isIntegerType() || !map_.in_roots(choice->getQuestionLoc()))
-    return;
-  for (Expr const *arm : {choice->getCommon(), choice->getFalseExpr()}) as_promoted(arm, Use::cast);
-}
-
 void Collector::c_widths(ConditionalOperator const *choice) {
   if (map_.language().CPlusPlus || !choice->getType()->isIntegerType()) return;
   if (!map_.in_roots(choice->getQuestionLoc())) return;
-  for (Expr const *arm : {choice->getTrueExpr(), choice->getFalseExpr()}) as_promoted(arm, Use::cast);
   Width const yes = width_of(choice->getTrueExpr()), no = width_of(choice->getFalseExpr());
   if (yes.bits == 0 || no.bits == 0 || (!yes.is_narrow() && !no.is_narrow())) return;
   if (is_in_body(map_, choice->getQuestionLoc()))

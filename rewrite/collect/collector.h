@@ -97,9 +97,9 @@ public:
   void c_widths(clang::BinaryOperator const *operation);
   void c_widths(clang::UnaryOperator const *operation);
   void c_widths(clang::ConditionalOperator const *choice);
-  void c_widths(clang::BinaryConditionalOperator const *choice);
-  // Narrower ones in both languages.
-  void promoted_operands(clang::BinaryOperator const *operation);
+  // Bit-fields that are narrower (narrow_fields.cpp).
+  void narrow_fields(clang::AbstractConditionalOperator const *choice);
+  void narrow_fields(clang::BinaryOperator const *operation);
 
   // Variables of files in C (tentative.cpp).
   void tentative_definitions(clang::VarDecl const *variable);
@@ -213,7 +213,6 @@ private:
   static Width common(Width one, Width other);
   Width width_of(clang::Expr const *expression);
   Width computed_width(clang::Expr const *expression);
-  void as_promoted(clang::Expr const *operand, Use use);
   void as_width(clang::SourceLocation operation, clang::Expr const *operand, Width width);
 
   void wrap(clang::Expr const *expression, Use use, std::string detail = {});

@@ -138,10 +138,9 @@ bool Reals::call_stays_double(CallExpr const *call) const {
   if (!function || in_roots(function) || external(function)) return false;
   if (is_math(function)) {
     for (Expr const *argument : call->arguments()) {
-      bool const is_object = argument->getType().getNonReferenceType()->isRecordType(); // a complex number
-      if (!stays_double(argument)) return false;
-      if (is_object && carries_real(argument->getType().getNonReferenceType()) && !object_is_passive(argument))
-        return false;
+      QualType const type = argument->getType().getNonReferenceType();
+      bool const is_complex = type->isRecordType() && carries_real(type) && !object_is_passive(argument);
+      if (is_complex || !stays_double(argument)) return false;
     }
     return true;
   }

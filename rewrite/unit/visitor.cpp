@@ -180,8 +180,8 @@ public:
     collect_.c_widths(choice);
     return true;
   }
-  bool VisitBinaryConditionalOperator(BinaryConditionalOperator *choice) override {
-    collect_.c_widths(choice);
+  bool VisitAbstractConditionalOperator(AbstractConditionalOperator *choice) override {
+    collect_.narrow_fields(choice);
     return true;
   }
   bool VisitReturnStmt(ReturnStmt *statement) override {
@@ -275,7 +275,7 @@ public:
   bool VisitBinaryOperator(BinaryOperator *binary) override {
     collect_.c_operation(binary);
     collect_.c_widths(binary);
-    if (!passive_) collect_.promoted_operands(binary);
+    if (!passive_) collect_.narrow_fields(binary);
     if (!passive_) collect_.named_target(binary);
     if (!passive_) collect_.converted_operands(binary, function_ ? function_->getDeclContext() : nullptr);
     if (!passive_ && binary->isComparisonOp()) collect_.comparison(binary);
