@@ -1,6 +1,8 @@
 // Which paths given samples take.
 #include "program/met_paths.h"
 
+#include "tests/unit/runtime/own_file.h"
+
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -32,7 +34,7 @@ RecordedPath path(Outcomes const &outcomes) {
 }
 
 std::optional<Outcomes> corrected(Outcomes const &outcomes, std::string const &table) {
-  std::string const file = testing::TempDir() + "met_paths.csv";
+  std::string const file = test::own_file("met_paths.csv");
   std::ofstream(file) << table;
   RecordedPath one = path(outcomes);
   MetPaths const met(file, one.graph);

@@ -2,6 +2,7 @@
 #include "graph/graph_binary.h"
 
 #include "graph/graph_text.h"
+#include "own_file.h"
 #include "support/files.h"
 
 #include <filesystem>
@@ -48,7 +49,7 @@ std::string text_of(Graph const &graph) {
 
 class BinaryGraph : public testing::Test {
 protected:
-  std::string const path = testing::TempDir() + "symreal-graph-binary-test";
+  std::string const path = test::own_file("symreal-graph-binary-test");
   void SetUp() override { write_binary_graph(path, read_graph(everything, "arm.graph")); }
   void TearDown() override { std::filesystem::remove(path); }
 
