@@ -60,11 +60,9 @@ void add(Events &events, std::vector<std::string> const &field) {
     events.decided.push_back({number<std::uint32_t>(field[1]), field[2] == "t" || field[2] == "T" || field[2] == "Y",
                               std::string("TFYN").find(field[2]) != std::string::npos, field[2] == "j",
                               field[2] == "Y" || field[2] == "N", field[3], addresses(field[4])});
-  if (kind == "joined" && has(3)) {
-    ++events.joins;
-    events.pieces += number<std::size_t>(field[1]);
-    events.selects += number<std::size_t>(field[2]);
-  }
+  if (kind == "joined" && has(5))
+    events.joined.push_back({number<std::size_t>(field[1]), number<std::size_t>(field[2]),
+                             number<std::size_t>(field[3]), number<std::size_t>(field[4])});
   if (kind == "join" && has(2)) events.joined_at.push_back(addresses(field[1]));
   if (kind == "undecided" && has(2)) events.undecided.push_back(number<std::size_t>(field[1]));
   if (kind == "followed" && has(2)) events.followed = number<std::size_t>(field[1]);

@@ -66,6 +66,12 @@ struct DecidedEvent {
   std::vector<std::uint64_t> addresses;
 };
 
+// Ways that have come together.
+struct JoinedEvent {
+  std::size_t pieces, selects;
+  std::size_t zeros, by_range; // conditions in them that were taken as not met
+};
+
 // State that a kernel reads: where it was first read.
 struct FrozenRead {
   std::string kernel, name, place;
@@ -80,7 +86,8 @@ struct Events {
   std::vector<DecidedEvent> decided;
   std::vector<std::vector<std::uint64_t>> joined_at;
   std::vector<std::size_t> undecided; // kernels, by number
-  std::size_t followed = 0, beyond = 0, joins = 0, pieces = 0, selects = 0;
+  std::vector<JoinedEvent> joined;
+  std::size_t followed = 0, beyond = 0;
   bool is_cut_off = false;
   std::vector<Located> located;
   std::vector<FrozenRead> frozen;

@@ -50,6 +50,20 @@ void require_same_interface(Graph const &first, Graph const &path, bool is_cut_o
   require("output", first.outputs, path.outputs);
 }
 
+// Where ways came together on a path. How it begins an earlier path has in common with it, if there is one.
+void add_joined(Exploration &exploration, Events const &events, std::optional<Outcomes> const &beginning) {
+  if (!beginning) {
+    exploration.joins = events.joined.size();
+    exploration.joined_at = events.joined_at;
+    for (JoinedEvent const &one : events.joined) exploration.pieces += one.pieces, exploration.joined += one.selects;
+  }
+  auto const common = static_cast<std::size_t>(beginning ? std::ranges::count(*beginning, 'j') : 0);
+  for (std::size_t k = common; k < events.joined.size(); ++k) {
+    exploration.zeros += events.joined[k].zeros;
+    exploration.by_range += events.joined[k].by_range;
+  }
+}
+
 } // namespace
 
 std::string path_variable(std::size_t kernel, Outcomes const &outcomes, bool is_cut_at_end,
@@ -71,7 +85,8 @@ static std::optional<Graph> explore_paths(std::size_t kernel, Place const &place
     std::optional<PathRun> run = run_path(path_variable(kernel, *outcomes, false, bounds));
     if (!run) return std::nullopt;
     bool const has_ended = !run->graph, is_late = has_ended && run->is_late;
-    if (has_ended) { // once more, up to the last decision before
+    if (has_ended && tried == 0 && !met) fail_to_repeat(place); // the program's own path, which came to the end before
+    if (has_ended) {                                            // once more, up to the last decision before
       if (run->taken.size() < outcomes->size() || run->taken.empty()) fail_to_repeat(place);
       run = run_path(path_variable(kernel, run->taken, true, bounds));
       if (!run) return std::nullopt;
@@ -100,12 +115,7 @@ static std::optional<Graph> explore_paths(std::size_t kernel, Place const &place
                     : exploration.paths);
     exploration.followed += run->events.followed;
     exploration.beyond += run->events.beyond;
-    if (tried == 0) {
-      exploration.joins = run->events.joins;
-      exploration.pieces = run->events.pieces;
-      exploration.joined = run->events.selects;
-      exploration.joined_at = run->events.joined_at;
-    }
+    add_joined(exploration, run->events, tried == 0 ? std::nullopt : outcomes);
     if (!tree.add(std::move(path))) fail_to_repeat(place);
     ++tried;
     outcomes = tree.next();
@@ -115,8 +125,8 @@ static std::optional<Graph> explore_paths(std::size_t kernel, Place const &place
   exploration.open = tree.open_branches();
   exploration.unmet = tree.unmet();
   exploration.samples = met ? met->samples() : 0;
-  exploration.zeros = tree.assumed();
-  exploration.by_range = tree.assumed_by_range();
+  exploration.zeros += tree.assumed();
+  exploration.by_range += tree.assumed_by_range();
   exploration.explored = tree.decided_at();
   exploration.guards = graph.guards.size();
   return graph;
@@ -127,8 +137,8 @@ std::optional<Graph> explore(std::size_t kernel, Place const &place, ExploreBoun
                              ChoosePaths const &choose, Exploration &exploration) {
   try {
     return explore_paths(kernel, place, bounds, run_path, choose, exploration);
-  } catch (DiagnosticError const &error) { // ways that have come together may do so once and not again
-    if (error.diagnostic().id != DiagnosticId::path_not_repeated || exploration.joins == 0) throw;
+  } catch (DiagnosticError const &error) { // ways that have come together may do so once and not again, or not in time
+    if (error.diagnostic().id != DiagnosticId::path_not_repeated || !bounds.joins) throw;
     exploration = {};
     ExploreBounds without = bounds;
     without.joins = false;

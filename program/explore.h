@@ -67,6 +67,7 @@ struct PathRun {
   std::optional<Graph> graph = {};
   Outcomes taken = {};  // whatever ended the program
   bool is_late = false; // it took too long
+  double seconds = 0;
 };
 
 // What chooses the paths of a kernel, once its inputs are known; nothing where all are explored.

@@ -24,7 +24,7 @@ void PathTree::add_guards() {
     NodeId const asked = asked_at_root(one);
     if (asked != one.guard.condition)
       one.guard.text +=
-          std::string(guard_where) + (one.at.size() == 1 ? where(one.at.front()) : "one of several paths comes by");
+          std::string(guard_where) + (one.at.size() == 1 ? where(one.at.front()) : std::string(guard_of_several));
     one.guard.condition = asked;
     merged_.guards.push_back(std::move(one.guard));
   }

@@ -45,6 +45,7 @@ PathRun run_along(std::string const &path_variable, std::size_t kernel, std::str
   Outcome const end = run(program, [](std::string_view) {}); // what it prints is that of another path
   PathRun result{read_events(directory + "/events")};
   result.is_late = end.ending == Ending::timed_out;
+  result.seconds = end.seconds;
   if (std::filesystem::exists(graph)) result.graph = read_binary_graph(graph);
   if (std::filesystem::exists(taken)) result.taken = read_file(taken);
   return result;

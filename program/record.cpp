@@ -242,9 +242,7 @@ Recording record(std::string const &executable, RunOptions const &options, rewri
   for (Diagnostic &one : explain_met(events, symbolizer, texts)) recording.diagnostics.push_back(std::move(one));
   bool explained = has_error(recording.diagnostics);
   // Along a path of a kernel; nothing where that meets an error.
-  RunOptions along = options;
-  along.time_limit = path_time_limit(outcome.seconds, options);
-  auto run_path = [&](std::size_t kernel, std::string const &path) -> std::optional<PathRun> {
+  auto run_path = [&](std::size_t kernel, std::string const &path, RunOptions const &along) -> std::optional<PathRun> {
     PathRun one = run_along(path, kernel, executable, along, workspace.directory("path"));
     add_news(one.events.diagnostics, recording.diagnostics);
     add_news(explain_met(one.events, symbolizer, texts), recording.diagnostics);
@@ -268,7 +266,13 @@ Recording record(std::string const &executable, RunOptions const &options, rewri
       std::optional<Exploration> exploration;
       auto const number = static_cast<std::size_t>(found - events.kernels.begin());
       if (bounds && !explained && is_to_explore(events, number)) {
-        auto const run = [&](std::string const &path) { return run_path(number, path); };
+        RunOptions along = options;
+        auto const run = [&, is_first = true](std::string const &path) mutable {
+          std::optional<PathRun> one = run_path(number, path, along);
+          if (is_first && one) along.time_limit = path_time_limit(std::max(outcome.seconds, one->seconds), options);
+          is_first = false;
+          return one;
+        };
         std::optional<MetPaths> met;
         auto const choose = [&](Graph const &interface) {
           if (!options.paths_met.empty()) met.emplace(options.paths_met, interface);

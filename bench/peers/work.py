@@ -32,7 +32,8 @@ def run(words, seconds=600, doing="", **options):
         said, complaint = out.read(), error.read().decode(errors="replace")
     took = usage.ru_utime + usage.ru_stime
     is_cut_off = os.WIFSIGNALED(status) and os.WTERMSIG(status) == signal.SIGXCPU
-    if status and (is_cut_off or took > seconds - 1 or "CPU time limit exceeded" in complaint):
+    ended_by_limit = any(words in complaint for words in ("CPU time limit exceeded", "unable to execute command: Killed"))
+    if status and (is_cut_off or took > seconds - 1 or ended_by_limit):  # of a compiler's driver, or of what it runs
         raise Missing(f"{doing} takes more than {seconds} s".strip())
     if status and any(word in complaint for word in ("bad_alloc", "MemoryError", "out of memory", "annot allocate memory")):
         raise Missing(f"{doing} takes more than {MEMORY >> 30} GB".strip())

@@ -187,7 +187,7 @@ public:
       report({DiagnosticId::trap_lost, place,
               "kernel '" + name + "' changes the floating-point environment or the handler of SIGFPE or SIGTRAP"});
     graph_.kernel = name;
-    if (!unwritten_.empty()) Checkpoint::current().go_back(unwritten_);
+    Checkpoint::current().go_back(unwritten_);
     Checkpoint::current().end();
     // Left by an exception on a path that the driver chose: there it has no result.
     if (graph_.outputs.empty() && ExploredPath::current().is_hypothetical()) give_up();
@@ -232,7 +232,8 @@ private:
       if (has_notes_) (void)State::current().end(place);
       return anything_wrong() || has_told("scratch");
     });
-    if (!unwritten_.empty() || graph_.outputs.empty() || leaves_more) Join::current().leave();
+    if (!unwritten_.empty()) Join::current().leave_unwritten(unwritten_);
+    if (graph_.outputs.empty() || leaves_more) Join::current().leave();
     std::string interface;
     for (std::vector<Object> const *list : {&graph_.inputs, &graph_.parameters, &graph_.outputs})
       for (Object const &object : *list) interface += object.label + " " + std::to_string(object.count) + "\n";
@@ -284,7 +285,7 @@ private:
 
   // The output is no node and may not have been written.
   void keep(RealNumber &number) {
-    unwritten_[&number] = number.plain();
+    unwritten_.push_back({&number, number.plain()});
     std::map<RealNumber *, double> const &held = Checkpoint::current().held();
     auto const before = held.find(&number);
     kept_.push_back({object_.count, before == held.end() ? number.plain() : before->second});
@@ -363,9 +364,9 @@ private:
   };
   std::vector<Level> shape_; // of the structure that is walked through, outermost first
   bool is_ragged_ = false;
-  std::vector<Kept> kept_;                   // of this output
-  std::map<RealNumber *, double> unwritten_; // of all outputs, with what they hold
-  std::set<std::string> overlaps_;           // that are reported
+  std::vector<Kept> kept_;           // of this output
+  std::vector<Unwritten> unwritten_; // of all outputs
+  std::set<std::string> overlaps_;   // that are reported
   OperationCounts executed_before_;
   std::string modes_at_begin_;                               // of arithmetic, where it is not as promised
   std::map<void *, std::pair<std::string, Place>> declared_; // inputs and parameters by address

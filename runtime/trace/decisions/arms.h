@@ -18,7 +18,7 @@ namespace symreal::trace {
 // What all processes of a region share: who they are and where they listen.
 class Arms {
 public:
-  static constexpr int most = 400;
+  static constexpr int most = 1000;
   static constexpr int none = -1;    // no process came there
   static constexpr int settled = -2; // nobody goes there
 

@@ -70,22 +70,23 @@ std::optional<Arrival> Arrival::since(PartingPoint const &parted, bool is_hypoth
 void write_guards(std::vector<Guards::Recorded> const &guards, MessageWriter &writer) {
   writer.put(guards.size());
   for (Guards::Recorded const &guard : guards) {
-    writer.put(guard.condition);
     writer.put(guard.needed);
+    writer.put_all(std::vector(guard.arms.begin(), guard.arms.end()));
     writer.put_all(guard.text);
+    writer.put(guard.reason);
     writer.put_all(guard.stack);
-    writer.put_all(guard.arm);
   }
 }
 
 std::vector<Guards::Recorded> read_guards(MessageReader &reader) {
   std::vector<Guards::Recorded> guards(reader.get<std::size_t>());
   for (Guards::Recorded &guard : guards) {
-    guard.condition = reader.get<NodeId>();
     guard.needed = reader.get<NodeId>();
+    auto const arms = reader.get_all<std::vector<NodeId>>();
+    guard.arms = {arms.begin(), arms.end()};
     guard.text = reader.get_all<std::string>();
+    guard.reason = reader.get<Guards::Reason>();
     guard.stack = reader.get_all<std::vector<std::uintptr_t>>();
-    guard.arm = reader.get_all<std::string>();
   }
   return guards;
 }

@@ -10,14 +10,10 @@
 #include <sys/wait.h>
 #include <unistd.h>
 #include <utility>
+#include <vector>
 
 namespace symreal::trace {
 namespace {
-
-struct Unwritten {
-  RealNumber *number;
-  double value;
-};
 
 constexpr double nonsense = -6.48074069840786e97; // as good as any that no program has
 
@@ -32,35 +28,38 @@ Checkpoint &Checkpoint::current() {
 void Checkpoint::begin() {
   held_.clear();
   end(); // of a kernel that was left
-  int ends[2];
-  if (!ExploredPath::is_asked_for() || pipe2(ends, O_CLOEXEC) != 0) return;
-  copy_ = fork();
-  if (copy_ == 0) {
-    close(ends[1]);
-    wait_as_copy(ends[0]);
+  if (!ExploredPath::is_asked_for()) return;
+  for (int ends[2]; pipe2(ends, O_CLOEXEC) == 0;) {
+    copy_ = fork();
+    if (copy_ == 0) {
+      close(ends[1]);
+      wait_as_copy(ends[0]);
+      continue;
+    }
+    close(ends[0]);
+    to_copy_ = ends[1];
+    if (copy_ < 0) end();
     return;
   }
-  close(ends[0]);
-  to_copy_ = ends[1];
-  if (copy_ < 0) end();
 }
 
 // Until the process says what to put nonsense into, or has no need of its copy.
 void Checkpoint::wait_as_copy(int source) {
-  for (Unwritten one; read(source, &one, sizeof one) == sizeof one;) {
+  bool is_needed = false;
+  for (Unwritten one; read(source, &one, sizeof one) == sizeof one; is_needed = true) {
     held_[one.number] = one.value;
     *one.number = nonsense;
   }
   close(source);
-  if (held_.empty()) _exit(0);
+  if (!is_needed) _exit(0);
 }
 
-void Checkpoint::go_back(std::map<RealNumber *, double> const &unwritten) {
-  if (copy_ <= 0) return;
-  for (auto const &[number, value] : unwritten) {
-    Unwritten const one{number, value};
+void Checkpoint::go_back(std::span<Unwritten const> unwritten) {
+  std::vector<Unwritten> doubtful(unwritten.begin(), unwritten.end());
+  std::erase_if(doubtful, [this](Unwritten const &one) { return held_.contains(one.number); });
+  if (copy_ <= 0 || doubtful.empty()) return;
+  for (Unwritten const &one : doubtful)
     if (write(to_copy_, &one, sizeof one) != sizeof one) return; // not the last: the copy is gone
-  }
   close(to_copy_);
   Join::current().hand_over(copy_);
   int status = 0;

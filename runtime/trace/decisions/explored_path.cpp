@@ -20,12 +20,14 @@
 namespace symreal::trace {
 namespace {
 
-// The file `taken`. Written at once: the program may end in any way.
-void note_taken(char outcome) {
+int taken_file() {
   static int const file =
       open((record_directory() + "/taken").c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0600);
-  (void)!write(file, &outcome, 1);
+  return file;
 }
+
+// The file `taken`. Written at once: the program may end in any way.
+void note_taken(char outcome) { (void)!write(taken_file(), &outcome, 1); }
 
 std::size_t number(std::string_view text) {
   std::size_t value = 0;
@@ -54,6 +56,7 @@ void ExploredPath::begin() {
   std::size_t const first = path.find(':'), last = path.rfind(':');
   if (first == path.npos || number(path.substr(0, first)) != kernel) return;
   is_explored_ = true;
+  (void)!ftruncate(taken_file(), 0); // what a process has noted that went back to here (checkpoint.h)
   prescribed_ = path.substr(first + 1, last - first - 1);
   depth_ = number(path.substr(last + 1));
   explores_zeros_ = path.substr(last).find('z') != path.npos;
@@ -72,9 +75,9 @@ std::optional<ExploredPath::Assumed> ExploredPath::assumed(NodeId condition, boo
   NodeTable const &nodes = Pool::current().nodes();
   auto const may_be = [&](std::optional<bool> outcome) { return outcome && (is_hypothetical_ || *outcome == carried); };
   std::optional<bool> const nonzero = explores_zeros_ ? std::nullopt : outcome_without_zero(nodes, condition);
-  if (may_be(nonzero)) return Assumed{*nonzero, false};
+  if (may_be(nonzero)) return Assumed{*nonzero, Guards::Reason::zero};
   std::optional<bool> const in_range = outcome_in_ranges(nodes, condition, Kernel::current().interface().inputs);
-  return may_be(in_range) ? std::optional(Assumed{*in_range, true}) : std::nullopt;
+  return may_be(in_range) ? std::optional(Assumed{*in_range, Guards::Reason::range}) : std::nullopt;
 }
 
 bool ExploredPath::decide(Stand &stand) {
@@ -96,10 +99,11 @@ bool ExploredPath::decide(Stand &stand) {
     bool const is_arm = Join::current().is_arm();
     if (std::optional<Assumed> const one = assumed(id, carried)) {
       if (is_arm) {
-        Guards::current().add(SymbolicBool::from_condition(condition), one->outcome);
+        Guards::current().add(SymbolicBool::from_condition(condition), one->outcome, one->reason);
         known_.add(pool.nodes(), id, one->outcome);
       } else {
-        tell(id, one->outcome, condition, one->is_by_range ? (one->outcome ? "Y" : "N") : one->outcome ? "T" : "F");
+        bool const is_by_range = one->reason == Guards::Reason::range;
+        tell(id, one->outcome, condition, is_by_range ? (one->outcome ? "Y" : "N") : one->outcome ? "T" : "F");
       }
       is_hypothetical_ = is_hypothetical_ || one->outcome != carried;
       return one->outcome;
@@ -141,7 +145,7 @@ bool ExploredPath::take_in_arm(Stand const &stand, bool outcome) {
   NodeId const id = pool.node(number);
   SymbolicBool const condition = SymbolicBool::from_condition(number);
   if (std::optional<Assumed> const one = assumed(id, carried); one && one->outcome == outcome) {
-    Guards::current().add(condition, outcome);
+    Guards::current().add(condition, outcome, one->reason);
   } else {
     set_arm((SymbolicBool::from_condition(current_arm()) & (outcome ? condition : !condition)).condition());
     ++count_;
@@ -168,6 +172,7 @@ void ExploredPath::forget(bool is_hypothetical) {
 void ExploredPath::begin_attempt(RealNumber condition) {
   known_before_ = known_;
   count_before_ = count_;
+  guards_before_ = Guards::current().recorded().size();
   attempted_ = condition;
   attempted_at_ = call_stack();
 }
@@ -180,7 +185,11 @@ void ExploredPath::end_attempt() {
   event({"decided", std::to_string(Pool::current().node(attempted_)), "j", describe(attempted_),
          hexadecimal(attempted_at_)});
   event({"join", hexadecimal(attempted_at_)});
-  event({"joined", std::to_string(costs.pieces), std::to_string(costs.selects)});
+  auto const guards = [this](Guards::Reason reason) {
+    return std::to_string(Guards::current().count(guards_before_, reason));
+  };
+  event({"joined", std::to_string(costs.pieces), std::to_string(costs.selects), guards(Guards::Reason::zero),
+         guards(Guards::Reason::range)});
   note_taken('j');
 }
 

@@ -18,6 +18,7 @@
 // ends the program.
 #pragma once
 
+#include "trace/decisions/guards.h"
 #include "trace/decisions/join.h"
 #include "trace/decisions/known_outcomes.h"
 
@@ -53,7 +54,8 @@ private:
   std::optional<bool> known(NodeId condition) const;
   // What is taken without a path for the other outcome, which a guard refuses.
   struct Assumed {
-    bool outcome, is_by_range;
+    bool outcome;
+    Guards::Reason reason;
   };
   std::optional<Assumed> assumed(NodeId condition, bool carried) const;
   bool take_in_arm(Stand const &stand, bool outcome);
@@ -66,7 +68,7 @@ private:
   std::size_t kernels_ = 0, count_ = 0, followed_ = 0, beyond_ = 0, depth_ = 0;
   std::string prescribed_;
   KnownOutcomes known_, known_before_; // before the last attempt at a join
-  std::size_t count_before_ = 0;
+  std::size_t count_before_ = 0, guards_before_ = 0;
   RealNumber attempted_ = 0.0; // the decision where that was, and its place
   std::vector<std::uintptr_t> attempted_at_;
 };

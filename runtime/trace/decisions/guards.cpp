@@ -7,6 +7,8 @@
 #include "trace/nodes/pool.h"
 #include "trace/report/call_stack.h"
 
+#include <map>
+
 namespace symreal::trace {
 
 Guards &Guards::current() {
@@ -17,46 +19,71 @@ Guards &Guards::current() {
 
 void Guards::begin() {
   recorded_.clear();
-  conditions_.clear();
+  known_.clear();
 }
 
-void Guards::add(SymbolicBool condition, bool outcome) {
-  add(outcome ? condition : !condition, describe(condition.condition()) + std::string(outcome ? "" : guard_is_false));
+void Guards::add(SymbolicBool condition, bool outcome, Reason reason) {
+  add(outcome ? condition : !condition, describe(condition.condition()) + std::string(outcome ? "" : guard_is_false),
+      reason);
 }
 
-void Guards::add(SymbolicBool condition, std::string text) {
-  RealNumber const path = current_path();
+void Guards::add(SymbolicBool condition, std::string text) { add(condition, std::move(text), Reason::policy); }
+
+void Guards::add(SymbolicBool condition, std::string text, Reason reason) {
+  RealNumber const path = current_path(), arm = current_arm();
   SymbolicBool const guard = (!SymbolicBool::from_condition(path)) | condition;
   if (!guard.is_symbolic()) return; // nothing to check: it holds on every run
   if (path.is_node()) text += std::string(guard_where) + describe(path);
-  Recorded recorded = on_arm({no_node, Pool::current().node(guard.condition()), std::move(text), {}}, current_arm());
-  if (!conditions_.insert(recorded.condition).second) return;
+  Pool &pool = Pool::current();
+  Recorded recorded{pool.node(guard.condition()), {}, std::move(text), reason};
+  if (arm.is_node()) recorded.arms = {pool.node(arm)};
+  if (known_.contains({recorded.needed, recorded.arms})) return;
   recorded.stack = call_stack();
-  recorded_.push_back(std::move(recorded));
+  add(std::move(recorded));
 }
 
-Guards::Recorded Guards::on_arm(Recorded guard, RealNumber arm) {
-  Pool &pool = Pool::current();
-  SymbolicBool const needed = SymbolicBool::from_condition(pool.number(guard.needed));
-  SymbolicBool const asked = (!SymbolicBool::from_condition(arm)) | needed;
-  guard.condition = pool.node(asked.condition());
-  guard.arm = arm.is_node() ? std::string(guard_where) + describe(arm) : "";
-  return guard;
+void Guards::add(Recorded guard) {
+  if (known_.insert({guard.needed, guard.arms}).second) recorded_.push_back(std::move(guard));
 }
 
 void Guards::replace(std::size_t first, std::vector<Recorded> guards) {
   recorded_.resize(first);
-  conditions_.clear();
-  for (Recorded const &guard : recorded_) conditions_.insert(guard.condition);
-  for (Recorded &guard : guards)
-    if (conditions_.insert(guard.condition).second) recorded_.push_back(std::move(guard));
+  known_.clear();
+  for (Recorded const &guard : recorded_) known_.insert({guard.needed, guard.arms});
+  for (Recorded &guard : guards) add(std::move(guard));
+}
+
+std::size_t Guards::count(std::size_t first, Reason reason) const {
+  std::set<NodeId> needed;
+  for (std::size_t k = first; k < recorded_.size(); ++k)
+    if (recorded_[k].reason == reason) needed.insert(recorded_[k].needed);
+  return needed.size();
 }
 
 void Guards::end(Graph &graph) {
-  for (Recorded &guard : recorded_) {
-    auto location = static_cast<LocationId>(graph.locations.size());
+  Pool &pool = Pool::current();
+  std::map<NodeId, std::set<NodeId>> arms;
+  std::set<NodeId> everywhere;
+  for (Recorded const &guard : recorded_) {
+    arms[guard.needed].insert(guard.arms.begin(), guard.arms.end());
+    if (guard.arms.empty()) everywhere.insert(guard.needed);
+  }
+  for (Recorded const &guard : recorded_) {
+    auto const found = arms.find(guard.needed);
+    if (found == arms.end()) continue; // its guard stands there
+    NodeId condition = guard.needed;
+    std::string text = guard.text;
+    if (!everywhere.contains(guard.needed)) {
+      SymbolicBool any(false);
+      for (NodeId arm : found->second) any = any | SymbolicBool::from_condition(pool.number(arm));
+      condition = pool.node(((!any) | SymbolicBool::from_condition(pool.number(guard.needed))).condition());
+      text += std::string(guard_where) +
+              (found->second.size() == 1 ? describe(any.condition()) : std::string(guard_of_several));
+    }
+    arms.erase(found);
+    auto const location = static_cast<LocationId>(graph.locations.size());
     graph.locations.push_back({{}, {guard.stack.begin(), guard.stack.end()}});
-    graph.guards.push_back({guard.condition, location, guard.text + guard.arm});
+    graph.guards.push_back({condition, location, std::move(text)});
   }
 }
 

@@ -3,10 +3,10 @@
 #include "memory/mapped_memory.h"
 #include "memory/own_memory.h"
 #include "support/page_allocator.h"
-#include "trace/decisions/checkpoint.h"
 #include "trace/decisions/policy.h"
 #include "trace/report/events.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <fcntl.h>
@@ -56,6 +56,7 @@ std::optional<bool> Join::attempt(Stand &stand, Traveller &traveller) {
     prctl(PR_SET_CHILD_SUBREAPER, 1);
     shared_->main = getpid();
   }
+  shared_->unwritten_count = 0;
   pid_t const coordinator = fork();
   if (coordinator < 0) return std::nullopt;
   if (coordinator == 0) {
@@ -63,7 +64,10 @@ std::optional<bool> Join::attempt(Stand &stand, Traveller &traveller) {
     keep_events(true);
     return coordinate(stand, traveller);
   }
-  if (exit_status(coordinator) != come_together) return std::nullopt;
+  if (exit_status(coordinator) != come_together) {
+    Checkpoint::current().go_back({shared_->unwritten, shared_->unwritten_count});
+    return std::nullopt;
+  }
   if (is_root_) stand_for_main();
   _exit(0);
 }
@@ -140,6 +144,14 @@ void Join::arrive(std::optional<Arrival> const &arrival) {
 }
 
 void Join::leave() { _exit(1); }
+
+void Join::leave_unwritten(std::span<Unwritten const> unwritten) {
+  if (unwritten.size() <= most_unwritten) {
+    std::ranges::copy(unwritten, shared_->unwritten);
+    shared_->unwritten_count = unwritten.size();
+  }
+  leave();
+}
 
 // What is shown at once is not shown in an arm: others may execute the same.
 void Join::hide_output() {
@@ -220,7 +232,7 @@ void Join::merge(Arms::Merge const &merge, std::vector<RealNumber> *results, Tra
       (*results)[ProcessImage::result_at(address)] = number;
   }
   std::vector<Guards::Recorded> guards = merge.guards;
-  for (Guards::Recorded &guard : guards) guard.condition = here(guard.condition), guard.needed = here(guard.needed);
+  for (Guards::Recorded &guard : guards) guard = renumbered(std::move(guard), here);
   Guards::current().replace(parted_.guards, std::move(guards));
   bool const recording = std::exchange(detail::recording, false);
   bool const has_learned = State::current().learn(merge.notes);

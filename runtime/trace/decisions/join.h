@@ -7,6 +7,7 @@
 // on as the program. If they do not, the program goes on as if nobody had tried, and the decision is one between paths.
 #pragma once
 
+#include "trace/decisions/checkpoint.h"
 #include "trace/decisions/region.h"
 
 #include <unistd.h>
@@ -48,15 +49,21 @@ public:
   JoinCosts const &costs() const;
   // An arm ends here: it comes to no decision.
   [[noreturn]] void leave();
+  // An arm ends here, since nobody can tell whether it has written these. The program goes back to where one can.
+  [[noreturn]] void leave_unwritten(std::span<Unwritten const> unwritten);
   // Another process goes on for this one (checkpoint.h).
   void hand_over(pid_t process);
 
 private:
+  static constexpr std::size_t most_unwritten = 4096; // or the ways do not come together
+
   static int exit_status(pid_t process); // -1: it did not end by itself
   struct Shared {
     pid_t main; // the process that is the program
     JoinCosts costs;
     pid_t arms[Arms::most];
+    std::size_t unwritten_count; // of the last arm that has left because of them
+    Unwritten unwritten[most_unwritten];
   };
 
   std::optional<bool> coordinate(Stand &stand, Traveller &traveller);

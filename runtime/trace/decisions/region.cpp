@@ -198,25 +198,44 @@ RealNumber Region::chosen_condition(RealNumber condition, RealNumber yes, RealNu
   }
 }
 
-// What all ways need is needed whichever way the program comes.
+// What each way needs on all of its arm is needed whichever way the program comes.
 std::vector<Guards::Recorded> Region::guards(Place const &place) const {
-  std::map<NodeId, std::size_t> needed; // how many ways need what
-  std::vector<Guards::Recorded> all, result;
+  struct Needed {
+    Guards::Recorded guard;
+    bool everywhere = false;
+    std::size_t whole = 0; // ways that need it on all of their arm
+  };
+  Pool &pool = Pool::current();
+  std::vector<NodeId> order;
+  std::map<NodeId, Needed> all;
+  std::set<NodeId> own_arms;
   for (std::size_t k : place.ways) {
-    std::set<NodeId> once;
-    for (Guards::Recorded guard : ways_[k].arrival.guards) {
-      guard.condition = here(ways_[k], guard.condition);
-      guard.needed = here(ways_[k], guard.needed);
-      if (once.insert(guard.needed).second) ++needed[guard.needed];
-      all.push_back(std::move(guard));
+    RealNumber const arm = here(ways_[k], ways_[k].arrival.arm.to_bits());
+    NodeId const own = arm.is_node() ? pool.node(arm) : no_node;
+    own_arms.insert(own);
+    std::set<NodeId> whole;
+    for (Guards::Recorded const &one : ways_[k].arrival.guards) {
+      Guards::Recorded guard = renumbered(one, [&](NodeId node) { return here(ways_[k], node); });
+      auto const [found, is_new] = all.try_emplace(guard.needed, Needed{guard});
+      if (is_new) order.push_back(guard.needed);
+      Needed &needed = found->second;
+      needed.everywhere = needed.everywhere || guard.arms.empty();
+      needed.guard.arms.insert(guard.arms.begin(), guard.arms.end());
+      if (guard.arms.contains(own) && whole.insert(guard.needed).second) ++needed.whole;
     }
   }
-  std::set<NodeId> told;
-  for (Guards::Recorded &guard : all) {
-    if (needed[guard.needed] < place.ways.size())
-      result.push_back(std::move(guard));
-    else if (told.insert(guard.needed).second)
-      result.push_back(Guards::on_arm(std::move(guard), place.arm));
+  std::vector<Guards::Recorded> result;
+  for (NodeId condition : order) {
+    auto &[guard, everywhere, whole] = all.at(condition);
+    if (whole == place.ways.size()) {
+      for (NodeId arm : own_arms) guard.arms.erase(arm);
+      if (place.arm.is_node())
+        guard.arms.insert(pool.node(place.arm));
+      else
+        everywhere = true;
+    }
+    if (everywhere) guard.arms.clear();
+    result.push_back(std::move(guard));
   }
   return result;
 }
