@@ -34,7 +34,7 @@ def level_of(compiler, operations):
 def contender(problem, name, smaller):
     """What was made of it, an object a compiler; or why it is missing. smaller: itself with fewer joints."""
     if smaller and "missing" in smaller:
-        return smaller
+        return {"missing": smaller["missing"]}
     try:
         made = dict(makers.generated(problem, name))
     except Missing as reason:
