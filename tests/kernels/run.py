@@ -17,6 +17,8 @@ from kernels.features import OPEN, features
 from kernels.kernel import make_kernel
 from kernels.minimise import minimised
 from kernels.outcome import Outcome
+from kernels.program import source
+from kernels.reduce import Case, reduced
 from kernels.session import Session
 
 
@@ -43,8 +45,12 @@ def arguments():
     parser.add_argument("--print", metavar="INDEX", type=int, help="print one kernel and end")
     parser.add_argument("--index", type=int, help="only this kernel of each language, policy and mode")
     parser.add_argument("--minimise", action="store_true", help="leave out statements of a kernel as long as its fault stays")
+    parser.add_argument("--reduce", metavar="SECONDS", type=int, help="have C-Reduce shorten what --minimise leaves, for so long")
     parser.add_argument("--keep", metavar="DIR", help="keep the programs of all batches there")
-    return parser.parse_args()
+    options = parser.parse_args()
+    if options.reduce and not shutil.which("creduce"):
+        parser.error("--reduce needs C-Reduce: Debian's package creduce")
+    return options
 
 
 def kernel_seed(options, language, policy, mode, index):
@@ -89,6 +95,11 @@ def execute(options, language, policy, mode, indices):
             again = lambda directory: Session(options.symreal, language, policy, mode, directory, options.samples, quick=quick,
                                                   via_ir=options.via_ir)
             outcome.found = [minimised(found, again, options.seed + indices.start) for found in outcome.found]
+        if options.reduce:
+            of_session = (options.symreal, language, policy, mode, options.samples, quick, options.via_ir)
+            for found in outcome.found:
+                case = Case(of_session, found.kernel, found.kind, options.seed + indices.start)
+                found.program = reduced(case, source([found.kernel], language)[0], options.reduce, options.jobs)
         return language, policy, outcome
     finally:
         if not options.keep:
@@ -97,6 +108,8 @@ def execute(options, language, policy, mode, indices):
 
 def show(found):
     print(f"--- {found.kind}: seed {found.kernel.seed}\n{found.kernel.text}\n{found.details}", flush=True)
+    if found.program:
+        print(f"--- reduced, {len(found.program.splitlines())} lines:\n{found.program}", flush=True)
 
 
 def main():

@@ -1,4 +1,5 @@
-"""A smaller kernel with the same fault: statements are left out as long as it stays. The candidates of a round are one batch."""
+"""A smaller kernel with the same fault: statements are left out as long as it stays and the original's behaviour is defined. The
+candidates of a round are one batch."""
 import copy
 import os
 import re
@@ -57,8 +58,13 @@ def renamed(kernel, name):
     return made
 
 
-def smaller(kernel, kind, session, seed):
-    """The smallest of the candidates that have the fault, or None."""
+def is_defined(kernel, session, seed):
+    session.execute([kernel], seed)
+    return session.is_defined(seed)
+
+
+def smaller(kernel, kind, session, seed, is_wanted):
+    """The smallest of the candidates that have the fault and are wanted, or None."""
     candidates = [(size(parent(kernel.nodes, p)[p[-1]]), p) for p in paths(kernel.nodes)]
     candidates.sort(key=lambda c: -c[0])
     made = [without(kernel, path) for _, path in candidates[:4 * MOST]]
@@ -66,9 +72,10 @@ def smaller(kernel, kind, session, seed):
     for first in range(0, len(made), MOST):
         batch = [renamed(m, f"{kernel.name.split('v')[0]}v{k}") for k, m in enumerate(made[first:first + MOST])]
         outcome = session.execute(batch, seed)
-        faulty = [f.kernel for f in outcome.found if f.kind == kind]
-        if faulty:
-            return min(faulty, key=lambda k: sum(map(size, k.nodes)))
+        faulty = sorted((f.kernel for f in outcome.found if f.kind == kind), key=lambda k: sum(map(size, k.nodes)))
+        wanted = next(filter(is_wanted, faulty), None)
+        if wanted:
+            return wanted
     return None
 
 
@@ -76,8 +83,9 @@ def minimised(found, make_session, seed, rounds=40):
     kernel = found.kernel
     with tempfile.TemporaryDirectory(prefix="kernels-") as directory:
         session = make_session(os.path.join(directory))
+        checks = is_defined(kernel, session, seed)  # else a compiler warns of the whole kernel already
         for _ in range(rounds):
-            made = smaller(kernel, found.kind, session, seed)
+            made = smaller(kernel, found.kind, session, seed, lambda k: not checks or is_defined(k, session, seed))
             if made is None:
                 break
             kernel = made

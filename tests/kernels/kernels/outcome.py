@@ -9,6 +9,7 @@ class Found:
     kind: str          # different, lost, crashed, verify-..., broken
     details: str
     directory: str
+    program: str | None = None  # what C-Reduce has left
 
 
 @dataclass

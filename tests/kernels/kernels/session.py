@@ -17,6 +17,8 @@ HERE = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 SUFFIX = {"c": ".c", "cxx": ".cpp"}
 # The reference build of docs/floating-point.md, and the flags that it gives for generated code.
 REFERENCE = ["-O1", "-ffp-contract=off", "-fno-builtin", "-fno-fast-math", "-w"]
+SANITIZERS = ["-fsanitize=address,undefined,float-cast-overflow", "-fno-sanitize-recover=all"]
+SUSPICIOUS = ["-Wall", "-Werror=uninitialized", "-Werror=maybe-uninitialized", "-Werror=return-type", "-Werror=array-bounds"]
 GENERATED = ["-std=c99", "-O2", "-ffp-contract=off", "-fno-tree-slp-vectorize", "-fno-builtin-pow", "-w"]
 
 
@@ -152,6 +154,17 @@ class Session:
         if self.oracle:
             record_twice(self, accepted, outcome)
         return outcome
+
+    def is_defined(self, seed):
+        """Whether the originals of the last batch, as they stand in the harness, do nothing that they must not."""
+        compiler = ["g++", "-std=c++20"] if self.language == "cxx" else ["gcc"]
+        flags = [*(flag for flag in REFERENCE if flag != "-w"), *SUSPICIOUS, *SANITIZERS]
+        for words in ([*compiler, *flags, "-I", os.path.join(HERE, "Inputs"), "-c", "probe" + SUFFIX[self.language], "-o", "checked.o"],
+                      [compiler[0], *SANITIZERS, "checked.o", "generated.o", "harness.o", "-lm", "-o", "checked"]):
+            if self.run(*words).returncode != 0:
+                return False
+        said = self.run("./checked", self.mode, str(seed), str(self.samples)).stderr
+        return "runtime error" not in said and "Sanitizer" not in said
 
     def read(self, text, kernels, outcome):
         by_name = {k.name: k for k in kernels}
