@@ -178,6 +178,10 @@ bool DecisionCollector::becomes_number(ConditionalOperator const *choice) const 
 // The same conversion may stand in a macro's argument, which is expanded into the condition and into the arms.
 bool DecisionCollector::is_symbolic_integer(Expr const *arm) const {
   if (!arm->getType()->isIntegerType() || arm->isTypeDependent()) return false;
+  if (auto const *inner = dyn_cast<ConditionalOperator>(Reals::spelled_integer(arm))) { // as choose_value has it
+    bool const yes = is_symbolic_integer(inner->getTrueExpr()), no = is_symbolic_integer(inner->getFalseExpr());
+    return yes != no || (yes && conditions_.classify(inner->getCond()).is_real);
+  }
   return reals_.integer_depends(arm, [this](CastExpr const *cast) {
     auto const *written = dyn_cast<ExplicitCastExpr>(cast);
     if (!written) return reals_.keeps_integer(cast);
