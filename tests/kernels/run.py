@@ -106,10 +106,12 @@ def execute(options, language, policy, mode, indices):
             shutil.rmtree(directory)
 
 
-def show(found):
+def show(found, is_reduced):
     print(f"--- {found.kind}: seed {found.kernel.seed}\n{found.kernel.text}\n{found.details}", flush=True)
     if found.program:
         print(f"--- reduced, {len(found.program.splitlines())} lines:\n{found.program}", flush=True)
+    elif is_reduced:
+        print("--- not reduced: compilers or sanitizers complain of this original already", flush=True)
 
 
 def main():
@@ -127,7 +129,7 @@ def main():
         for language, policy, outcome in pool.map(lambda b: execute(options, *b), list(batches(options))):
             totals.setdefault((language, policy), Outcome()).add(outcome)
             for found in outcome.found:
-                show(found)
+                show(found, options.reduce)
     print("language policy  kernels  equal  refused  different  verified   samples  guarded  outside")
     for (language, policy), o in totals.items():
         print(f"{language:8} {policy:7} {o.count:7} {o.compared:6} {sum(o.refused.values()):8} {len(o.found):10} {o.verified:9} "
