@@ -33,6 +33,8 @@ def summary(data):
     """A line for the terminal."""
     row = figures.Row({"kernel": "fk", "joints": 0, "contenders": data})
     own, best = figures.ours(row), figures.peer(row)
+    if not own:
+        return "no code of Symreal: " + row.missing("Symreal finite")
     said = f"{own} {row.median(own):.0f} ns"
     if best:
         said += f", {goals.spread(row.ratio(best, own))} times as fast as {best}"
@@ -115,10 +117,12 @@ def difference(row, name):
 
 def lost(rows):
     lines = goals.losses(rows)
+    none = [f"{row.title} ({row.missing('Symreal finite')})" for row in rows if row.there("original") and not figures.ours(row)]
+    said = f"\n\nRows without code of Symreal, which count nowhere: {'; '.join(none)}." if none else ""
     if not lines:
-        return "There is no row in which Symreal is slower than the original at `gcc -O3 -march=native` or than the best peer."
+        return "There is no row in which Symreal is slower than the original at `gcc -O3 -march=native` or than the best peer." + said
     return "Rows in which Symreal is slower than the original or than the best peer:\n\n" + tables.table(
-        ["Row", "Symreal's fastest", "the other", "ns", "ns of the other", "times as fast"], lines)
+        ["Row", "Symreal's fastest", "the other", "ns", "ns of the other", "times as fast"], lines) + said
 
 
 def from_careful(rows):
