@@ -99,7 +99,7 @@ std::optional<Span> DecisionCollector::condition_span(Site const &site, Conditio
     refuse(site, *condition.blocker);
     return std::nullopt;
   }
-  std::optional<Span> const span = map_.range_in(site.frame, site.condition);
+  std::optional<Span> span = map_.range_in(site.frame, site.condition);
   if (!span) {
     refuse(site, {begin, {ReasonId::condition_spelled_by_macro}});
     return std::nullopt;
