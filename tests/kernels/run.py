@@ -91,14 +91,15 @@ def execute(options, language, policy, mode, indices):
         session = Session(options.symreal, language, policy, mode, directory, options.samples, options.verify,
                           options.oracle, quick, via_ir=options.via_ir)
         outcome = session.execute(made, options.seed + indices.start)
+        of_session = dict(symreal=options.symreal, language=language, policy=policy, mode=mode, samples=options.samples, quick=quick,
+                          via_ir=options.via_ir)
+        seed = options.seed + indices.start
         if options.minimise:
-            again = lambda directory: Session(options.symreal, language, policy, mode, directory, options.samples, quick=quick,
-                                                  via_ir=options.via_ir)
-            outcome.found = [minimised(found, again, options.seed + indices.start) for found in outcome.found]
+            again = lambda directory: Session(**of_session, directory=directory)
+            outcome.found = [minimised(found, again, seed) for found in outcome.found]
         if options.reduce:
-            of_session = (options.symreal, language, policy, mode, options.samples, quick, options.via_ir)
             for found in outcome.found:
-                case = Case(of_session, found.kernel, found.kind, options.seed + indices.start)
+                case = Case(of_session, found.kernel, found.kind, seed)
                 found.program = reduced(case, source([found.kernel], language)[0], options.reduce, options.jobs)
         return language, policy, outcome
     finally:

@@ -28,15 +28,14 @@ class ReducedSession(Session):
 
 @dataclass
 class Case:
-    session: tuple  # what Session is made of, without a directory
+    session: dict  # what Session is made of, without a directory
     kernel: object
     kind: str
     seed: int
 
     def is_in(self, candidate):
         with tempfile.TemporaryDirectory(prefix="kernels-") as directory:
-            symreal, language, policy, mode, samples, quick, via_ir = self.session
-            session = ReducedSession(symreal, language, policy, mode, directory, samples, quick=quick, via_ir=via_ir, timeout=30)
+            session = ReducedSession(**self.session, directory=directory, timeout=30)
             session.candidate = os.path.abspath(candidate)
             try:
                 outcome = session.execute([self.kernel], self.seed)
@@ -48,7 +47,7 @@ class Case:
 def reduced(case, program, seconds, jobs):
     """The shortest program that C-Reduce has found in so many seconds."""
     with tempfile.TemporaryDirectory(prefix="reduce-") as directory:
-        name, test = "batch" + SUFFIX[case.session[1]], os.path.join(directory, "interesting")
+        name, test = "batch" + SUFFIX[case.session["language"]], os.path.join(directory, "interesting")
         path = os.path.join(directory, name)
         with open(path, "w") as file:
             file.write(program)
