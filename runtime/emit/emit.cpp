@@ -3,6 +3,7 @@
 #include "emit/print/requirements.h"
 #include "emit/print/single_requirements.h"
 #include "emit/print/source.h"
+#include "schedule/angles.h"
 
 namespace symreal {
 
@@ -28,6 +29,7 @@ std::vector<EmittedFile> emit(Schedule const &plan, Language const &language, Em
          "--vector needs vectors, which --lang=" + std::string(language.name) + " does not have");
   if (options.is_single) require_single(*plan.graph, language, options);
   Language const wanted = options.is_single ? in_single_precision(language) : language;
+  if (options.angles && wanted.angles.is_given()) return print(with_angles(plan), wanted, options, loops, lanes);
   if (wanted.has_blocks) return print(plan, wanted, options, loops, lanes);
   return print(schedule(*plan.graph, Nesting::bounded, Arms::computed), wanted, options, nullptr, nullptr);
 }

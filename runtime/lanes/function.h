@@ -6,11 +6,6 @@
 
 namespace symreal::lanes {
 
-struct Element {
-  Array array;
-  std::size_t index;
-};
-
 class Function {
 public:
   // `plan` must outlive it.
@@ -23,20 +18,27 @@ public:
   std::vector<NodeId> const &conditions() const { return conditions_; } // of guards
 
   bool is_constant(NodeId id) const { return node(id).is_constant(); }
-  bool is_element(NodeId id) const { return node(id).op == Op::input || slot(id) != no_slot; }
+  bool is_element(NodeId id) const { return plan_.element(id).has_value(); }
   Element element(NodeId id) const {
-    if (slot(id) != no_slot) return {Array::constants, slot(id)};
-    return {Array::input, node(id).slot()};
+    std::optional<Element> const element = plan_.element(id);
+    internal_check(element.has_value());
+    return *element;
   }
-  std::size_t extent(Array array) const { return array == Array::input ? graph().input_count() : plan_.constant_count; }
+  std::size_t extent(Array array) const {
+    switch (array) {
+    case Array::input: return graph().input_count();
+    case Array::constants: return plan_.constant_count;
+    case Array::sine:
+    case Array::cosine: return plan_.angles.inputs.size();
+    }
+    return 0;
+  }
   // An operation of this function.
   bool is_computed(NodeId id) const { return !is_constant(id) && !is_element(id); }
   // One that vectors have: exact or correctly rounded, lane by lane.
   bool can_be_packed(NodeId id) const;
 
 private:
-  std::uint32_t slot(NodeId id) const { return plan_.constant_slot[id]; }
-
   Schedule const &plan_;
   std::size_t width_;
   std::vector<NodeId> conditions_;

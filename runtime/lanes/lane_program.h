@@ -1,7 +1,7 @@
 // A function whose operations are in part computed side by side: what an emitter prints.
 #pragma once
 
-#include "graph/graph.h"
+#include "schedule/schedule.h"
 
 #include <array>
 #include <vector>
@@ -10,9 +10,6 @@ namespace symreal::lanes {
 
 using VectorId = std::uint32_t;
 inline constexpr VectorId no_vector = ~VectorId{0};
-
-// What a function is given.
-enum class Array : std::uint8_t { input, constants };
 
 // Numbers side by side, one in each lane.
 struct Vector {

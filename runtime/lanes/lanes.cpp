@@ -18,7 +18,7 @@ std::string obstacle(Schedule const &plan) {
   std::size_t operations = 0;
   for (NodeId id = 0; id < plan.graph->nodes.size(); ++id) {
     Op const op = plan.graph->nodes[id].op;
-    if (!live[id] || is_leaf(op) || plan.constant_slot[id] != no_slot) continue;
+    if (!live[id] || is_leaf(op) || plan.element(id)) continue;
     if (is_call(op)) return "it calls external functions";
     ++operations;
   }

@@ -63,6 +63,8 @@ private:
     switch (leaf.kind) {
     case Leaf::Kind::given:
     case Leaf::Kind::read:
+    case Leaf::Kind::sine:
+    case Leaf::Kind::cosine:
       if (has_results_) difference_ = "an input is read after a result is stored";
       return numbering_.element(static_cast<std::uint32_t>(leaf.kind), leaf.access.at(k));
     case Leaf::Kind::memory: return memory_.at(leaf.access.at(k));
@@ -85,6 +87,10 @@ private:
       Node const &node = graph.nodes[id];
       if (sequence_.slot[id] != no_slot)
         values[id] = numbering_.element(static_cast<std::uint32_t>(Leaf::Kind::read), sequence_.slot[id]);
+      else if (sequence_.angle[id] != no_slot)
+        values[id] =
+            numbering_.element(static_cast<std::uint32_t>(node.op == Op::sin ? Leaf::Kind::sine : Leaf::Kind::cosine),
+                               sequence_.angle[id]);
       else if (node.is_constant())
         values[id] = numbering_.constant(node.value());
       else if (is_leaf(node.op))

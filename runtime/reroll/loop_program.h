@@ -22,8 +22,10 @@ struct Access {
 // What an input of a body stands for.
 struct Leaf {
   enum class Kind : std::uint8_t {
-    given,   // an element of what the function is given: inputs, or in preprocess parameters
-    read,    // an element of what preprocess stored
+    given, // an element of what the function is given: inputs, or in preprocess parameters
+    read,  // an element of what preprocess stored
+    sine,  // an element of the sines, or of the cosines, that the function begins with
+    cosine,
     memory,  // an element of the function's own array
     values,  // values[iteration % size]
     carried, // in the first iteration that element of memory, then the value `next` of the iteration before

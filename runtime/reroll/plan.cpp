@@ -133,9 +133,15 @@ private:
       Node const &there = sequence_.graph->nodes[node];
       switch (sequence_.source(node)) {
       case Source::computed: entry->second = body.leaf({Leaf::Kind::memory, {memory_.home(node)}}); break;
-      case Source::read: entry->second = body.leaf({Leaf::Kind::read, {sequence_.slot[node]}}); break;
       case Source::constant: entry->second = body.constant(there.value()); break;
-      case Source::input: entry->second = body.leaf({Leaf::Kind::given, {there.slot()}}); break;
+      case Source::input:
+      case Source::read:
+      case Source::sine:
+      case Source::cosine: {
+        Leaf::Kind const array = array_of(sequence_.source(node));
+        entry->second = body.leaf({array, {sequence_.element(node)}});
+        break;
+      }
       }
       return entry->second;
     };

@@ -29,7 +29,7 @@ std::uint64_t token(Sequence const &sequence, std::uint32_t at) {
     NodeId const node = operation.operands[i].node;
     Source const kind = sequence.source(node);
     std::uint32_t const back = kind == Source::computed ? std::min(at - sequence.position[node], far) : 0;
-    words[i] = std::uint64_t{back} * 4 + static_cast<std::uint64_t>(kind) + 1;
+    words[i] = std::uint64_t{back} * 6 + static_cast<std::uint64_t>(kind) + 1;
   }
   if (operation.may_exchange && words[1] < words[0]) std::swap(words[0], words[1]);
   std::uint64_t hash = static_cast<std::uint64_t>(operation.op);

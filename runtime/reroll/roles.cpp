@@ -112,11 +112,18 @@ Role choose_role(Sequence const &sequence, std::vector<LoopBody> const &loops, s
   if (column.nodes.empty()) return role_of_values(column.values);
   Source const source = sequence.source(column.nodes.front());
   if (source == Source::computed) return MemoryRole(sequence, loops, loop, column.nodes, memory).choose(copy);
-  bool const is_read = source == Source::read;
   std::vector<std::uint32_t> elements;
-  for (NodeId node : column.nodes)
-    elements.push_back(is_read ? sequence.slot[node] : sequence.graph->nodes[node].slot());
-  return {.kind = is_read ? Leaf::Kind::read : Leaf::Kind::given, .access = access_of(std::move(elements))};
+  for (NodeId node : column.nodes) elements.push_back(sequence.element(node));
+  return {.kind = array_of(source), .access = access_of(std::move(elements))};
+}
+
+Leaf::Kind array_of(Source source) {
+  switch (source) {
+  case Source::read: return Leaf::Kind::read;
+  case Source::sine: return Leaf::Kind::sine;
+  case Source::cosine: return Leaf::Kind::cosine;
+  default: return Leaf::Kind::given;
+  }
 }
 
 Leaf leaf_of(Role const &role, Memory const &memory) {

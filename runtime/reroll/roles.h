@@ -28,6 +28,9 @@ Role choose_role(Sequence const &sequence, std::vector<LoopBody> const &loops, s
 // Once memory is laid out.
 Leaf leaf_of(Role const &role, Memory const &memory);
 
+// The array that such a node, which no operation computes, is an element of.
+Leaf::Kind array_of(Source source);
+
 // As first and step, if they fit.
 Access access_of(std::vector<std::uint32_t> elements);
 

@@ -21,11 +21,16 @@ static Operation operation_of(Node const &node, NodeId id) {
 Sequence sequence(Schedule const &plan, bool in_compute, std::vector<NodeId> const &roots) {
   Graph const &graph = *plan.graph;
   std::vector<std::uint32_t> const none(graph.nodes.size(), no_slot);
-  Sequence result{
-      &graph, {}, std::vector<std::uint32_t>(graph.nodes.size(), no_position), in_compute ? plan.constant_slot : none};
+  Sequence result{&graph,
+                  {},
+                  std::vector<std::uint32_t>(graph.nodes.size(), no_position),
+                  in_compute ? plan.constant_slot : none,
+                  in_compute && !plan.angles.element.empty() ? plan.angles.element : none};
   std::vector<char> needed(graph.nodes.size(), 0);
   for (NodeId root : roots) needed[root] = 1;
-  auto const is_read = [&](std::size_t id) { return is_leaf(graph.nodes[id].op) || result.slot[id] != no_slot; };
+  auto const is_read = [&](std::size_t id) {
+    return is_leaf(graph.nodes[id].op) || result.slot[id] != no_slot || result.angle[id] != no_slot;
+  };
   for (std::size_t id = graph.nodes.size(); id-- > 0;) {
     if (!needed[id] || is_read(id)) continue;
     for (NodeId operand : graph.nodes[id].operand)

@@ -26,21 +26,32 @@ struct Operation {
   bool may_exchange = false; // the first two
 };
 
-// Where a function has a node from: a number in its text, its input, what preprocess has filled, an operation of its
-// own.
-enum class Source : std::uint8_t { constant, input, read, computed };
+// Where a function has a node from: a number in its text, its input, what preprocess has filled, what it begins with
+// (schedule/angles.h), an operation of its own.
+enum class Source : std::uint8_t { constant, input, read, sine, cosine, computed };
 
 struct Sequence {
   Graph const *graph;
   std::vector<Operation> operations;
   std::vector<std::uint32_t> position; // per node: of the operation that computes it, or no_position
   std::vector<std::uint32_t> slot;     // per node: where the function reads it from the array that preprocess fills
+  std::vector<std::uint32_t> angle;    // per node: where it stands among the sines or cosines
 
   std::size_t size() const { return operations.size(); }
   Source source(NodeId node) const {
     if (position[node] != no_position) return Source::computed;
     if (slot[node] != no_slot) return Source::read;
+    if (angle[node] != no_slot) return graph->nodes[node].op == Op::sin ? Source::sine : Source::cosine;
     return graph->nodes[node].is_constant() ? Source::constant : Source::input;
+  }
+  // Of the array that the node is read from.
+  std::uint32_t element(NodeId node) const {
+    switch (source(node)) {
+    case Source::read: return slot[node];
+    case Source::sine:
+    case Source::cosine: return angle[node];
+    default: return graph->nodes[node].slot();
+    }
   }
 };
 

@@ -34,7 +34,7 @@ template <class IsVariable, class IsRead, class Visit> void for_each_read(Graph 
 
 // Whether the function finds the node in an array.
 inline bool is_read(Schedule const &plan, bool in_compute, NodeId id) {
-  return is_leaf(plan.graph->nodes[id].op) || (in_compute && plan.constant_slot[id] != no_slot);
+  return is_leaf(plan.graph->nodes[id].op) || (in_compute && plan.element(id));
 }
 
 // Calls `visit` with the operands of the operation that sets a variable.

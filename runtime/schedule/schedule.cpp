@@ -185,6 +185,16 @@ private:
 
 } // namespace
 
+std::string_view name_of(Array array) {
+  switch (array) {
+  case Array::input: return "input";
+  case Array::constants: return "constants";
+  case Array::sine: return "sine";
+  case Array::cosine: return "cosine";
+  }
+  return {};
+}
+
 std::vector<std::uint32_t> constant_slots(Graph const &graph, std::vector<NodeId> const &stored) {
   std::vector<std::uint32_t> slots(graph.nodes.size(), no_slot);
   for (std::size_t slot = 0; slot < stored.size(); ++slot) slots[stored[slot]] = static_cast<std::uint32_t>(slot);

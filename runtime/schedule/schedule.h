@@ -4,7 +4,9 @@
 #include "graph/graph.h"
 #include "schedule/region_table.h"
 
+#include <optional>
 #include <set>
+#include <string_view>
 #include <vector>
 
 namespace symreal {
@@ -42,12 +44,37 @@ inline constexpr std::size_t usual_part_length = 500;
 
 inline constexpr std::uint32_t no_slot = ~std::uint32_t{0};
 
+// What compute finds in arrays and does not compute.
+enum class Array : std::uint8_t { input, constants, sine, cosine };
+struct Element {
+  Array array;
+  std::size_t index;
+};
+std::string_view name_of(Array array);
+
+// Inputs whose sines and cosines compute begins with (angles.h): arrays `sine` and `cosine` have an element for each.
+struct Angles {
+  std::vector<std::uint32_t> inputs = {};  // their slots, in order
+  std::vector<std::uint32_t> element = {}; // per node: of its array, or no_slot; empty where no inputs are
+};
+
 struct Schedule {
   Graph const *graph;
   FunctionBody preprocess, compute;
   std::vector<std::uint32_t> constant_slot; // per node: where preprocess stores it for compute, or no_slot
   std::size_t constant_count = 0;
   unsigned threads = 1; // that share the parts of compute
+  Angles angles = {};
+
+  // Where compute finds a node, unless it is a constant or is computed.
+  std::optional<Element> element(NodeId id) const {
+    if (constant_slot[id] != no_slot) return Element{Array::constants, constant_slot[id]};
+    Node const &node = graph->nodes[id];
+    if (!angles.element.empty() && angles.element[id] != no_slot)
+      return Element{node.op == Op::sin ? Array::sine : Array::cosine, angles.element[id]};
+    if (node.op == Op::input) return Element{Array::input, node.slot()};
+    return {};
+  }
 };
 
 // What `constants` holds for compute: per node its slot, the last one that stores it, or no_slot.

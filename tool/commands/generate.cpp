@@ -3,6 +3,7 @@
 #include "graph/names.h"
 #include "graph/states.h"
 #include "program/make_rule.h"
+#include "schedule/angles.h"
 #include "support/files.h"
 #include "tool/analysis/parallel_option.h"
 #include "tool/calls/driver_program.h"
@@ -109,8 +110,10 @@ void emit_sources(program::Recorded const &recorded, Schedule const &plan, Optio
   std::string const path = place_output(options.output, given, several);
   std::vector<Language const *> const languages = options.language.languages(), any = all_languages();
   require_source_name(path, options.output == path ? languages : any);
-  std::optional<Rerolled> const loops = options.reroll.loops(plan, product.warnings, product.loops);
-  std::optional<Laned> const lanes = options.vector.lanes(plan, product.warnings, product.lanes);
+  Schedule const laid_out = as_emitted(plan, options.emitter, options.passes.floating_point(), languages);
+  product.angles = describe(laid_out.angles);
+  std::optional<Rerolled> const loops = options.reroll.loops(laid_out, product.warnings, product.loops);
+  std::optional<Laned> const lanes = options.vector.lanes(laid_out, product.warnings, product.lanes);
   product.files = emitted_files(plan, options.emitter, options.passes.floating_point(), languages, path,
                                 loops ? &*loops : nullptr, lanes ? &*lanes : nullptr);
   if (options.wrapper)

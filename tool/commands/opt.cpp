@@ -108,8 +108,9 @@ std::vector<OutputFile> result_files(Graph const &graph, Schedule const *read, O
       options.output.empty() ? graph.kernel + std::string(languages[0]->files.extension) : options.output;
   require_source_name(path, languages);
   std::vector<Diagnostic> remarks;
-  std::optional<Rerolled> const loops = options.reroll.loops(plan, remarks, remark);
-  std::optional<Laned> const lanes = options.vector.lanes(plan, remarks, remark);
+  Schedule const laid_out = as_emitted(plan, options.emitter, options.passes.floating_point(), languages);
+  std::optional<Rerolled> const loops = options.reroll.loops(laid_out, remarks, remark);
+  std::optional<Laned> const lanes = options.vector.lanes(laid_out, remarks, remark);
   for (Diagnostic const &diagnostic : remarks) print(std::cerr, diagnostic);
   return emitted_files(plan, options.emitter, options.passes.floating_point(), languages, path,
                        loops ? &*loops : nullptr, lanes ? &*lanes : nullptr);

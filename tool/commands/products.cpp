@@ -59,7 +59,7 @@ void show_products(std::vector<Product> const &products, program::Front const &f
                       {"optimise and emit", product.seconds}};
     report.exploration = product.exploration ? &*product.exploration : nullptr;
     print_table(std::cerr, report, details);
-    for (std::string const &remark : {product.sharing, product.loops, product.lanes})
+    for (std::string const &remark : {product.sharing, product.angles, product.loops, product.lanes})
       if (!remark.empty()) fmt::print(std::cerr, "  {}\n", remark);
     if (as_json) json.push_back(to_json(report));
   }

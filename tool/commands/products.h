@@ -19,6 +19,7 @@ struct Product {
   std::string sharing = {}; // what threads that share an evaluation give, in words
   std::string loops = {};   // how much of it loops hold, in words
   std::string lanes = {};   // how much of it vectors hold, in words
+  std::string angles = {};  // whose sines and cosines it begins with, in words
   std::optional<program::Exploration> exploration = {};
   double seconds = 0;
 };

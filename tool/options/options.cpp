@@ -100,6 +100,10 @@ void EmitterOptions::add_to(CLI::App &app) {
       });
   app.add_option("--real", real, "The numbers of the generated code: double, or float for single precision")
       ->capture_default_str();
+  app.add_option("--sines", sines,
+                 "C and C++ in mode fast: sines and cosines of inputs are computed 'side-by-side' in a loop of the "
+                 "generated code (usual), or each by the 'library'")
+      ->type_name("WORD");
   auto const add_extra = [&](std::string const &name, std::string const &doc) {
     app.add_flag_callback("--" + name, [this, name] { extras.insert(name); }, doc);
   };
@@ -116,6 +120,16 @@ void EmitterOptions::add_to(CLI::App &app) {
 bool EmitterOptions::is_single() const {
   require_one_of("--real", real, "double|float");
   return real == "float";
+}
+
+bool EmitterOptions::has_angles(FloatingPoint mode) const {
+  if (!sines.empty()) require_one_of("--sines", sines, "side-by-side|library");
+  bool const can = mode == FloatingPoint::fast && !is_single();
+  if (sines == "side-by-side" && !can)
+    fail(DiagnosticId::bad_option, {},
+         is_single() ? "--sines=side-by-side computes with doubles: leave --real=float or this out"
+                     : "--sines=side-by-side does not give the bits of the library, which only --fp=fast permits");
+  return can && sines != "library";
 }
 
 void require_no_source_options(CLI::App &command, std::string const &instead) {

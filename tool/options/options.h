@@ -46,8 +46,8 @@ struct PassOptions {
 
 // The form of the generated code.
 struct EmitterOptions {
-  std::string prefix, real = "double";
-  std::set<std::string, std::less<>> extras; // files on request (emit/language/language.h)
+  std::string prefix, real = "double", sines; // sines: empty where it was not given
+  std::set<std::string, std::less<>> extras;  // files on request (emit/language/language.h)
   bool trace_comments = false, check_values = false;
   Nesting nesting() const { return check_values ? Nesting::none : Nesting::bounded; }
   std::string map_file;
@@ -55,6 +55,9 @@ struct EmitterOptions {
   void add_to(CLI::App &app);
   // Throws bad_option for another word than these.
   bool is_single() const;
+  // Whether sines and cosines of inputs are computed side by side: usual in mode fast. Throws bad_option where it was
+  // asked for and cannot be.
+  bool has_angles(FloatingPoint mode) const;
 };
 
 // Fails for options about source files, where `instead` writes others.

@@ -3,10 +3,12 @@
 #include "diagnostics/diagnostic.h"
 #include "emit/emit.h"
 #include "emit/language/banner.h"
+#include "schedule/angles.h"
 #include "support/diff.h"
 #include "support/files.h"
 #include "tool/output/line_map.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -18,6 +20,12 @@ namespace symreal::tool {
 
 namespace fs = std::filesystem;
 
+Schedule as_emitted(Schedule const &plan, EmitterOptions const &options, FloatingPoint mode,
+                    std::vector<Language const *> const &languages) {
+  bool const any = std::ranges::any_of(languages, [](Language const *one) { return one->angles.is_given(); });
+  return any && options.has_angles(mode) ? with_angles(plan) : plan;
+}
+
 std::vector<OutputFile> emitted_files(Schedule const &plan, EmitterOptions const &options, FloatingPoint mode,
                                       std::vector<Language const *> const &languages, std::string const &path,
                                       Rerolled const *loops, Laned const *lanes) {
@@ -28,6 +36,7 @@ std::vector<OutputFile> emitted_files(Schedule const &plan, EmitterOptions const
                          options.trace_comments,
                          options.check_values,
                          options.is_single(),
+                         options.has_angles(mode),
                          !options.map_file.empty()};
   std::vector<OutputFile> files;
   for (Language const *language : languages)

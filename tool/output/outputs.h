@@ -16,6 +16,10 @@ struct OutputFile {
   std::string path, text;
 };
 
+// The schedule as C and C++ print it, where that is among the languages: what loops and vectors are looked for in.
+Schedule as_emitted(Schedule const &plan, EmitterOptions const &options, FloatingPoint mode,
+                    std::vector<Language const *> const &languages);
+
 // Generated code beside `path`, which gives it its name: of each language the source, its header and on request the
 // mainline.
 std::vector<OutputFile> emitted_files(Schedule const &plan, EmitterOptions const &options, FloatingPoint mode,

@@ -7,12 +7,17 @@
 namespace symreal {
 namespace {
 
-bool has_sine_and_cosine_of_one(Nodes const &nodes) {
-  std::unordered_set<NodeId> angles;
-  for (Node const &node : nodes)
-    if (node.op == Op::sin) angles.insert(node.operand[0]);
-  return std::ranges::any_of(nodes,
-                             [&](Node const &node) { return node.op == Op::cos && angles.contains(node.operand[0]); });
+bool has_sine_and_cosine_of_one(Schedule const &plan) {
+  Nodes const &nodes = plan.graph->nodes;
+  std::unordered_set<NodeId> sines;
+  bool found = false;
+  for (Op const op : {Op::sin, Op::cos})
+    for (NodeId id = 0; id < nodes.size(); ++id) {
+      if (nodes[id].op != op || plan.element(id)) continue;
+      if (op == Op::sin) sines.insert(nodes[id].operand[0]);
+      found = found || (op == Op::cos && sines.contains(nodes[id].operand[0]));
+    }
+  return found;
 }
 
 } // namespace
@@ -32,7 +37,7 @@ std::string c_no_fusion(Emission const &emission) {
 
 // Vectors, where the compiler has them and processors with them are asked for: otherwise numbers alone are faster.
 std::string c_vectors(Emission const &emission) {
-  if (!emission.lanes) return {};
+  if (!emission.lanes || !emission.lanes->compute) return {};
   lanes::LaneFunction const &function = *emission.lanes->compute;
   std::size_t const width = function.width, bytes = width * (emission.language.is_single ? 4 : 8);
   bool const loads = std::ranges::any_of(
@@ -73,7 +78,7 @@ std::string c_apart(Emission const &emission) {
 // Sine and cosine of one angle become one call where the compiler knows that neither sets errno, which nobody reads
 // here. glibc's has the bits of the two.
 std::string c_sine_and_cosine(Emission const &emission) {
-  if (!has_sine_and_cosine_of_one(emission.graph().nodes)) return {};
+  if (!has_sine_and_cosine_of_one(emission.plan)) return {};
   bool const is_cxx = emission.language.has_namespace, is_single = emission.language.is_single;
   std::string const number(emission.language.number.name);
   std::string text = "/* Nobody reads the errno of these: a compiler makes one call of both. */\n"

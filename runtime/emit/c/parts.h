@@ -43,6 +43,8 @@ std::string c_no_fusion(Emission const &emission);
 std::string c_quiet_pragmas(Emission const &emission);
 // That sine and cosine only compute, where there are both of one angle.
 std::string c_sine_and_cosine(Emission const &emission);
+// The function that computes sines and cosines side by side.
+std::string c_sines_and_cosines(Emission const &emission);
 // With vectors: their type, and how they are loaded and stored.
 std::string c_vectors(Emission const &emission);
 // A word for functions that compilers must not inline, where there are such.

@@ -18,6 +18,7 @@ struct EmitOptions {
   bool trace_comments = false;                    // every statement says which source lines it comes from
   bool check_values = false; // one operation a statement, and the first NaN or infinity of a call is reported
   bool is_single = false;    // numbers are float
+  bool angles = false;       // sines and cosines of inputs are computed side by side (schedule/angles.h)
   bool origins = false;      // where the lines of statements come from is wanted
 };
 

@@ -136,6 +136,17 @@ struct VectorSyntax {
   bool is_given() const { return !begin.empty(); }
 };
 
+// Sines and cosines side by side, which mode fast begins compute with: $angles, $sine and $cosine are arrays, `helper`
+// is the function that `call` calls.
+struct AnglesSyntax {
+  std::string_view call = {};            // $count $angles $sine $cosine
+  std::string_view from = {};            // $array $first: the array from that element on
+  std::string_view begin = {}, end = {}; // $name $count: around the elements of an array of constants
+  Part helper = nullptr;
+
+  bool is_given() const { return helper; }
+};
+
 // A table of constants: `begin`, lines of numbers, `end`.
 struct TableSyntax {
   std::string_view begin = {}, end = {}; // $name $count
@@ -207,6 +218,7 @@ struct Language {
   ParallelSyntax parallel;
   LoopSyntax loops;
   VectorSyntax vectors;
+  AnglesSyntax angles;
   TableSyntax tables;
   ExternalSyntax externals;
   FileSyntax files;

@@ -87,6 +87,13 @@ Language language_c() {
       .shuffle = "__builtin_shufflevector($x, $y, $lanes)",
       .lane = "$name[$lane]",
   };
+  c.angles = {
+      .call = "sines_and_cosines($count, $angles, $sine, $cosine);",
+      .from = "$array + $first",
+      .begin = "$real const $name[$count] = {",
+      .end = "};",
+      .helper = c_sines_and_cosines,
+  };
   c.tables = {
       .begin = "static $real const $name[$count] = {",
       .end = "};",

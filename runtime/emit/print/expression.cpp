@@ -88,7 +88,8 @@ void ExpressionPrinter::print_itself(Item const &item) {
   if (!item.spelled_out && is_variable(id)) return print_variable(id);
   if (!item.spelled_out && is_kept(id)) return print_element(node, "v", context_.kept[id]);
   if (!context_.copied.empty() && context_.copied[id] != no_slot) return print_element(node, "v", context_.copied[id]);
-  if (is_precomputed(id)) return print_element(node, "constants", context_.emission.plan.constant_slot[id]);
+  if (std::optional<Element> const element = precomputed(id))
+    return print_element(node, name_of(element->array), element->index);
   if (node.op == Op::input && !context_.leaves.empty()) {
     text_ += context_.leaves[node.slot()];
     return;

@@ -33,9 +33,13 @@ private:
   Node const &node(NodeId id) const { return graph_.nodes[id]; }
   bool is_variable(NodeId id) const { return context_.variable[id] != no_slot; }
   bool is_kept(NodeId id) const { return !is_variable(id) && context_.kept[id] != no_slot; }
-  bool is_precomputed(NodeId id) const {
-    return context_.in_compute && !context_.is_gate(id) && context_.emission.plan.constant_slot[id] != no_slot;
+  // Where it stands, if `preprocess` computes it or the function before its statements.
+  std::optional<Element> precomputed(NodeId id) const {
+    if (!context_.in_compute || context_.is_gate(id)) return {};
+    std::optional<Element> const element = context_.emission.plan.element(id);
+    return element && element->array != Array::input ? element : std::nullopt;
   }
+  bool is_precomputed(NodeId id) const { return precomputed(id).has_value(); }
   bool spelled_out(NodeId id) const;
   bool is_truth(NodeId id) const;
   bool is_element(Item const &item) const;

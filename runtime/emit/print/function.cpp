@@ -1,6 +1,7 @@
 #include "emit/print/function.h"
 
 #include "emit/language/pattern.h"
+#include "emit/print/angles.h"
 #include "emit/print/body.h"
 #include "emit/print/function_head.h"
 #include "emit/print/lanes.h"
@@ -26,11 +27,19 @@ public:
         inputs_(is_compute ? std::vector<std::string>{"input", "constants"} : std::vector<std::string>{"parameters"}),
         target_(is_compute ? "output" : "constants"),
         threads_(emission.plan.threads),
-        printer_(emission, body_, is_compute, target_) {}
+        printer_(emission, body_, is_compute, target_) {
+    part_inputs_ = inputs_;
+    if (is_compute && !emission.plan.angles.inputs.empty())
+      for (Array const array : {Array::sine, Array::cosine}) part_inputs_.emplace_back(name_of(array));
+  }
 
   CodeText print() {
     bool const may_fail = !body_.checks.empty();
     CodeText out(language_), last(language_);
+    if (part_inputs_.size() != inputs_.size()) {
+      print_angles(emission_, last);
+      printer_.note_array(name_of(Array::input));
+    }
     if (printer_.chunk_count() == 1) {
       printer_.begin(last);
       printer_.statements(0, last);
@@ -122,7 +131,7 @@ private:
            "v", std::move(text));
     if (part + 1 < part_count() || syntax_.group_size == 0) out.lines("\n");
     std::string const arguments =
-        with_output(fmt::format("{}", fmt::join(inputs_, ", ")), stores ? target_ + ", v" : "v");
+        with_output(fmt::format("{}", fmt::join(part_inputs_, ", ")), stores ? target_ + ", v" : "v");
     bool const is_shared = part < printer_.chunk_count() && this->is_shared(part);
     for (std::string_view rest = checks ? syntax_.checked_call : syntax_.call; !rest.empty();) { // a statement a line
       std::size_t const end = std::min(rest.find('\n'), rest.size());
@@ -147,8 +156,9 @@ private:
               std::string const &last, CodeText text) {
     bool const is_part = name != name_;
     ArrayNames const used = printer_.take_arrays();
+    std::vector<std::string> const &inputs = is_part ? part_inputs_ : inputs_;
     std::string parameters;
-    for (std::string const &input : inputs_)
+    for (std::string const &input : inputs)
       parameters += (parameters.empty() ? "" : ", ") + fill(language_, syntax_.input, {{"name", input}});
     bool const stores = is_part && used.contains(target_);
     std::string outputs = stores ? fill(language_, syntax_.output, {{"name", target_}}) + ", " : "";
@@ -162,7 +172,7 @@ private:
                                  .may_fail = may_fail,
                                  .is_pure = graph_.externals.empty(),
                                  .is_apart = is_apart}));
-    for (std::string const &input : inputs_)
+    for (std::string const &input : inputs)
       out.statement(2, fill(language_, syntax_.input_declaration, {{"name", input}}));
     if (stores) out.statement(2, fill(language_, syntax_.output_declaration, {{"name", target_}}));
     out.statement(2, fill(language_, syntax_.output_declaration, {{"name", last}}));
@@ -172,7 +182,7 @@ private:
     auto const mark_unused = [&](std::string const &parameter) {
       if (!used.contains(parameter)) out.statement(2, fill(language_, syntax_.unused, {{"name", parameter}}));
     };
-    for (std::string const &input : inputs_) mark_unused(input);
+    for (std::string const &input : inputs) mark_unused(input);
     if (!output.empty()) mark_unused(last);
     out.append(std::move(text));
     out.statement(0, Filling().set_name("name", name)(with_words(language_, syntax_.end)));
@@ -184,7 +194,7 @@ private:
   FunctionSyntax const &syntax_;
   FunctionBody const &body_;
   std::string name_;
-  std::vector<std::string> inputs_;
+  std::vector<std::string> inputs_, part_inputs_; // of the function, of its parts
   std::string target_;
   unsigned threads_;
   BodyPrinter printer_;
@@ -197,7 +207,7 @@ CodeText print_function(Emission &emission, bool is_compute) {
     if (auto const &loops = is_compute ? emission.loops->compute : emission.loops->preprocess)
       return print_loops(emission, *loops, is_compute);
   CodeText out(emission.language);
-  if (!is_compute || !emission.lanes) return FunctionPrinter(emission, is_compute).print();
+  if (!is_compute || !emission.lanes || !emission.lanes->compute) return FunctionPrinter(emission, is_compute).print();
   VectorSyntax const &vectors = emission.language.vectors;
   out.lines(vectors.begin);
   out.append(print_lanes(emission, *emission.lanes->compute));

@@ -1,6 +1,7 @@
 #include "emit/print/lanes.h"
 
 #include "emit/origins/origins.h"
+#include "emit/print/angles.h"
 #include "emit/print/body.h"
 #include "emit/print/constant_paths.h"
 #include "emit/print/function_head.h"
@@ -49,9 +50,7 @@ public:
   }
 
 private:
-  bool is_given(NodeId id) const {
-    return emission_.graph().nodes[id].op == Op::input || emission_.plan.constant_slot[id] != no_slot;
-  }
+  bool is_given(NodeId id) const { return emission_.plan.element(id).has_value(); }
 
   // What is computed alone, as a graph of the same nodes: what stands in a vector or an array is an input of it. Its
   // results are what vectors are made of, and what is stored alone.
@@ -66,10 +65,8 @@ private:
       std::string leaf;
       if (lane.is_given())
         leaf = vectors_.is_variable(lane.vector) ? vectors_.lane(lane) : "";
-      else if (std::uint32_t const slot = emission_.plan.constant_slot[id]; slot != no_slot)
-        leaf = element(language_, "constants", slot);
-      else
-        leaf = element(language_, "input", rest.nodes[id].slot());
+      else if (std::optional<Element> const place = emission_.plan.element(id))
+        leaf = element(language_, name_of(place->array), place->index);
       rest.nodes[id] = Node::input(static_cast<std::uint32_t>(leaves_.size()));
       leaves_.push_back(std::move(leaf));
       constant_leaves_.push_back(!constant.empty() && constant[id] != 0);
@@ -124,7 +121,8 @@ private:
   // A parameter that the text does not use is marked, or compilers warn.
   CodeText with_head(CodeText text) const {
     FunctionSyntax const &syntax = language_.functions;
-    std::set<lanes::Array> used;
+    std::set<Array> used;
+    if (!emission_.plan.angles.inputs.empty()) used.insert(Array::input);
     for (lanes::Item const &item : function_.order)
       if (item.is_vector) {
         lanes::Vector const &vector = function_.vectors[item.id];
@@ -137,10 +135,9 @@ private:
     for (Guard const &guard : emission_.graph().guards) note(guard.condition, used);
     std::string parameters;
     CodeText out(language_), marks(language_);
-    for (auto const &[name, array] :
-         {std::pair{"input", lanes::Array::input}, {"constants", lanes::Array::constants}}) {
-      parameters += fill(language_, syntax.input, {{"name", name}}) + ", ";
-      if (!used.contains(array)) marks.statement(2, fill(language_, syntax.unused, {{"name", name}}));
+    for (Array const array : {Array::input, Array::constants}) {
+      parameters += fill(language_, syntax.input, {{"name", name_of(array)}}) + ", ";
+      if (!used.contains(array)) marks.statement(2, fill(language_, syntax.unused, {{"name", name_of(array)}}));
     }
     parameters += fill(language_, syntax.output, {{"name", "output"}});
     out.statement(0, print_head(language_, syntax.head,
@@ -149,13 +146,14 @@ private:
                                  .target = "output",
                                  .may_fail = !rest_.guards.empty()}));
     out.append(std::move(marks));
+    print_angles(emission_, out);
     out.append(std::move(text));
     out.statement(0, syntax.end);
     return out;
   }
-  void note(NodeId id, std::set<lanes::Array> &used) const {
-    if (id == no_node || !is_given(id)) return;
-    used.insert(emission_.plan.constant_slot[id] != no_slot ? lanes::Array::constants : lanes::Array::input);
+  void note(NodeId id, std::set<Array> &used) const {
+    if (id == no_node) return;
+    if (std::optional<Element> const element = emission_.plan.element(id)) used.insert(element->array);
   }
 
   Emission &emission_;

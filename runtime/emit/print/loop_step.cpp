@@ -85,12 +85,19 @@ private:
       return name;
     };
     if (leaf.kind == Leaf::Kind::carried) return declare("c", syntax.variable, element(arrays_.memory, leaf.access));
-    std::string const &array = leaf.kind == Leaf::Kind::given  ? arrays_.given
-                               : leaf.kind == Leaf::Kind::read ? arrays_.read
-                                                               : arrays_.memory;
-    std::string const text = element(array, leaf.access);
+    std::string const text = element(array_of(leaf.kind), leaf.access);
     bool const is_fixed = is_loop() && !leaf.access.is_listed() && leaf.access.step == 0;
     return is_fixed ? declare("f", syntax.constant, text) : text; // compilers cannot know that no store changes it
+  }
+
+  std::string const &array_of(Leaf::Kind kind) const {
+    switch (kind) {
+    case Leaf::Kind::given: return arrays_.given;
+    case Leaf::Kind::read: return arrays_.read;
+    case Leaf::Kind::sine: return arrays_.sine;
+    case Leaf::Kind::cosine: return arrays_.cosine;
+    default: return arrays_.memory;
+    }
   }
 
   std::string element(std::string const &array, Access const &access) {

@@ -10,7 +10,7 @@ namespace symreal {
 
 // What the arrays of a function are called.
 struct LoopArrays {
-  std::string given, read, memory, filled;
+  std::string given, read, memory, filled, sine, cosine;
   bool may_be_constant = false; // what stands in memory, on some path
 };
 

@@ -1,6 +1,7 @@
 #include "emit/print/loops.h"
 
 #include "emit/language/pattern.h"
+#include "emit/print/angles.h"
 #include "emit/print/constant_paths.h"
 #include "emit/print/function_head.h"
 #include "emit/print/loop_step.h"
@@ -24,15 +25,21 @@ public:
         syntax_(emission.language.functions),
         function_(function),
         name_(emission.name(is_compute ? "compute" : "preprocess")),
-        arrays_{is_compute ? "input" : "parameters", is_compute ? "constants" : "", "v",
-                is_compute ? "output" : "constants", hides_arguments(emission.graph())},
+        arrays_{
+            is_compute ? "input" : "parameters", is_compute ? "constants" : "",     "v",
+            is_compute ? "output" : "constants", std::string(name_of(Array::sine)), std::string(name_of(Array::cosine)),
+            hides_arguments(emission.graph())},
         inputs_{arrays_.given} {
     if (is_compute) inputs_.push_back(arrays_.read);
+    part_inputs_ = inputs_;
+    if (is_compute && !emission.plan.angles.inputs.empty())
+      part_inputs_.insert(part_inputs_.end(), {arrays_.sine, arrays_.cosine});
   }
 
   CodeText print() {
     CodeText out(language_), last(language_);
     std::set<std::string> used = {arrays_.given, arrays_.read, arrays_.filled}; // the calls pass them on
+    if (part_inputs_.size() != inputs_.size()) print_angles(emission_, last);
     last.statement(
         2, fill(language_, language_.statements.array,
                 {{"name", arrays_.memory}, {"count", std::to_string(std::max<std::size_t>(function_.memory, 1))}}));
@@ -66,7 +73,7 @@ private:
     print_step(emission_, function_.steps[number], arrays_, text, used);
     std::string const name = language_.names.spelled(fmt::format("{}_{}", name_, number + 1));
     std::vector<std::string> inputs = {arrays_.memory};
-    if (!fills) inputs = inputs_;
+    if (!fills) inputs = part_inputs_;
     std::string const &last = fills ? arrays_.filled : arrays_.memory;
     append(out, syntax_.local_head, false, name, inputs, last, used, std::move(text));
     out.lines("\n");
@@ -99,7 +106,7 @@ private:
   reroll::LoopFunction const &function_;
   std::string name_;
   LoopArrays arrays_;
-  std::vector<std::string> inputs_;
+  std::vector<std::string> inputs_, part_inputs_; // of the function, of its parts
 };
 
 } // namespace

@@ -25,6 +25,7 @@ EmittedFile print_source(Emission &emission) {
   text.lines(indented(emission.language, print_tables(emission)));
   text.lines(part(files.integer_functions));
   if (emission.uses.hidden) text.lines(with_words(emission.language, files.hide_helper));
+  text.lines(part(emission.language.angles.helper));
   text.lines(indented(emission.language, print_helpers(emission, true)));
   text.lines(emission.language.module.contains);
   text.lines(indented(emission.language, print_helpers(emission, false)));

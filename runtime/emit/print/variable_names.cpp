@@ -30,6 +30,8 @@ static std::vector<std::string> words_in(std::string const &text) {
 // compilers predefine.
 static std::set<std::string> own_names(Emission const &emission) {
   std::set<std::string> names = {"input", "output", "constants", "parameters", "v", "failed", "unix", "linux", "i386"};
+  if (!emission.plan.angles.inputs.empty())
+    names.insert({"sine", "cosine", "angle", "sines_and_cosines", "sines_and_cosines_within"});
   names.insert(emission.local_names.begin(), emission.local_names.end());
   for (OperationInfo const &operation : operations()) {
     names.emplace(operation.c);

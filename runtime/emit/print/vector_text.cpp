@@ -109,8 +109,9 @@ public:
     switch (vector.form) {
     case Vector::Form::operation: return operation(vector);
     case Vector::Form::load:
-      return {fill(language(), language().vectors.load,
-                   {{"width", std::to_string(width())}, {"place", place(array_name(vector.array), vector.first)}})};
+      return {fill(
+          language(), language().vectors.load,
+          {{"width", std::to_string(width())}, {"place", place(std::string(name_of(vector.array)), vector.first)}})};
     case Vector::Form::shuffle: {
       VectorId const second = vector.operand[1] == lanes::no_vector ? vector.operand[0] : vector.operand[1];
       return {fill(language(), language().vectors.shuffle,
@@ -131,7 +132,6 @@ private:
   Language const &language() const { return text_.language_; }
   std::vector<Vector> const &vectors() const { return text_.function_.vectors; }
   std::size_t width() const { return text_.function_.width; }
-  static std::string array_name(lanes::Array array) { return array == lanes::Array::input ? "input" : "constants"; }
 
   Text build(std::vector<std::string> const &values) const {
     return {fill(language(), language().vectors.build,
