@@ -42,7 +42,8 @@ PYTHON = {"CasADi": "casadi", "SymForce": "symforce", "wrenfold": "wrenfold"}
 PACKAGE = {"CasADi": "casadi", "SymForce": "symforce", "wrenfold": "wrenfold", "CppADCodeGen": "cmeel-cppadcodegen", "Pinocchio": "pin"}
 PEERS = ["careful source", *PYTHON, "CppADCodeGen", "Pinocchio"]
 MODES = {"Symreal strict": "strict", "Symreal finite": "finite", "Symreal fast": "fast"}
-FURTHER = ["careful source, CppADCodeGen", "careful source, Symreal fast", "Symreal finite --reroll"]
+LOOPED = ["Symreal finite --reroll", "Symreal fast --reroll"]
+FURTHER = ["careful source, CppADCodeGen", "careful source, Symreal fast", *LOOPED]
 ALL = ["original", *PEERS, *MODES, *FURTHER]
 
 
@@ -133,8 +134,10 @@ def by_cppadcodegen(name, kernel, joints, work):
 
 def by_symreal(name, kernel, joints, work):
     careful = name.startswith("careful")
-    mode = MODES.get(name) or ("fast" if careful else "finite")
-    options = [f"--effort={1 if joints >= LONG else 2}"] if mode == "fast" else ["--reroll"] if name.endswith("--reroll") else []
+    loops = name.endswith("--reroll")
+    mode = MODES.get(name.removesuffix(" --reroll")) or "fast"
+    options = [f"--effort={1 if joints >= LONG and not loops else 2}"] if mode == "fast" else []
+    options += ["--reroll"] if loops else []
     sources = [CHAIN / f"{kernel}.cpp", HERE / "careful.cpp" if careful else CHAIN / "algorithms.cpp", *(CHAIN / f"{other}.cpp" for other in
                ("example", "model", "spatial"))]
     said = run([SYMREAL, "generate", *sources, "-o", work / "code.c", f"--fp={mode}", *options, "--json", "--run-args",
@@ -149,7 +152,7 @@ def by_symreal(name, kernel, joints, work):
     operations = report["operations"]
     return {"sources": [str(work / "contender.c")], "flags": CONTRACTED if mode == "fast" else [*UNCONTRACTED, "-fno-tree-slp-vectorize"]
             if mode == "finite" else UNCONTRACTED,
-            "operations": operations["compute"]["arithmetic"], "executed": operations["executed"]["arithmetic"],
+            "operations": operations.get("with loops", operations["compute"])["arithmetic"], "executed": operations["executed"]["arithmetic"],
             "recorded": operations["recorded"]["arithmetic"], "record": report["seconds"]["run"], "write": report["seconds"]["optimise and emit"]}
 
 

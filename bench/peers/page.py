@@ -66,7 +66,7 @@ def draw_all(rows):
     def error(row, name):
         return (row.variant(name)["error"] or None) if row.there(name) else None
 
-    plots = {"compile": ("seconds of a processor to compile", compile_time, [*GENERATORS, "Symreal finite --reroll"], None),
+    plots = {"compile": ("seconds of a processor to compile", compile_time, [*GENERATORS, *contenders.LOOPED], None),
              "error": ("largest error, relative to the largest output", error, [name for name in SHOWN if name != "Pinocchio"], None),
              "record": ("million operations recorded in a second", tables.rate_of("record", None), GENERATORS, None),
              "write": ("million operations optimised and written in a second", tables.rate_of("write", None), GENERATORS, None)}
@@ -153,7 +153,7 @@ def write(measured):
         **{f"six_{kernel}": tables.six(row) for kernel, row in six.items()},
         **{f"times_{kernel}": tables.growth(rows, kernel, SHOWN, tables.time_of) for kernel in generate.KERNELS},
         **{f"counts_{kernel}": tables.growth(rows, kernel, [*GENERATORS, *contenders.FURTHER], tables.count_of) for kernel in generate.KERNELS},
-        "compile": tables.growth(rows, "aba", [*GENERATORS, "Symreal finite --reroll"], tables.compile_of),
+        "compile": tables.growth(rows, "aba", [*GENERATORS, *contenders.LOOPED], tables.compile_of),
         "error": tables.growth(rows, "aba", SHOWN, tables.error_of),
         "record": tables.growth(rows, "aba", GENERATORS, tables.as_text(tables.rate_of("record", None))),
         "write": tables.growth(rows, "aba", GENERATORS, tables.as_text(tables.rate_of("write", None))),

@@ -112,12 +112,12 @@ double cost_of(Graph const &graph, CostModel const &costs) {
   return sum;
 }
 
-Graph recover_structure(Graph const &graph, int effort, CostModel const &costs, Report const &tell) {
+Graph recover_structure(Graph const &graph, int effort, CostModel const &costs, Report const &tell, bool searches) {
   if (effort == 0) return graph;
   Network network = start_of(graph, costs, tell);
-  if (std::size_t const cost = cost_of(network); cost <= largest_searched)
+  if (std::size_t const cost = cost_of(network); searches && cost <= largest_searched)
     network = searched(network, effort);
-  else
+  else if (searches)
     tell_not_searched(
         graph,
         fmt::format("{} operations once equal ones are one, and --effort={} searches {} at most: only what "

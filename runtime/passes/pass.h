@@ -26,7 +26,8 @@ struct PassSettings {
         costs(costs) {}
 
   FloatingPoint mode;
-  int effort; // of pass `recover`: algebra/recovery.h
+  int effort;           // of pass `recover`: algebra/recovery.h
+  bool searches = true; // it does not stop behind its first step, after which what repeated still repeats
   CostModel costs;
   RewriteLimit *limit = nullptr; // of passes that rewrite node by node: sweep.h
   Report tell = {};              // of remarks for the user

@@ -7,7 +7,7 @@ namespace symreal {
 Graph pass_recover(Graph graph, PassSettings const &settings) {
   if (settings.effort == 0 || !graph.precomputed.empty()) return graph;
   return algebra::recover_structure(pass_simplify(std::move(graph), settings), settings.effort, settings.costs,
-                                    settings.tell);
+                                    settings.tell, settings.searches);
 }
 
 } // namespace symreal

@@ -21,6 +21,7 @@ Step BodyBuilder::finish(std::uint32_t count) {
   for (NodeId like : like_) {
     if (!graph_->node_location.empty())
       body.node_location.push_back(like == no_node ? no_location : graph_->node_location[like]);
+    if (!graph_->node_exact.empty()) body.node_exact.push_back(like == no_node ? char{0} : graph_->node_exact[like]);
     if (!graph_->node_name.empty()) body.node_name.push_back(like == no_node ? no_name : graph_->node_name[like]);
   }
   auto const count_of = [](std::size_t size) { return static_cast<std::uint32_t>(size); };

@@ -1,5 +1,6 @@
 #include "reroll/reroll.h"
 
+#include "graph/statistics.h"
 #include "reroll/check.h"
 #include "reroll/plan.h"
 #include "reroll/trim.h"
@@ -38,11 +39,23 @@ std::optional<reroll::LoopFunction> loops_of(Schedule const &plan, bool in_compu
 
 } // namespace
 
-Rerolled rerolled(Schedule const &plan) {
+Rerolled rerolled(Schedule const &plan, reroll::Improve const &improve) {
   if (std::string why = obstacle(*plan.graph); !why.empty()) return {{}, {}, std::move(why)};
   Rerolled loops{loops_of(plan, false), loops_of(plan, true)};
   if (!loops.has_loops()) loops.why_not = "no operations repeat often enough";
+  for (auto *const function : {&loops.preprocess, &loops.compute})
+    if (improve && *function) reroll::improve_bodies(**function, plan.angles, improve);
   return loops;
+}
+
+OperationCounts executed_operations(reroll::LoopFunction const &compute, Angles const &angles) {
+  OperationCounts counts;
+  for (Op const op : {Op::sin, Op::cos}) counts[op] += angles.inputs.size();
+  for (reroll::Step const &step : compute.steps) {
+    OperationCounts const body = live_operations(step.body);
+    for (OperationInfo const &operation : operations()) counts[operation.op] += step.count * body[operation.op];
+  }
+  return counts;
 }
 
 std::string describe(Rerolled const &loops) {

@@ -5,7 +5,7 @@
 // becomes an index that grows, a table, or a variable that is carried on. docs/reroll.md says more.
 #pragma once
 
-#include "reroll/loop_program.h"
+#include "reroll/bodies.h"
 #include "schedule/schedule.h"
 
 #include <optional>
@@ -21,8 +21,12 @@ struct Rerolled {
   bool has_loops() const { return preprocess || compute; }
 };
 
-// What is found is proved (check.h) whenever this runs.
-Rerolled rerolled(Schedule const &plan);
+// What is found is proved (check.h) whenever this runs. With `improve`, passes then work on what loops and the
+// stretches between them compute (bodies.h).
+Rerolled rerolled(Schedule const &plan, reroll::Improve const &improve = {});
+
+// What function compute does in its loops and between them, and before them for sines and cosines.
+OperationCounts executed_operations(reroll::LoopFunction const &compute, Angles const &angles);
 
 // How much of the operations the loops hold, in words.
 std::string describe(Rerolled const &loops);

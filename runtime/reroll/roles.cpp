@@ -19,12 +19,6 @@ std::vector<double> one_period(std::vector<double> values) {
   return values;
 }
 
-Role role_of_values(std::vector<double> const &values) {
-  std::vector<double> period = one_period(values);
-  if (period.size() == 1) return {.constant = period.front()};
-  return {.values = std::move(period)};
-}
-
 class MemoryRole {
 public:
   MemoryRole(Sequence const &sequence, std::vector<LoopBody> const &loops, std::uint32_t loop,
@@ -98,6 +92,12 @@ private:
 };
 
 } // namespace
+
+Role role_of_values(std::vector<double> const &values) {
+  std::vector<double> period = one_period(values);
+  if (period.size() == 1) return {.constant = period.front()};
+  return {.values = std::move(period)};
+}
 
 Access access_of(std::vector<std::uint32_t> elements) {
   std::int64_t const first = elements.front(),

@@ -21,6 +21,9 @@ struct Role {
   std::uint32_t next = no_position; // carried: the operation of the body that computes the next value
 };
 
+// A constant, or a column of a table: of these values, one for each iteration.
+Role role_of_values(std::vector<double> const &values);
+
 // Says to memory what the column needs; `copy` puts a node into a cell before the loop.
 Role choose_role(Sequence const &sequence, std::vector<LoopBody> const &loops, std::uint32_t loop, Column const &column,
                  Memory &memory, std::function<void(Cell const &, NodeId)> const &copy);

@@ -112,7 +112,9 @@ void emit_sources(program::Recorded const &recorded, Schedule const &plan, Optio
   require_source_name(path, options.output == path ? languages : any);
   Schedule const laid_out = as_emitted(plan, options.emitter, options.passes.floating_point(), languages);
   product.angles = describe(laid_out.angles);
-  std::optional<Rerolled> const loops = options.reroll.loops(laid_out, product.warnings, product.loops);
+  std::optional<Rerolled> const loops = options.reroll.loops(
+      laid_out, product.optimised.has_searched ? nullptr : &options.passes, product.warnings, product.loops);
+  if (loops && loops->compute) product.looped = executed_operations(*loops->compute, laid_out.angles);
   std::optional<Laned> const lanes = options.vector.lanes(laid_out, product.warnings, product.lanes);
   product.files = emitted_files(plan, options.emitter, options.passes.floating_point(), languages, path,
                                 loops ? &*loops : nullptr, lanes ? &*lanes : nullptr);
@@ -132,7 +134,13 @@ void emit_files(program::Recorded const &recorded, Schedule const &plan, Options
 
 // The product's optimised graph, and how that is computed.
 Schedule planned(Product &product, Graph graph, Options const &options, Console &console) {
-  product.optimised = optimise(std::move(graph), options.passes, [&](auto const &one) { console.report(one); });
+  auto const report = [&](Diagnostic const &one) { console.report(one); };
+  auto const layout = [&](Graph const &one) {
+    return as_emitted(schedule(one, options.emitter.nesting()), options.emitter, options.passes.floating_point(),
+                      options.language.languages());
+  };
+  product.optimised = options.reroll.is_given ? optimise_around_loops(std::move(graph), options.passes, report, layout)
+                                              : optimise(std::move(graph), options.passes, report);
   return options.parallel.shared(schedule(product.optimised.graph, options.emitter.nesting()), product.sharing);
 }
 

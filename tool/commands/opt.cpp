@@ -91,8 +91,19 @@ Input read_input(Options const &options) {
   return {{}, read_schedule(text, options.file)};
 }
 
-std::vector<OutputFile> result_files(Graph const &graph, Schedule const *read, Options const &options,
+Optimised optimised_graph(Graph graph, Options const &options) {
+  if (!options.reroll.is_given) return optimise(std::move(graph), options.passes);
+  return optimise_around_loops(
+      std::move(graph), options.passes, [](Diagnostic const &remark) { print(std::cerr, remark); },
+      [&](Graph const &one) {
+        return as_emitted(schedule(one, options.emitter.nesting()), options.emitter, options.passes.floating_point(),
+                          options.language.languages());
+      });
+}
+
+std::vector<OutputFile> result_files(Optimised const &optimised, Schedule const *read, Options const &options,
                                      std::string &remark) {
+  Graph const &graph = optimised.graph;
   std::ostringstream text;
   if (options.language.text == "graph") {
     write_graph(text, graph);
@@ -109,7 +120,8 @@ std::vector<OutputFile> result_files(Graph const &graph, Schedule const *read, O
   require_source_name(path, languages);
   std::vector<Diagnostic> remarks;
   Schedule const laid_out = as_emitted(plan, options.emitter, options.passes.floating_point(), languages);
-  std::optional<Rerolled> const loops = options.reroll.loops(laid_out, remarks, remark);
+  std::optional<Rerolled> const loops =
+      options.reroll.loops(laid_out, optimised.has_searched ? nullptr : &options.passes, remarks, remark);
   std::optional<Laned> const lanes = options.vector.lanes(laid_out, remarks, remark);
   for (Diagnostic const &diagnostic : remarks) print(std::cerr, diagnostic);
   return emitted_files(plan, options.emitter, options.passes.floating_point(), languages, path,
@@ -131,14 +143,14 @@ void run(CLI::App &command, Options const &options) {
   require_sense(options);
   Input input = read_input(options);
   Optimised const optimised = input.schedule ? Optimised{*input.schedule->graph, {}, counts_of(*input.schedule->graph)}
-                                             : optimise(std::move(input.graph), options.passes);
+                                             : optimised_graph(std::move(input.graph), options);
   Schedule const *const read = input.schedule ? &input.schedule->plan : nullptr;
   KernelReport report{optimised.recorded, &optimised.graph, optimised.stages, {}, {}};
   if (options.bundle.is_given()) {
     report.files = write_bundle(optimised.graph, read, options);
   } else {
     std::string remark;
-    std::vector<OutputFile> files = result_files(optimised.graph, read, options, remark);
+    std::vector<OutputFile> files = result_files(optimised, read, options, remark);
     if (!remark.empty()) std::cerr << "kernel " << optimised.graph.kernel << ": " << remark << '\n';
     if (options.output.empty()) {
       std::cout << files.front().text;

@@ -2,14 +2,17 @@
 
 #include "graph/statistics.h"
 #include "passes/pass.h"
+#include "reroll/reroll.h"
 
+#include <algorithm>
 #include <iostream>
 #include <utility>
 
 namespace symreal::tool {
 
-Optimised optimise(Graph recorded, PassOptions const &options, Report const &report) {
+Optimised optimise(Graph recorded, PassOptions const &options, Report const &report, bool searches) {
   PassSettings settings = options.settings();
+  settings.searches = searches;
   Optimised result{{}, {{"recorded", live_operations(recorded)}}, counts_of(recorded)};
   Report const tell = report ? report : [](Diagnostic const &remark) { print(std::cerr, remark); };
   settings.tell = tell;
@@ -25,6 +28,18 @@ Optimised optimise(Graph recorded, PassOptions const &options, Report const &rep
     result.graph = run_passes(std::move(result.graph), {&pass, 1}, settings);
     result.stages.push_back({pass, live_operations(result.graph)});
   }
+  return result;
+}
+
+Optimised optimise_around_loops(Graph recorded, PassOptions const &options, Report const &report,
+                                std::function<Schedule(Graph const &)> const &layout) {
+  if (options.floating_point() != FloatingPoint::fast || options.settings().effort == 0)
+    return optimise(std::move(recorded), options, report);
+  std::vector<Diagnostic> remarks;
+  Optimised result = optimise(recorded, options, [&](Diagnostic const &remark) { remarks.push_back(remark); }, false);
+  if (!rerolled(layout(result.graph)).has_loops()) return optimise(std::move(recorded), options, report);
+  if (report) std::ranges::for_each(remarks, report);
+  result.has_searched = false;
   return result;
 }
 

@@ -58,6 +58,7 @@ void show_products(std::vector<Product> const &products, program::Front const &f
                       {"run", front.run_seconds},
                       {"optimise and emit", product.seconds}};
     report.exploration = product.exploration ? &*product.exploration : nullptr;
+    report.looped = product.looped;
     print_table(std::cerr, report, details);
     for (std::string const &remark : {product.sharing, product.angles, product.loops, product.lanes})
       if (!remark.empty()) fmt::print(std::cerr, "  {}\n", remark);

@@ -16,10 +16,11 @@ struct Product {
   std::vector<OutputFile> files = {};
   Bundle bundle = {};
   std::vector<Diagnostic> warnings = {};
-  std::string sharing = {}; // what threads that share an evaluation give, in words
-  std::string loops = {};   // how much of it loops hold, in words
-  std::string lanes = {};   // how much of it vectors hold, in words
-  std::string angles = {};  // whose sines and cosines it begins with, in words
+  std::string sharing = {};                   // what threads that share an evaluation give, in words
+  std::string loops = {};                     // how much of it loops hold, in words
+  std::optional<OperationCounts> looped = {}; // what compute does in loops and between them
+  std::string lanes = {};                     // how much of it vectors hold, in words
+  std::string angles = {};                    // whose sines and cosines it begins with, in words
   std::optional<program::Exploration> exploration = {};
   double seconds = 0;
 };

@@ -24,10 +24,12 @@ struct Column {
 
 std::vector<Column> columns(KernelReport const &report) {
   Statistics const after = statistics(*report.graph);
-  return {{"executed", "by the program", report.graph->executed},
-          {"recorded", "distinct", report.recorded.operations},
-          {"compute", "generated", after.compute},
-          {"preprocess", "generated", after.preprocess}};
+  std::vector<Column> all = {{"executed", "by the program", report.graph->executed},
+                             {"recorded", "distinct", report.recorded.operations},
+                             {"compute", "generated", after.compute},
+                             {"preprocess", "generated", after.preprocess}};
+  if (report.looped) all.push_back({"with loops", "generated", *report.looped});
+  return all;
 }
 
 void print_row(std::ostream &out, std::string const &name, std::vector<std::size_t> const &cells) {

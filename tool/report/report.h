@@ -33,6 +33,7 @@ struct KernelReport {
   std::vector<std::string> files; // that were written
   std::vector<std::pair<std::string, double>> seconds; // by part of the run
   program::Exploration const *exploration = nullptr;   // of a kernel that was explored
+  std::optional<OperationCounts> looped = {};          // what compute does in the loops of --reroll and between them
 };
 
 // `details`: also every object and the effect of every pass.
