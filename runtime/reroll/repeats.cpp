@@ -1,5 +1,7 @@
 #include "reroll/repeats.h"
 
+#include "reroll/rotation.h"
+
 #include <algorithm>
 #include <map>
 #include <queue>
@@ -132,7 +134,7 @@ std::vector<Repeat> find_repeats(Sequence const &sequence) {
         if (is_worth_it(sequence, rest.repeat())) stretches.push(rest);
       continue;
     }
-    Repeat const repeat = stretch.repeat();
+    Repeat const repeat = rotated(sequence, stretch.begin, stretch.end, stretch.period);
     chosen.emplace(repeat.end(), repeat);
   }
   std::vector<Repeat> repeats;

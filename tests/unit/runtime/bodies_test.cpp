@@ -1,0 +1,157 @@
+// Passes on the bodies of loops: what they save, and that the loops compute the same.
+#include "graph/evaluate.h"
+#include "graph_builder.h"
+#include "passes/pass.h"
+#include "reroll/reroll.h"
+#include "schedule/angles.h"
+
+#include <algorithm>
+#include <cmath>
+#include <gtest/gtest.h>
+
+namespace symreal {
+namespace {
+
+using Builder = test::GraphBuilder;
+using reroll::Leaf;
+using reroll::LoopFunction;
+using reroll::Step;
+
+Graph by_passes(Graph graph, bool) { return run_passes(std::move(graph), default_passes(), {FloatingPoint::fast, 1}); }
+
+// As generated code runs it.
+std::vector<double> run(LoopFunction const &function, Angles const &angles, std::vector<double> const &inputs,
+                        std::size_t results) {
+  std::vector<double> memory(function.memory), output(results);
+  for (Step const &step : function.steps) {
+    std::vector<double> leaves(step.leaves.size());
+    for (std::uint32_t k = 0; k < step.count; ++k) {
+      for (std::size_t i = 0; i < leaves.size(); ++i) {
+        Leaf const &leaf = step.leaves[i];
+        switch (leaf.kind) {
+        case Leaf::Kind::given: leaves[i] = inputs[leaf.access.at(k)]; break;
+        case Leaf::Kind::read: ADD_FAILURE() << "nothing is precomputed"; break;
+        case Leaf::Kind::sine: leaves[i] = std::sin(inputs[angles.inputs[leaf.access.at(k)]]); break;
+        case Leaf::Kind::cosine: leaves[i] = std::cos(inputs[angles.inputs[leaf.access.at(k)]]); break;
+        case Leaf::Kind::memory: leaves[i] = memory[leaf.access.at(k)]; break;
+        case Leaf::Kind::values: leaves[i] = leaf.values[k % leaf.values.size()]; break;
+        case Leaf::Kind::carried:
+          if (k == 0) leaves[i] = memory[leaf.access.at(0)];
+          break;
+        }
+      }
+      std::vector<double> const values = evaluate(step.body, leaves, {});
+      for (reroll::Store const &store : step.stores)
+        (store.is_result ? output : memory)[store.access.at(k)] = values[store.value];
+      for (std::size_t i = 0; i < leaves.size(); ++i)
+        if (step.leaves[i].kind == Leaf::Kind::carried) leaves[i] = values[step.leaves[i].next];
+    }
+  }
+  return output;
+}
+
+struct Looped {
+  Schedule plan;
+  LoopFunction compute;
+
+  Step const &loop() const {
+    return *std::ranges::max_element(compute.steps, {}, [](Step const &step) { return step.count; });
+  }
+  std::size_t operations() const { return live_operations_in(loop().body); }
+  std::size_t leaves(Leaf::Kind kind) const {
+    return static_cast<std::size_t>(std::ranges::count(loop().leaves, kind, &Leaf::kind));
+  }
+
+private:
+  static std::size_t live_operations_in(Graph const &body) {
+    std::vector<char> const live = live_nodes(body);
+    std::size_t count = 0;
+    for (NodeId id = 0; id < body.nodes.size(); ++id) count += live[id] && !is_leaf(body.nodes[id].op);
+    return count;
+  }
+};
+
+// Of this graph, which must outlive it; with the values that the graph has.
+Looped looped(Graph const &graph) {
+  Schedule const plan = with_angles(schedule(graph));
+  std::optional<LoopFunction> const before = rerolled(plan).compute, after = rerolled(plan, by_passes).compute;
+  EXPECT_TRUE(before && after);
+  if (!before || !after) return {plan, {}};
+  std::vector<double> inputs;
+  for (std::size_t k = 0; k < graph.input_count(); ++k) inputs.push_back(std::sin(1.0 + static_cast<double>(k * k)));
+  std::vector<double> const values = evaluate(graph, inputs, {});
+  std::size_t const count = graph.results.size();
+  std::vector<double> const plain = run(*before, plan.angles, inputs, count),
+                            cheap = run(*after, plan.angles, inputs, count);
+  for (std::size_t k = 0; k < count; ++k) {
+    EXPECT_EQ(plain[k], values[graph.results[k]]);
+    EXPECT_NEAR(cheap[k], values[graph.results[k]], 1e-12 * std::max(1.0, std::abs(cheap[k])));
+  }
+  return {plan, *after};
+}
+
+// sum + a x + b x, where a and b are other numbers in each iteration: one number, a + b.
+TEST(Bodies, WhatTablesAloneSayGoesIntoATable) {
+  Builder make;
+  NodeId sum = make.input(0);
+  for (std::uint32_t k = 1; k <= 60; ++k) {
+    NodeId const x = make.input(k);
+    NodeId const a = make(Op::mul, x, make.number(1 + 0.25 * k * k)), b = make(Op::mul, x, make.number(3 - 0.5 * k));
+    sum = make(Op::add, make(Op::add, sum, a), b);
+  }
+  Graph const graph = make.finish({sum});
+  Looped const result = looped(graph);
+  EXPECT_EQ(result.operations(), 2);
+  EXPECT_EQ(result.leaves(Leaf::Kind::values), 1);
+}
+
+// The same with a period of 3 in one table and of 2 in the other: 6 rows.
+TEST(Bodies, TablesOfSeveralPeriodsMakeOneOfACommonPeriod) {
+  Builder make;
+  NodeId sum = make.input(0);
+  for (std::uint32_t k = 1; k <= 60; ++k) {
+    NodeId const x = make.input(k);
+    NodeId const a = make(Op::mul, x, make.number(1.5 + k % 3)), b = make(Op::mul, x, make.number(0.25 + k % 2));
+    sum = make(Op::add, make(Op::mul, make(Op::add, make(Op::add, sum, a), b), x), make.number(0.5));
+  }
+  Graph const graph = make.finish({sum});
+  Looped const result = looped(graph);
+  auto const table = std::ranges::find(result.loop().leaves, Leaf::Kind::values, &Leaf::kind);
+  ASSERT_NE(table, result.loop().leaves.end());
+  EXPECT_EQ(table->values.size(), 6);
+}
+
+// The squares of sine and cosine of one angle add up to 1.
+TEST(Bodies, SineAndCosineAreThoseOfOneAngle) {
+  Builder make;
+  NodeId sum = make.input(0);
+  for (std::uint32_t k = 1; k <= 60; ++k) {
+    NodeId const s = make(Op::sin, make.input(k)), c = make(Op::cos, make.input(k)), y = make(Op::mul, sum, c);
+    NodeId const squares = make(Op::add, make(Op::mul, s, s), make(Op::mul, c, c));
+    sum = make(Op::add, y, make(Op::mul, squares, make.input(k)));
+  }
+  Graph const graph = make.finish({sum});
+  Looped const result = looped(graph);
+  EXPECT_EQ(result.operations(), 2);
+  EXPECT_EQ(result.leaves(Leaf::Kind::sine), 0);
+  EXPECT_EQ(result.leaves(Leaf::Kind::cosine), 1);
+  EXPECT_EQ(result.leaves(Leaf::Kind::given), 1);
+}
+
+// What is carried only to carry itself on is left out.
+TEST(Bodies, WhatNobodyReadsAnyMoreIsNotCarried) {
+  Builder make;
+  NodeId sum = make.input(0), other = make.input(1);
+  for (std::uint32_t k = 2; k < 62; ++k) {
+    other = make(Op::mul, make(Op::add, other, make.input(k)), make.number(0.5));
+    sum = make(Op::add, make(Op::mul, sum, make.input(k)),
+               make(Op::sub, make(Op::mul, other, sum), make(Op::mul, sum, other)));
+  }
+  Graph const graph = make.finish({sum});
+  Looped const result = looped(graph);
+  EXPECT_EQ(result.operations(), 1);
+  EXPECT_EQ(result.leaves(Leaf::Kind::carried), 1);
+}
+
+} // namespace
+} // namespace symreal
