@@ -9,6 +9,7 @@
 
 extern "C" void straight_compute(double const *input, double const *constants, double *output);
 extern "C" void reroll_compute(double const *input, double const *constants, double *output);
+extern "C" void fast_compute(double const *input, double const *constants, double *output);
 
 static int n;
 
@@ -48,25 +49,33 @@ static void straight(double const *in, double *out) {
 #endif
 }
 static void reroll(double const *in, double *out) { reroll_compute(in, nullptr, out); }
+static void fast(double const *in, double *out) { fast_compute(in, nullptr, out); }
+
+static bool agree(std::vector<double> const &x, std::vector<double> const &y, double tolerance) {
+  for (std::size_t j = 0; j < x.size(); j++)
+    if (!(std::fabs(x[j] - y[j]) <= tolerance * std::max(1.0, std::fabs(y[j]))))
+      return std::fprintf(stderr, "result %zu differs\n", j), false;
+  return true;
+}
 
 int main(int argc, char **argv) {
   n = std::atoi(argv[1]);
   prepare(argc, argv);
-  std::vector<double> in(3 * n + 3), first(n + 12), out(n + 12);
+  std::vector<double> in(3 * n + 3);
   for (std::size_t k = 0; k < in.size(); k++) in[k] = 0.3 + 0.001 * (k % 700);
-  void (*const contenders[])(double const *, double *) = {original, straight, reroll};
-  original(in.data(), first.data()); // fused as gcc likes it: near, but not equal
-  for (int k = 2; k >= 1 + !STRAIGHT; k--) {
-    contenders[k](in.data(), out.data());
-    for (std::size_t j = 0; j < out.size(); j++) {
-      double const allowed = k == 2 ? 1e-6 * std::max(1.0, std::fabs(first[j])) : 0;
-      if (!(std::fabs(out[j] - first[j]) <= allowed)) return std::fprintf(stderr, "result %zu differs\n", j), 1;
-    }
-    first = out;
+  void (*const contenders[])(double const *, double *) = {original, straight, reroll, fast};
+  std::vector<double> results[4];
+  for (int k = 0; k < 4; k++) {
+    results[k].resize(n + 12);
+    contenders[k](in.data(), results[k].data());
   }
+  // The original is fused as gcc likes it: near, but not equal.
+  if (!agree(results[2], results[0], 1e-6) || !agree(results[3], results[0], 1e-6)) return 1;
+  if (STRAIGHT && !agree(results[1], results[2], 0)) return 1;
+  std::vector<double> out(n + 12);
   double turn = 2e6; // nanoseconds
   for (int round = 0; round < 41; round++) {
-    for (int k = 0; k < 3; k++) {
+    for (int k = 0; k < 4; k++) {
       long calls = 0;
       auto const start = std::chrono::steady_clock::now();
       double time = 0;

@@ -1,6 +1,6 @@
-"""--reroll, straight-line code and the original: see bench/reroll/run.
+"""--reroll in modes finite and fast, straight-line code and the original: see bench/reroll/run.
 
-   generate twice ──▶ verify the loops ──▶ compile all three ──▶ turns of each, one after the other ──▶ table
+   generate ──▶ verify the loops ──▶ compile ──▶ turns of each, one after the other ──▶ table
 
 A chain longer than the model of inputs/chain repeats its first 63 links; `rnea*` has other numbers in every link.
 """
@@ -32,6 +32,7 @@ KERNELS = {
 }
 FLAGS = ["-O3", "-march=native", "-w"]
 KEPT = ["-ffp-contract=off", "-fno-tree-slp-vectorize"]  # what generated code asks for; it says so itself, too
+WAYS = {"straight": [], "reroll": ["--reroll"], "fast": ["--reroll", "--fp=fast"]}
 MOST_SECONDS = 120  # for the compiler, of straight-line code
 
 
@@ -77,21 +78,23 @@ def measure(kernel, size):
     arguments = [str(size)] + ([str(write_model(kernel, size))] if number < 3 else [])
     given = ["--run-args", " ".join(arguments)]
     files, said = {}, ""
-    for way, option in (("straight", []), ("reroll", ["--reroll"])):
+    for way, option in WAYS.items():
         files[way] = WORK / f"{name}_{way}.c"
-        said = command([SYMREAL, "generate", *sources, *given, *option, "--prefix", way, "-o", files[way]])
-    command([SYMREAL, "verify", *sources, *given, files["reroll"], "--samples=20", "--min-samples=5"])
-    loops = re.search(r"compute: .*", said)
+        told = command([SYMREAL, "generate", *sources, *given, *option, "--prefix", way, "-o", files[way]])
+        said = told if way == "reroll" else said
+    for way in ("reroll", "fast"):
+        command([SYMREAL, "verify", *sources, *given, files[way], "--samples=20", "--min-samples=5"])
+    loops = re.search(r"compute: \d+ loop.*", said)
     objects = {}
     for way, file in files.items():
         objects[way] = file.with_suffix(".o")
-        if command(["gcc", *FLAGS, *KEPT, "-c", file, "-o", objects[way]], MOST_SECONDS) is None:
+        if command(["gcc", *FLAGS, *([] if way == "fast" else KEPT), "-c", file, "-o", objects[way]], MOST_SECONDS) is None:
             del objects[way]
     words = [f"-DKERNEL={number}", f"-DSTRAIGHT={int('straight' in objects)}", "-DNO_MAIN", "-Iinputs/chain"]
     program = WORK / name
     command(["g++", *FLAGS, *words, HERE / "driver.cpp", *(CHAIN if number < 3 else []), *objects.values(), "-lm", "-o", program])
     turns = [[float(word) for word in line.split()] for line in command([program, *arguments]).splitlines()]
-    times = dict(zip(("original", "straight", "reroll"), zip(*turns)))
+    times = dict(zip(("original", *WAYS), zip(*turns)))
     if "straight" not in objects:
         del times["straight"]
     return {"size": size, "times": times, "files": files, "loops": loops[0] if loops else "straight-line code"}
@@ -104,10 +107,10 @@ def cell(values):
 
 def row(result):
     times, files = result["times"], result["files"]
-    gain = statistics.median(a / b for a, b in zip(times["original"], times["reroll"]))
+    gains = [statistics.median(a / b for a, b in zip(times["original"], times[way])) for way in ("reroll", "fast")]
     straight = cell(times["straight"]) if "straight" in times else f"compiles in more than {MOST_SECONDS} s"
-    return (f"| {result['size']} | {cell(times['original'])} | {straight} | {cell(times['reroll'])} | {gain:.2g} | "
-            f"{size_of(files['straight'])} | {size_of(files['reroll'])} |")
+    return (f"| {result['size']} | {cell(times['original'])} | {straight} | {cell(times['reroll'])} | {gains[0]:.2g} | "
+            f"{cell(times['fast'])} | {gains[1]:.2g} | {size_of(files['straight'])} | {size_of(files['reroll'])} | {size_of(files['fast'])} |")
 
 
 def main():
@@ -119,12 +122,12 @@ def main():
     text = ["# Loops in place of straight-line code", "",
             f"Written by bench/reroll/run on {processor[1] if processor else platform.machine()}, where {load:.1f} other processes ran when it began. "
             f"All are compiled by gcc with `{' '.join(FLAGS[:2])}`, generated code also with `{' '.join(KEPT)}`. A figure is the median of 41 "
-            "turns, with quartiles. Each file was verified, and straight-line code and loops give the same bits."]
+            "turns, with quartiles. Each file was verified; in mode finite straight-line code and loops give the same bits."]
     for kernel in chosen:
         begin = len(text)
         text += ["", f"## {kernel}: {KERNELS[kernel][0]}", "",
-                 "| N | Original | Straight-line code | `--reroll` | Times as fast as the original | File | with `--reroll` |",
-                 "|---:|---:|---:|---:|---:|---:|---:|"]
+                 "| N | Original | Straight-line code | `--reroll` | Times as fast as the original | `--reroll --fp=fast` | Times as fast | "
+                 "File | with `--reroll` | and `--fp=fast` |", "|---:|" + 9 * "---:|"]
         results = [measure(kernel, size) for size in (SIZES if kernel != "rnea*" else SIZES[-1:])]
         text += [row(result) for result in results]
         text += ["", f"N = {results[-1]['size']}: {results[-1]['loops']}."]

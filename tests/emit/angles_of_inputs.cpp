@@ -1,5 +1,5 @@
-// Sines and cosines of inputs side by side: where they stand apart among the inputs, beside others that stay calls of the
-// library, in an arm of a select, in an exact stretch, in long functions, in vectors and in loops.
+// Sines and cosines of inputs side by side: where they stand apart among the inputs, beside others that stay calls of
+// the library, in an arm of a select, in an exact stretch, in vectors, and where all paths are explored.
 // RUN: %symreal generate %s -o %t.c --fp=fast --effort=0 --decisions=select 2>&1 | FileCheck %s --check-prefix=REMARK
 // RUN: FileCheck %s < %t.c
 // RUN: %symreal verify %s %t.c --seed 3
@@ -10,7 +10,6 @@
 // RUN: %symreal verify %s %t.v.c --seed 3
 // RUN: %symreal generate %s -o %t.e.c --fp=fast --effort=0 --decisions=explore
 // RUN: %symreal verify %s %t.e.c --seed 3
-
 #include <cmath>
 #include <cstdio>
 
@@ -27,7 +26,7 @@
 // CHECK: output[1] = cosine[2];
 // CPP: static void sines_and_cosines(int count, double const *angle, double *__restrict sine,
 // CPP: std::sin(angle[k])
-#pragma symreal function input(x[0:5]) range(-3, 3) output(y[0:6])
+#pragma symreal function input(x[0 : 5]) range(-3, 3) output(y[0 : 6])
 void kernel(double const *x, double *y) {
   y[0] = std::sin(x[0]) * std::sin(x[2]) + x[1];
   y[1] = std::cos(x[4]);
