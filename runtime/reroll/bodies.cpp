@@ -83,7 +83,7 @@ public:
         if (is_angle(node.slot()) && !is_read_[id]) continue;
         now[id] = body.leaf(is_angle(node.slot()) ? input_of(node.slot()) : step_.leaves[node.slot()]);
         if (step_.leaves[node.slot()].kind == Leaf::Kind::carried) carried[node.slot()] = now[id];
-      } else if (is_on_circle(graph, node)) {
+      } else if (is_element(graph, node)) {
         Leaf::Kind const kind = node.op == Op::sin ? Leaf::Kind::sine : Leaf::Kind::cosine;
         now[id] = body.leaf({kind, step_.leaves[graph.nodes[node.operand[0]].slot()].access});
       } else {
@@ -114,12 +114,12 @@ private:
   }
 
   bool is_angle(std::uint32_t slot) const { return is_on_circle(step_.leaves[slot]); }
-  bool is_on_circle(Graph const &graph, Node const &node) const {
+  // A sine or cosine that the function begins with.
+  bool is_element(Graph const &graph, Node const &node) const {
     if (node.op != Op::sin && node.op != Op::cos) return false;
     Node const &angle = graph.nodes[node.operand[0]];
     return angle.op == Op::input && is_angle(angle.slot());
   }
-  static bool is_on_circle(Leaf const &leaf) { return reroll::is_on_circle(leaf); }
 
   // The angle itself, where passes have made use of it.
   Leaf input_of(std::uint32_t slot) const {
@@ -145,7 +145,7 @@ private:
         if (!needed[id] || is_table_[id] || is_leaf(node.op)) continue;
         for (unsigned i = 0; i < arity(node.op); ++i) {
           needed[node.operand[i]] = 1;
-          if (!is_on_circle(graph, node)) is_read_[node.operand[i]] = 1;
+          if (!is_element(graph, node)) is_read_[node.operand[i]] = 1;
         }
       }
       std::size_t result = step_.stores.size();
