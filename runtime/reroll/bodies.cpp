@@ -19,11 +19,10 @@ bool same(Access const &a, Access const &b) {
 
 bool is_on_circle(Leaf const &leaf) { return leaf.kind == Leaf::Kind::sine || leaf.kind == Leaf::Kind::cosine; }
 
-std::size_t operations_of(Graph const &body) {
-  std::vector<char> const live = live_nodes(body);
-  std::size_t count = 0;
-  for (NodeId id = 0; id < body.nodes.size(); ++id) count += live[id] && !is_leaf(body.nodes[id].op);
-  return count;
+std::array<NodeId, 3> moved(Node const &node, std::vector<NodeId> const &now) {
+  std::array<NodeId, 3> operands = {no_node, no_node, no_node};
+  for (unsigned i = 0; i < arity(node.op); ++i) operands[i] = now[node.operand[i]];
+  return operands;
 }
 
 // Of a body, what passes work on, and back.
@@ -54,8 +53,7 @@ public:
       } else if (node.op == Op::input) {
         now[id] = leaf(node.slot(), table);
       } else {
-        std::array<NodeId, 3> operand = {no_node, no_node, no_node};
-        for (unsigned i = 0; i < arity(node.op); ++i) operand[i] = now[node.operand[i]];
+        std::array<NodeId, 3> const operand = moved(node, now);
         now[id] = table.intern(table.operation(node.op, operand[0], operand[1], operand[2]));
       }
     }
@@ -87,9 +85,7 @@ public:
         Leaf::Kind const kind = node.op == Op::sin ? Leaf::Kind::sine : Leaf::Kind::cosine;
         now[id] = body.leaf({kind, step_.leaves[graph.nodes[node.operand[0]].slot()].access});
       } else {
-        std::array<NodeId, 3> operand = {no_node, no_node, no_node};
-        for (unsigned i = 0; i < arity(node.op); ++i) operand[i] = now[node.operand[i]];
-        now[id] = body.operation(node.op, operand, id);
+        now[id] = body.operation(node.op, moved(node, now), id);
       }
     }
     std::size_t result = 0;
@@ -195,6 +191,13 @@ private:
 };
 
 } // namespace
+
+std::size_t operations_of(Graph const &body) {
+  std::vector<char> const live = live_nodes(body);
+  std::size_t count = 0;
+  for (NodeId id = 0; id < body.nodes.size(); ++id) count += live[id] && !is_leaf(body.nodes[id].op);
+  return count;
+}
 
 Step improved(Step const &step, Angles const &angles, Improve const &improve) {
   Improver improver(step, angles);

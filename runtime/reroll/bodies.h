@@ -19,6 +19,9 @@ using Improve = std::function<Graph(Graph graph, bool in_loop)>;
 // and cosine of an input. `angles`: those of the schedule.
 Step improved(Step const &step, Angles const &angles, Improve const &improve);
 
+// How many operations a body has.
+std::size_t operations_of(Graph const &body);
+
 // All steps, and what the function counts.
 void improve_bodies(LoopFunction &function, Angles const &angles, Improve const &improve);
 

@@ -1,5 +1,6 @@
 #include "reroll/check.h"
 
+#include "reroll/roles.h"
 #include "schedule/numbering.h"
 
 #include <fmt/format.h>
@@ -88,9 +89,8 @@ private:
       if (sequence_.slot[id] != no_slot)
         values[id] = numbering_.element(static_cast<std::uint32_t>(Leaf::Kind::read), sequence_.slot[id]);
       else if (sequence_.angle[id] != no_slot)
-        values[id] =
-            numbering_.element(static_cast<std::uint32_t>(node.op == Op::sin ? Leaf::Kind::sine : Leaf::Kind::cosine),
-                               sequence_.angle[id]);
+        values[id] = numbering_.element(static_cast<std::uint32_t>(array_of(sequence_.source(static_cast<NodeId>(id)))),
+                                        sequence_.angle[id]);
       else if (node.is_constant())
         values[id] = numbering_.constant(node.value());
       else if (is_leaf(node.op))

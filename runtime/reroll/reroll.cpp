@@ -39,12 +39,16 @@ std::optional<reroll::LoopFunction> loops_of(Schedule const &plan, bool in_compu
 
 } // namespace
 
-Rerolled rerolled(Schedule const &plan, reroll::Improve const &improve) {
+Rerolled rerolled(Schedule const &plan) {
   if (std::string why = obstacle(*plan.graph); !why.empty()) return {{}, {}, std::move(why)};
   Rerolled loops{loops_of(plan, false), loops_of(plan, true)};
   if (!loops.has_loops()) loops.why_not = "no operations repeat often enough";
+  return loops;
+}
+
+Rerolled improved(Rerolled loops, Angles const &angles, reroll::Improve const &improve) {
   for (auto *const function : {&loops.preprocess, &loops.compute})
-    if (improve && *function) reroll::improve_bodies(**function, plan.angles, improve);
+    if (*function) reroll::improve_bodies(**function, angles, improve);
   return loops;
 }
 

@@ -21,9 +21,11 @@ struct Rerolled {
   bool has_loops() const { return preprocess || compute; }
 };
 
-// What is found is proved (check.h) whenever this runs. With `improve`, passes then work on what loops and the
-// stretches between them compute (bodies.h).
-Rerolled rerolled(Schedule const &plan, reroll::Improve const &improve = {});
+// What is found is proved (check.h) whenever this runs.
+Rerolled rerolled(Schedule const &plan);
+
+// With passes over what the loops and the stretches between them compute (bodies.h).
+Rerolled improved(Rerolled loops, Angles const &angles, reroll::Improve const &improve);
 
 // What function compute does in its loops and between them, and before them for sines and cosines.
 OperationCounts executed_operations(reroll::LoopFunction const &compute, Angles const &angles);

@@ -10,8 +10,8 @@ namespace {
 // Per operation of the period from `from` on: how many values are computed before it and used from it on, at most a
 // period after they were computed.
 std::vector<std::uint32_t> crossings(Sequence const &sequence, std::uint32_t from, std::uint32_t period) {
-  std::vector<std::uint32_t> last_use(std::size_t{2} * period,
-                                      0); // of what the periods around `from` compute, as distances
+  // Of what the periods around `from` compute, as distances.
+  std::vector<std::uint32_t> last_use(std::size_t{2} * period, 0);
   std::uint32_t const first = from - period;
   for (std::uint32_t at = first; at < from + 2 * period && at < sequence.size(); ++at) {
     Operation const &operation = sequence.operations[at];

@@ -112,8 +112,8 @@ void emit_sources(program::Recorded const &recorded, Schedule const &plan, Optio
   require_source_name(path, options.output == path ? languages : any);
   Schedule const laid_out = as_emitted(plan, options.emitter, options.passes.floating_point(), languages);
   product.angles = describe(laid_out.angles);
-  std::optional<Rerolled> const loops = options.reroll.loops(
-      laid_out, product.optimised.has_searched ? nullptr : &options.passes, product.warnings, product.loops);
+  std::optional<Rerolled> const loops =
+      options.reroll.loops(laid_out, product.optimised.loops, options.passes, product.warnings, product.loops);
   if (loops && loops->compute) product.looped = executed_operations(*loops->compute, laid_out.angles);
   std::optional<Laned> const lanes = options.vector.lanes(laid_out, product.warnings, product.lanes);
   product.files = emitted_files(plan, options.emitter, options.passes.floating_point(), languages, path,
@@ -135,11 +135,8 @@ void emit_files(program::Recorded const &recorded, Schedule const &plan, Options
 // The product's optimised graph, and how that is computed.
 Schedule planned(Product &product, Graph graph, Options const &options, Console &console) {
   auto const report = [&](Diagnostic const &one) { console.report(one); };
-  auto const layout = [&](Graph const &one) {
-    return as_emitted(schedule(one, options.emitter.nesting()), options.emitter, options.passes.floating_point(),
-                      options.language.languages());
-  };
-  product.optimised = options.reroll.is_given ? optimise_around_loops(std::move(graph), options.passes, report, layout)
+  product.optimised = options.reroll.is_given ? optimise_around_loops(std::move(graph), options.passes, options.emitter,
+                                                                      options.language.languages(), report)
                                               : optimise(std::move(graph), options.passes, report);
   return options.parallel.shared(schedule(product.optimised.graph, options.emitter.nesting()), product.sharing);
 }

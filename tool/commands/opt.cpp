@@ -93,12 +93,7 @@ Input read_input(Options const &options) {
 
 Optimised optimised_graph(Graph graph, Options const &options) {
   if (!options.reroll.is_given) return optimise(std::move(graph), options.passes);
-  return optimise_around_loops(
-      std::move(graph), options.passes, [](Diagnostic const &remark) { print(std::cerr, remark); },
-      [&](Graph const &one) {
-        return as_emitted(schedule(one, options.emitter.nesting()), options.emitter, options.passes.floating_point(),
-                          options.language.languages());
-      });
+  return optimise_around_loops(std::move(graph), options.passes, options.emitter, options.language.languages());
 }
 
 std::vector<OutputFile> result_files(Optimised const &optimised, Schedule const *read, Options const &options,
@@ -121,7 +116,7 @@ std::vector<OutputFile> result_files(Optimised const &optimised, Schedule const 
   std::vector<Diagnostic> remarks;
   Schedule const laid_out = as_emitted(plan, options.emitter, options.passes.floating_point(), languages);
   std::optional<Rerolled> const loops =
-      options.reroll.loops(laid_out, optimised.has_searched ? nullptr : &options.passes, remarks, remark);
+      options.reroll.loops(laid_out, optimised.loops, options.passes, remarks, remark);
   std::optional<Laned> const lanes = options.vector.lanes(laid_out, remarks, remark);
   for (Diagnostic const &diagnostic : remarks) print(std::cerr, diagnostic);
   return emitted_files(plan, options.emitter, options.passes.floating_point(), languages, path,

@@ -2,9 +2,8 @@
 
 #include "graph/statistics.h"
 #include "passes/pass.h"
-#include "reroll/reroll.h"
+#include "tool/output/outputs.h"
 
-#include <algorithm>
 #include <iostream>
 #include <utility>
 
@@ -31,15 +30,17 @@ Optimised optimise(Graph recorded, PassOptions const &options, Report const &rep
   return result;
 }
 
-Optimised optimise_around_loops(Graph recorded, PassOptions const &options, Report const &report,
-                                std::function<Schedule(Graph const &)> const &layout) {
+Optimised optimise_around_loops(Graph recorded, PassOptions const &options, EmitterOptions const &emitter,
+                                std::vector<Language const *> const &languages, Report const &report) {
   if (options.floating_point() != FloatingPoint::fast || options.settings().effort == 0)
     return optimise(std::move(recorded), options, report);
   std::vector<Diagnostic> remarks;
   Optimised result = optimise(recorded, options, [&](Diagnostic const &remark) { remarks.push_back(remark); }, false);
-  if (!rerolled(layout(result.graph)).has_loops()) return optimise(std::move(recorded), options, report);
-  if (report) std::ranges::for_each(remarks, report);
-  result.has_searched = false;
+  Rerolled loops =
+      rerolled(as_emitted(schedule(result.graph, emitter.nesting()), emitter, options.floating_point(), languages));
+  if (!loops.has_loops()) return optimise(std::move(recorded), options, report);
+  for (Diagnostic const &remark : remarks) report ? report(remark) : print(std::cerr, remark);
+  result.loops = std::move(loops);
   return result;
 }
 

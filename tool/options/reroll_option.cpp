@@ -19,17 +19,16 @@ void RerollOption::require_sense(EmitterOptions const &emitter, bool is_parallel
     fail(DiagnosticId::bad_option, {}, "--check-values makes a statement of each operation, and --reroll loops");
 }
 
-std::optional<Rerolled> RerollOption::loops(Schedule const &plan, PassOptions const *for_bodies,
-                                            std::vector<Diagnostic> &remarks, std::string &text) const {
+std::optional<Rerolled> RerollOption::loops(Schedule const &plan, std::optional<Rerolled> const &found,
+                                            PassOptions const &passes, std::vector<Diagnostic> &remarks,
+                                            std::string &text) const {
   if (!is_given) return {};
-  reroll::Improve improve;
-  if (for_bodies)
-    improve = [&](Graph graph, bool in_loop) {
-      PassSettings settings = for_bodies->settings();
-      if (!in_loop) settings.effort = std::min(settings.effort, 1); // what is computed once
-      return run_passes(std::move(graph), for_bodies->names(), settings);
-    };
-  Rerolled loops = rerolled(plan, improve);
+  auto const improve = [&](Graph graph, bool in_loop) {
+    PassSettings settings = passes.settings();
+    if (!in_loop) settings.effort = std::min(settings.effort, 1); // what is computed once
+    return run_passes(std::move(graph), passes.names(), settings);
+  };
+  Rerolled loops = found ? improved(*found, plan.angles, improve) : rerolled(plan);
   if (!loops.has_loops()) {
     remarks.push_back(
         {DiagnosticId::not_rerolled, {}, "kernel '" + plan.graph->kernel + "' is not re-rolled: " + loops.why_not});

@@ -13,9 +13,9 @@ struct RerollOption {
   // Throws bad_option, option_without_effect.
   void require_sense(EmitterOptions const &emitter, bool is_parallel) const;
   // Nothing where it was not asked for, or there are no loops: then `remarks` says why. Otherwise `text` says how much
-  // they hold. `for_bodies`: passes that work on what loops compute, if any.
-  std::optional<Rerolled> loops(Schedule const &plan, PassOptions const *for_bodies, std::vector<Diagnostic> &remarks,
-                                std::string &text) const;
+  // they hold. `found`: loops that were found already, if they were; then passes work on what they compute.
+  std::optional<Rerolled> loops(Schedule const &plan, std::optional<Rerolled> const &found, PassOptions const &passes,
+                                std::vector<Diagnostic> &remarks, std::string &text) const;
 };
 
 } // namespace symreal::tool

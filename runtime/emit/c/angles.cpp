@@ -7,7 +7,7 @@ namespace symreal {
 // Method: pi/2 is taken off a whole number of times, in three parts of 33, 33 and 53 bits (Cody and Waite 1980), so
 // that the first two products and differences are exact; on -pi/4..pi/4 sine and cosine are polynomials, odd and even,
 // of least error (Remez 1934): 2^-58 of the sine, 2^-64 of the cosine. What is computed within 1e5 has an error
-// below 2.5 units in the last place; tests/unit/runtime/angles_test.cpp measures it.
+// below 2.5 units in the last place; tests/emit/angles.test measures it.
 std::string c_sines_and_cosines(Emission const &emission) {
   if (emission.plan.angles.inputs.empty()) return {};
   std::string_view const prefix = emission.language.expressions.call_prefix;

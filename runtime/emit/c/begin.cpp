@@ -9,15 +9,14 @@ namespace {
 
 bool has_sine_and_cosine_of_one(Schedule const &plan) {
   Nodes const &nodes = plan.graph->nodes;
-  std::unordered_set<NodeId> sines;
-  bool found = false;
-  for (Op const op : {Op::sin, Op::cos})
-    for (NodeId id = 0; id < nodes.size(); ++id) {
-      if (nodes[id].op != op || plan.element(id)) continue;
-      if (op == Op::sin) sines.insert(nodes[id].operand[0]);
-      found = found || (op == Op::cos && sines.contains(nodes[id].operand[0]));
-    }
-  return found;
+  auto const angles_of = [&](Op op) {
+    std::unordered_set<NodeId> angles;
+    for (NodeId id = 0; id < nodes.size(); ++id)
+      if (nodes[id].op == op && !plan.element(id)) angles.insert(nodes[id].operand[0]);
+    return angles;
+  };
+  std::unordered_set<NodeId> const of_sines = angles_of(Op::sin), of_cosines = angles_of(Op::cos);
+  return std::ranges::any_of(of_sines, [&](NodeId angle) { return of_cosines.contains(angle); });
 }
 
 } // namespace

@@ -11,15 +11,16 @@ void print_angles(Emission const &emission, CodeText &out) {
   AnglesSyntax const &syntax = language.angles;
   std::string const input(name_of(Array::input)), count = std::to_string(inputs.size());
   std::string const sine(name_of(Array::sine)), cosine(name_of(Array::cosine));
-  std::string angles = fill(language, syntax.from, {{"array", input}, {"first", std::to_string(inputs.front())}});
-  if (inputs.back() - inputs.front() + 1 != inputs.size()) {
+  std::string angles = input;
+  if (inputs.back() - inputs.front() + 1 == inputs.size()) {
+    if (inputs.front() != 0)
+      angles = fill(language, syntax.from, {{"array", input}, {"first", std::to_string(inputs.front())}});
+  } else {
     angles = "angle";
     std::vector<std::string> elements;
     for (std::uint32_t const slot : inputs) elements.push_back(element(language, input, slot));
     out.lines("  " + fill(language, syntax.begin, {{"name", angles}, {"count", count}}) + lines_of(language, elements) +
               std::string(syntax.end) + "\n");
-  } else if (inputs.front() == 0) {
-    angles = input;
   }
   for (std::string const &array : {sine, cosine})
     out.statement(2, fill(language, language.statements.array, {{"name", array}, {"count", count}}));

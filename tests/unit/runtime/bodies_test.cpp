@@ -57,24 +57,17 @@ struct Looped {
   Step const &loop() const {
     return *std::ranges::max_element(compute.steps, {}, [](Step const &step) { return step.count; });
   }
-  std::size_t operations() const { return live_operations_in(loop().body); }
+  std::size_t operations() const { return reroll::operations_of(loop().body); }
   std::size_t leaves(Leaf::Kind kind) const {
     return static_cast<std::size_t>(std::ranges::count(loop().leaves, kind, &Leaf::kind));
-  }
-
-private:
-  static std::size_t live_operations_in(Graph const &body) {
-    std::vector<char> const live = live_nodes(body);
-    std::size_t count = 0;
-    for (NodeId id = 0; id < body.nodes.size(); ++id) count += live[id] && !is_leaf(body.nodes[id].op);
-    return count;
   }
 };
 
 // Of this graph, which must outlive it; with the values that the graph has.
 Looped looped(Graph const &graph) {
   Schedule const plan = with_angles(schedule(graph));
-  std::optional<LoopFunction> const before = rerolled(plan).compute, after = rerolled(plan, by_passes).compute;
+  std::optional<LoopFunction> const before = rerolled(plan).compute,
+                                    after = improved(rerolled(plan), plan.angles, by_passes).compute;
   EXPECT_TRUE(before && after);
   if (!before || !after) return {plan, {}};
   std::vector<double> inputs;
