@@ -4,6 +4,7 @@
 #include "graph/node_table.h"
 #include "reroll/body_builder.h"
 #include "reroll/roles.h"
+#include "reroll/signs.h"
 
 #include <algorithm>
 #include <map>
@@ -206,9 +207,11 @@ Step improved(Step const &step, Angles const &angles, Improve const &improve) {
 }
 
 void improve_bodies(LoopFunction &function, Angles const &angles, Improve const &improve) {
+  function = with_few_signs(std::move(function));
+  for (Step &step : function.steps) step = improved(step, angles, improve);
+  function = with_few_signs(std::move(function)); // also of what passes have made of tables
   function.operations = function.in_loops = 0;
-  for (Step &step : function.steps) {
-    step = improved(step, angles, improve);
+  for (Step const &step : function.steps) {
     std::size_t const operations = step.count * operations_of(step.body);
     function.operations += operations;
     if (step.count > 1) function.in_loops += operations;

@@ -2,6 +2,7 @@
 
 #include "emit/print/body.h"
 #include "emit/print/module.h"
+#include "emit/print/value_rows.h"
 
 #include <cmath>
 #include <fmt/format.h>
@@ -31,7 +32,7 @@ public:
 
   void print() {
     std::vector<std::string> const leaves = spell_leaves();
-    for (auto const &[rows, columns] : values_) print_values(rows, columns);
+    for (auto &[period, rows] : values_) print_values(period, rows);
     begin_loop();
     Language whole = language_; // the body is not cut
     whole.functions.most_statements = std::string::npos;
@@ -65,7 +66,7 @@ private:
     std::vector<std::size_t> column; // of a leaf in its table
     for (Leaf const &leaf : step_.leaves) {
       std::vector<std::vector<double> const *> *const columns =
-          leaf.kind == Leaf::Kind::values ? &values_[leaf.values.size()] : nullptr;
+          leaf.kind == Leaf::Kind::values ? &values_[leaf.values.size()].columns : nullptr;
       column.push_back(columns ? columns->size() : 0);
       if (columns) columns->push_back(&leaf.values);
     }
@@ -119,27 +120,34 @@ private:
 
   std::string element_table(std::vector<std::uint32_t> const &elements) {
     std::string const name = fmt::format("table_{}", ++element_tables_);
-    std::vector<std::string> words;
-    for (std::uint32_t element : elements) words.push_back(std::to_string(element));
-    print_table(language_.loops.element_table, language_.loops.table_end, name, words);
+    print_element_table(name, elements);
     return name;
   }
 
-  // Values that repeat alike stand in one table, those of an iteration in a row.
-  std::string value(std::size_t rows, std::size_t column) const {
-    return indexed(row_name(rows), std::to_string(column));
-  }
-  static std::string values_name(std::size_t rows) { return fmt::format("values_{}", rows); }
-  static std::string row_name(std::size_t rows) { return fmt::format("row_{}", rows); }
-
-  void print_values(std::size_t rows, std::vector<std::vector<double> const *> const &columns) {
+  void print_element_table(std::string const &name, std::vector<std::uint32_t> const &elements) {
     std::vector<std::string> words;
-    for (std::size_t row = 0; row < rows; ++row)
-      for (auto const *column : columns) {
+    for (std::uint32_t element : elements) words.push_back(std::to_string(element));
+    print_table(language_.loops.element_table, language_.loops.table_end, name, words);
+  }
+
+  // Values of one period stand in one table, those of an iteration in a row.
+  std::string value(std::size_t period, std::size_t column) const {
+    return indexed(row_name(period), std::to_string(column));
+  }
+  static std::string values_name(std::size_t period) { return fmt::format("values_{}", period); }
+  static std::string row_name(std::size_t period) { return fmt::format("row_{}", period); }
+  static std::string rows_name(std::size_t period) { return fmt::format("rows_{}", period); }
+
+  void print_values(std::size_t period, ValueRows &rows) {
+    write_once(rows);
+    std::vector<std::string> words;
+    for (std::uint32_t const row : rows.written)
+      for (auto const *column : rows.columns) {
         words.push_back(constant(language_, (*column)[row]));
         emission_.uses.not_finite = emission_.uses.not_finite || !std::isfinite((*column)[row]);
       }
-    print_table(language_.tables.begin, language_.tables.end, values_name(rows), words);
+    print_table(language_.tables.begin, language_.tables.end, values_name(period), words);
+    if (rows.is_listed()) print_element_table(rows_name(period), rows.which);
   }
 
   void print_table(std::string_view begin, std::string_view end, std::string const &name,
@@ -156,15 +164,21 @@ private:
     out_.statement(
         2, fill(language_, language_.loops.begin, {{"index", counter}, {"count", std::to_string(step_.count)}}));
     indent_ = 4;
-    for (auto const &[rows, columns] : values_) {
-      names_.insert(row_name(rows));
-      std::string index(counter);
-      if (rows != step_.count) index = fmt::format("{} % {}", counter, rows);
-      if (columns.size() != 1)
-        index = fmt::format("{}*{}", columns.size(), rows == step_.count ? index : "(" + index + ")");
-      out_.statement(indent_, fill(language_, language_.loops.row,
-                                   {{"name", row_name(rows)}, {"table", values_name(rows)}, {"index", index}}));
+    for (auto const &[period, rows] : values_) {
+      names_.insert(row_name(period));
+      out_.statement(
+          indent_,
+          fill(language_, language_.loops.row,
+               {{"name", row_name(period)}, {"table", values_name(period)}, {"index", begin_of_row(period, rows)}}));
     }
+  }
+
+  std::string begin_of_row(std::size_t period, ValueRows const &rows) const {
+    bool const is_in_turn = period == step_.count;
+    std::string const place = is_in_turn ? std::string(counter) : fmt::format("{} % {}", counter, period);
+    std::string row = rows.is_listed() ? indexed(rows_name(period), place) : place;
+    if (rows.columns.size() == 1) return row;
+    return fmt::format("{}*{}", rows.columns.size(), is_in_turn || rows.is_listed() ? row : "(" + row + ")");
   }
 
   void set(std::string const &name, std::string const &value) {
@@ -178,7 +192,7 @@ private:
   CodeText &out_;
   std::set<std::string> &used_;
   std::set<std::string> names_;
-  std::map<std::size_t, std::vector<std::vector<double> const *>> values_; // by how many rows
+  std::map<std::size_t, ValueRows> values_; // by their periods
   std::size_t element_tables_ = 0, indent_ = 2;
 };
 

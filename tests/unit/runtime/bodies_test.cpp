@@ -1,6 +1,7 @@
 // Passes on the bodies of loops: what they save, and that the loops compute the same.
 #include "graph/evaluate.h"
 #include "graph_builder.h"
+#include "loop_run.h"
 #include "passes/pass.h"
 #include "reroll/reroll.h"
 #include "schedule/angles.h"
@@ -18,37 +19,6 @@ using reroll::LoopFunction;
 using reroll::Step;
 
 Graph by_passes(Graph graph, bool) { return run_passes(std::move(graph), default_passes(), {FloatingPoint::fast, 1}); }
-
-// As generated code runs it.
-std::vector<double> run(LoopFunction const &function, Angles const &angles, std::vector<double> const &inputs,
-                        std::size_t results) {
-  std::vector<double> memory(function.memory), output(results);
-  for (Step const &step : function.steps) {
-    std::vector<double> leaves(step.leaves.size());
-    for (std::uint32_t k = 0; k < step.count; ++k) {
-      for (std::size_t i = 0; i < leaves.size(); ++i) {
-        Leaf const &leaf = step.leaves[i];
-        switch (leaf.kind) {
-        case Leaf::Kind::given: leaves[i] = inputs[leaf.access.at(k)]; break;
-        case Leaf::Kind::read: ADD_FAILURE() << "nothing is precomputed"; break;
-        case Leaf::Kind::sine: leaves[i] = std::sin(inputs[angles.inputs[leaf.access.at(k)]]); break;
-        case Leaf::Kind::cosine: leaves[i] = std::cos(inputs[angles.inputs[leaf.access.at(k)]]); break;
-        case Leaf::Kind::memory: leaves[i] = memory[leaf.access.at(k)]; break;
-        case Leaf::Kind::values: leaves[i] = leaf.values[k % leaf.values.size()]; break;
-        case Leaf::Kind::carried:
-          if (k == 0) leaves[i] = memory[leaf.access.at(0)];
-          break;
-        }
-      }
-      std::vector<double> const values = evaluate(step.body, leaves, {});
-      for (reroll::Store const &store : step.stores)
-        (store.is_result ? output : memory)[store.access.at(k)] = values[store.value];
-      for (std::size_t i = 0; i < leaves.size(); ++i)
-        if (step.leaves[i].kind == Leaf::Kind::carried) leaves[i] = values[step.leaves[i].next];
-    }
-  }
-  return output;
-}
 
 struct Looped {
   Schedule plan;
@@ -74,8 +44,8 @@ Looped looped(Graph const &graph) {
   for (std::size_t k = 0; k < graph.input_count(); ++k) inputs.push_back(std::sin(1.0 + static_cast<double>(k * k)));
   std::vector<double> const values = evaluate(graph, inputs, {});
   std::size_t const count = graph.results.size();
-  std::vector<double> const plain = run(*before, plan.angles, inputs, count),
-                            cheap = run(*after, plan.angles, inputs, count);
+  std::vector<double> const plain = test::run(*before, plan.angles, inputs, count),
+                            cheap = test::run(*after, plan.angles, inputs, count);
   for (std::size_t k = 0; k < count; ++k) {
     EXPECT_EQ(plain[k], values[graph.results[k]]);
     EXPECT_NEAR(cheap[k], values[graph.results[k]], 1e-12 * std::max(1.0, std::abs(cheap[k])));

@@ -1,0 +1,136 @@
+#include "reroll/sign_relations.h"
+
+#include <utility>
+
+namespace symreal::reroll {
+
+SignRelations::SignRelations(std::vector<SignedBody> const &bodies, std::size_t memory)
+    : bodies_(bodies),
+      signs_(bodies.back().end()) {
+  relate_leaves(memory);
+  for (SignedBody const &body : bodies_)
+    for (NodeId id = 0; id < body.size(); ++id)
+      if (!is_leaf(body.node(id).op)) relate_operation(body, id);
+  // What is free yet goes by the signs in tables: without them tables repeat early, and more of them are alike.
+  for (SignedBody const &body : bodies_)
+    for (NodeId id = 0; id < body.size(); ++id) relate_product_with_numbers(body, id, false);
+}
+
+Pattern SignRelations::of(SignedBody const &body, NodeId id) const {
+  Pattern pattern(body.count());
+  bool const is_ground_negated = signs_.root(ground).negated;
+  for (std::uint32_t k = 0; k < body.count(); ++k) {
+    std::uint32_t const value = body.value(k, id);
+    pattern[k] = signs_.root(value).negated != (is_ground(value) && is_ground_negated);
+  }
+  return pattern;
+}
+
+// What is read is what was stored or carried on.
+void SignRelations::relate_leaves(std::size_t memory) {
+  std::vector<std::uint32_t> stored(memory, ground); // per element the value
+  for (SignedBody const &body : bodies_)
+    for (Store const &store : body.step().stores)
+      for (std::uint32_t k = 0; k < body.count() && !store.is_result; ++k)
+        stored[store.access.at(k)] = body.value(k, store.value);
+  for (SignedBody const &body : bodies_)
+    for (NodeId id = 0; id < body.size(); ++id)
+      for (std::uint32_t k = 0; k < body.count() && is_leaf(body.node(id).op); ++k) {
+        Leaf const *const leaf = body.leaf(id);
+        std::uint32_t source = ground;
+        if (leaf && leaf->kind == Leaf::Kind::carried && k > 0)
+          source = body.value(k - 1, leaf->next);
+        else if (leaf && (leaf->kind == Leaf::Kind::memory || leaf->kind == Leaf::Kind::carried))
+          source = stored[leaf->access.at(k)];
+        internal_check(signs_.relate(body.value(k, id), source, false));
+      }
+}
+
+bool SignRelations::is_known(SignedBody const &body, NodeId id) const {
+  for (std::uint32_t k = 0; k < body.count(); ++k)
+    if (!is_ground(body.value(k, id))) return false;
+  return true;
+}
+
+// In all iterations, or in none.
+bool SignRelations::relate(SignedBody const &body, NodeId a, NodeId b, Pattern const &are_opposite, bool opposite) {
+  std::size_t const mark = signs_.mark();
+  for (std::uint32_t k = 0; k < body.count(); ++k) {
+    if (signs_.relate(body.value(k, a), body.value(k, b), (are_opposite[k] != 0) != opposite)) continue;
+    signs_.undo_to(mark);
+    return false;
+  }
+  return true;
+}
+
+bool SignRelations::fix(SignedBody const &body, NodeId id, Pattern const &pattern) {
+  std::size_t const mark = signs_.mark();
+  for (std::uint32_t k = 0; k < body.count(); ++k) {
+    if (signs_.relate(body.value(k, id), ground, pattern[k] != 0)) continue;
+    signs_.undo_to(mark);
+    return false;
+  }
+  return true;
+}
+
+void SignRelations::relate_operation(SignedBody const &body, NodeId id) {
+  Node const &node = body.node(id);
+  switch (node.op) {
+  case Op::add:
+  case Op::sub: return relate_sum(body, id);
+  case Op::neg: relate(body, id, node.operand[0], body.plain(), true); return;
+  case Op::mul:
+  case Op::div:
+    if (body.place_beside_number(id)) return relate_product_with_numbers(body, id, true);
+    return relate_product(body, id);
+  default:
+    fix(body, id, body.plain());
+    for (unsigned i = 0; i < arity(node.op) && node.op != Op::abs; ++i) fix(body, node.operand[i], body.plain());
+  }
+}
+
+// First to the operand whose signs are known: those of the other may still be chosen, also for all iterations anew.
+void SignRelations::relate_sum(SignedBody const &body, NodeId id) {
+  auto [first, second, none] = body.node(id).operand;
+  if (is_known(body, second) && !is_known(body, first)) std::swap(first, second);
+  if (body.is_number(first)) std::swap(first, second);
+  if (body.is_number(first)) return;
+  auto const relate_either = [&](NodeId operand) {
+    return body.is_number(operand) || relate(body, id, operand, body.plain()) ||
+           relate(body, id, operand, body.plain(), true);
+  };
+  std::size_t const mark = signs_.mark();
+  for (bool const opposite : {false, true}) {
+    if (relate(body, id, first, body.plain(), opposite) && relate_either(second)) return;
+    signs_.undo_to(mark);
+  }
+  if (!relate_either(first)) relate_either(second);
+}
+
+// `are_units`: only products with 1 and -1, which nobody needs then; otherwise only others.
+void SignRelations::relate_product_with_numbers(SignedBody const &body, NodeId id, bool are_units) {
+  std::optional<unsigned> const place = body.place_beside_number(id);
+  if (!place) return;
+  NodeId const number = body.node(id).operand[1 - *place], other = body.node(id).operand[*place];
+  if (body.is_unit(number) != are_units) return;
+  Pattern const signs = body.signs_of_numbers(number);
+  if (!relate(body, id, other, signs)) relate(body, id, other, signs, true);
+}
+
+// The sign of one operand must be known for that of the other to go into the product.
+void SignRelations::relate_product(SignedBody const &body, NodeId id) {
+  auto [a, b, none] = body.node(id).operand;
+  bool are_related = true;
+  for (std::uint32_t k = 0; k < body.count(); ++k)
+    are_related = are_related && signs_.root(body.value(k, a)).value == signs_.root(body.value(k, b)).value;
+  if (are_related) {
+    fix(body, id, product(of(body, a), of(body, b)));
+    return;
+  }
+  if (is_known(body, b)) std::swap(a, b);
+  for (std::uint32_t k = 0; k < body.count(); ++k)
+    if (!is_ground(body.value(k, a))) signs_.relate(body.value(k, a), ground, false);
+  relate(body, id, b, of(body, a));
+}
+
+} // namespace symreal::reroll

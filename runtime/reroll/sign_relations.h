@@ -1,0 +1,37 @@
+// Which values are computed as negatives, in which iterations: chosen for all steps of a function together.
+//
+// Method: greedy. Operation by operation the signs of the result and of the operands are related so that no factor is
+// needed, in all iterations at once or, where that contradicts what was related before, not at all.
+#pragma once
+
+#include "reroll/relative_signs.h"
+#include "reroll/signed_body.h"
+
+namespace symreal::reroll {
+
+class SignRelations {
+public:
+  // The bodies of the steps of a function, in order, which must outlive this; `memory`: of its elements.
+  SignRelations(std::vector<SignedBody> const &bodies, std::size_t memory);
+
+  // In which iterations the node is a negative.
+  Pattern of(SignedBody const &body, NodeId id) const;
+
+private:
+  bool is_ground(std::uint32_t value) const { return signs_.root(value).value == signs_.root(ground).value; }
+  bool is_known(SignedBody const &body, NodeId id) const;
+  bool relate(SignedBody const &body, NodeId a, NodeId b, Pattern const &are_opposite, bool opposite = false);
+  bool fix(SignedBody const &body, NodeId id, Pattern const &pattern);
+  void relate_leaves(std::size_t memory);
+  void relate_operation(SignedBody const &body, NodeId id);
+  void relate_sum(SignedBody const &body, NodeId id);
+  void relate_product(SignedBody const &body, NodeId id);
+  void relate_product_with_numbers(SignedBody const &body, NodeId id, bool are_units);
+
+  static constexpr std::uint32_t ground = 0; // stands for what is no negative
+
+  std::vector<SignedBody> const &bodies_;
+  RelativeSigns signs_;
+};
+
+} // namespace symreal::reroll

@@ -1,0 +1,43 @@
+// A function of loops, run as generated code runs it.
+#pragma once
+
+#include "graph/evaluate.h"
+#include "reroll/loop_program.h"
+#include "schedule/schedule.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+
+namespace symreal::test {
+
+inline std::vector<double> run(reroll::LoopFunction const &function, Angles const &angles,
+                               std::vector<double> const &inputs, std::size_t results) {
+  std::vector<double> memory(function.memory), output(results);
+  for (reroll::Step const &step : function.steps) {
+    std::vector<double> leaves(step.leaves.size());
+    for (std::uint32_t k = 0; k < step.count; ++k) {
+      for (std::size_t i = 0; i < leaves.size(); ++i) {
+        reroll::Leaf const &leaf = step.leaves[i];
+        switch (leaf.kind) {
+        case reroll::Leaf::Kind::given: leaves[i] = inputs[leaf.access.at(k)]; break;
+        case reroll::Leaf::Kind::read: ADD_FAILURE() << "nothing is precomputed"; break;
+        case reroll::Leaf::Kind::sine: leaves[i] = std::sin(inputs[angles.inputs[leaf.access.at(k)]]); break;
+        case reroll::Leaf::Kind::cosine: leaves[i] = std::cos(inputs[angles.inputs[leaf.access.at(k)]]); break;
+        case reroll::Leaf::Kind::memory: leaves[i] = memory[leaf.access.at(k)]; break;
+        case reroll::Leaf::Kind::values: leaves[i] = leaf.values[k % leaf.values.size()]; break;
+        case reroll::Leaf::Kind::carried:
+          if (k == 0) leaves[i] = memory[leaf.access.at(0)];
+          break;
+        }
+      }
+      std::vector<double> const values = evaluate(step.body, leaves, {});
+      for (reroll::Store const &store : step.stores)
+        (store.is_result ? output : memory)[store.access.at(k)] = values[store.value];
+      for (std::size_t i = 0; i < leaves.size(); ++i)
+        if (step.leaves[i].kind == reroll::Leaf::Kind::carried) leaves[i] = values[step.leaves[i].next];
+    }
+  }
+  return output;
+}
+
+} // namespace symreal::test
