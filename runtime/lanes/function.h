@@ -29,7 +29,7 @@ public:
     case Array::input: return graph().input_count();
     case Array::constants: return plan_.constant_count;
     case Array::sine:
-    case Array::cosine: return plan_.angles.inputs.size();
+    case Array::cosine: return plan_.angles.size();
     }
     return 0;
   }

@@ -20,6 +20,13 @@ bool same(Access const &a, Access const &b) {
 
 bool is_on_circle(Leaf const &leaf) { return leaf.kind == Leaf::Kind::sine || leaf.kind == Leaf::Kind::cosine; }
 
+// Passes may make use of the angle itself, which a body finds among the inputs only.
+bool are_of_inputs(Access const &access, std::uint32_t count, Angles const &angles) {
+  for (std::uint32_t k = 0; k < count; ++k)
+    if (access.at(k) >= angles.inputs.size()) return false;
+  return true;
+}
+
 std::array<NodeId, 3> moved(Node const &node, std::vector<NodeId> const &now) {
   std::array<NodeId, 3> operands = {no_node, no_node, no_node};
   for (unsigned i = 0; i < arity(node.op); ++i) operands[i] = now[node.operand[i]];
@@ -37,7 +44,7 @@ public:
       };
       if (leaf.kind == Leaf::Kind::values)
         tables_.push_back(k);
-      else if (is_on_circle(leaf))
+      else if (is_on_circle(leaf) && are_of_inputs(leaf.access, step.count, angles))
         angle_[k] = static_cast<std::uint32_t>(std::ranges::find_if(step.leaves, of_same_angle) - step.leaves.begin());
     }
   }
@@ -105,12 +112,12 @@ private:
     if (leaf.kind == Leaf::Kind::values)
       return table.intern(
           Node::parameter(static_cast<std::uint32_t>(std::ranges::find(tables_, slot) - tables_.begin())));
-    if (!is_on_circle(leaf)) return table.intern(Node::input(slot));
+    if (!is_angle(slot)) return table.intern(Node::input(slot));
     NodeId const angle = table.intern(Node::input(angle_.at(slot)));
     return table.intern(table.operation(leaf.kind == Leaf::Kind::sine ? Op::sin : Op::cos, angle));
   }
 
-  bool is_angle(std::uint32_t slot) const { return is_on_circle(step_.leaves[slot]); }
+  bool is_angle(std::uint32_t slot) const { return angle_.contains(slot); }
   // A sine or cosine that the function begins with.
   bool is_element(Graph const &graph, Node const &node) const {
     if (node.op != Op::sin && node.op != Op::cos) return false;

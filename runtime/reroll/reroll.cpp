@@ -23,15 +23,14 @@ std::string obstacle(Graph const &graph) {
   return {};
 }
 
-std::optional<reroll::LoopFunction> loops_of(Schedule const &plan, bool in_compute) {
+std::optional<reroll::LoopFunction> loops_of(Schedule const &plan, bool in_compute, std::vector<NodeId> const &stored,
+                                             std::vector<NodeId> const &checked) {
   using namespace reroll;
-  Sequence const all = sequence(plan, in_compute, roots(plan, in_compute));
+  std::vector<NodeId> roots = stored;
+  roots.insert(roots.end(), checked.begin(), checked.end());
+  Sequence const all = sequence(plan, in_compute, roots);
   std::vector<Repeat> const repeats = trimmed(all, find_repeats(all));
   if (repeats.empty()) return {};
-  std::vector<NodeId> const &stored = in_compute ? plan.compute.results : plan.preprocess.results;
-  std::vector<NodeId> checked;
-  if (in_compute)
-    for (Guard const &guard : plan.graph->guards) checked.push_back(guard.condition);
   LoopFunction function = reroll::plan(all, repeats, stored, checked);
   internal_check(find_difference(all, function, stored, checked).empty());
   return function;
@@ -40,25 +39,35 @@ std::optional<reroll::LoopFunction> loops_of(Schedule const &plan, bool in_compu
 } // namespace
 
 Rerolled rerolled(Schedule const &plan) {
-  if (std::string why = obstacle(*plan.graph); !why.empty()) return {{}, {}, std::move(why)};
-  Rerolled loops{loops_of(plan, false), loops_of(plan, true)};
+  if (std::string why = obstacle(*plan.graph); !why.empty()) return {{}, {}, {}, std::move(why)};
+  std::vector<NodeId> conditions;
+  for (Guard const &guard : plan.graph->guards) conditions.push_back(guard.condition);
+  Rerolled loops{loops_of(plan, false, plan.preprocess.results, {}),
+                 loops_of(plan, true, plan.compute.results, conditions),
+                 loops_of(plan, true, plan.angles.computed.results, {})};
   if (!loops.has_loops()) loops.why_not = "no operations repeat often enough";
   return loops;
 }
 
 Rerolled improved(Rerolled loops, Angles const &angles, reroll::Improve const &improve) {
-  for (auto *const function : {&loops.preprocess, &loops.compute})
+  for (auto *const function : {&loops.preprocess, &loops.compute, &loops.computed_angles})
     if (*function) reroll::improve_bodies(**function, angles, improve);
   return loops;
 }
 
-OperationCounts executed_operations(reroll::LoopFunction const &compute, Angles const &angles) {
+OperationCounts executed_operations(Schedule const &plan, Rerolled const &loops) {
   OperationCounts counts;
-  for (Op const op : {Op::sin, Op::cos}) counts[op] += angles.inputs.size();
-  for (reroll::Step const &step : compute.steps) {
-    OperationCounts const body = live_operations(step.body);
-    for (OperationInfo const &operation : operations()) counts[operation.op] += step.count * body[operation.op];
+  for (Op const op : {Op::sin, Op::cos}) counts[op] += plan.angles.size();
+  for (auto const *function : {&loops.compute, &loops.computed_angles}) {
+    if (!*function) continue;
+    for (reroll::Step const &step : (*function)->steps) {
+      OperationCounts const body = live_operations(step.body);
+      for (OperationInfo const &operation : operations()) counts[operation.op] += step.count * body[operation.op];
+    }
   }
+  if (loops.computed_angles) return counts;
+  for (reroll::Operation const &operation : reroll::sequence(plan, true, plan.angles.computed.results).operations)
+    ++counts[plan.graph->nodes[operation.node].op];
   return counts;
 }
 
@@ -71,6 +80,7 @@ std::string describe(Rerolled const &loops) {
                         function->operations);
   };
   add("preprocess", loops.preprocess);
+  add("angles", loops.computed_angles);
   add("compute", loops.compute);
   return text;
 }

@@ -15,10 +15,10 @@ namespace symreal {
 
 // The functions that have loops.
 struct Rerolled {
-  std::optional<reroll::LoopFunction> preprocess, compute;
+  std::optional<reroll::LoopFunction> preprocess, compute, computed_angles = {};
   std::string why_not = {}; // where none has
 
-  bool has_loops() const { return preprocess || compute; }
+  bool has_loops() const { return preprocess || compute || computed_angles; }
 };
 
 // What is found is proved (check.h) whenever this runs.
@@ -27,8 +27,8 @@ Rerolled rerolled(Schedule const &plan);
 // With passes over what the loops and the stretches between them compute (bodies.h).
 Rerolled improved(Rerolled loops, Angles const &angles, reroll::Improve const &improve);
 
-// What function compute does in its loops and between them, and before them for sines and cosines.
-OperationCounts executed_operations(reroll::LoopFunction const &compute, Angles const &angles);
+// What function compute does in its loops and between them, and before them for sines and cosines. It has loops.
+OperationCounts executed_operations(Schedule const &plan, Rerolled const &loops);
 
 // How much of the operations the loops hold, in words.
 std::string describe(Rerolled const &loops);

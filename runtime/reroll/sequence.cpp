@@ -2,13 +2,6 @@
 
 namespace symreal::reroll {
 
-std::vector<NodeId> roots(Schedule const &plan, bool in_compute) {
-  std::vector<NodeId> all = in_compute ? plan.compute.results : plan.preprocess.results;
-  if (in_compute)
-    for (Guard const &guard : plan.graph->guards) all.push_back(guard.condition);
-  return all;
-}
-
 static Operation operation_of(Node const &node, NodeId id) {
   Operation result{id, node.op == Op::sub ? Op::add : node.op};
   for (NodeId operand : node.operand)

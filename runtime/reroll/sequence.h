@@ -58,7 +58,4 @@ struct Sequence {
 // Of what `roots` need.
 Sequence sequence(Schedule const &plan, bool in_compute, std::vector<NodeId> const &roots);
 
-// What the function stores, and what else it must compute: the conditions of guards.
-std::vector<NodeId> roots(Schedule const &plan, bool in_compute);
-
 } // namespace symreal::reroll

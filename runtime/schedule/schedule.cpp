@@ -217,7 +217,12 @@ Schedule schedule(Graph const &graph, Nesting nesting, Arms arms) {
   FunctionBody preprocess = Layout(graph, stored, {}, no_node, nullptr, nesting, arms).run();
   FunctionBody compute =
       Layout(graph, graph.results, conditions, graph.last_effect, &constant_slot, nesting, arms).run();
-  return {&graph, std::move(preprocess), std::move(compute), std::move(constant_slot), stored.size()};
+  return {&graph, std::move(preprocess), std::move(compute), std::move(constant_slot), stored.size(), nesting};
+}
+
+FunctionBody lay_out(Graph const &graph, std::vector<NodeId> const &results,
+                     std::vector<std::uint32_t> const &constant_slot, Nesting nesting) {
+  return Layout(graph, results, {}, no_node, &constant_slot, nesting, Arms::computed).run();
 }
 
 } // namespace symreal

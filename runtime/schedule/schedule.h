@@ -30,13 +30,13 @@ struct ThreadPart {
 // early as its condition can be computed and not before that of an earlier guard; in a body of parts behind the last
 // one.
 struct FunctionBody {
-  std::vector<NodeId> variables;
-  std::vector<RegionId> region; // per variable
-  RegionTable regions;
-  std::vector<Check> checks;
-  std::vector<NodeId> results;
-  std::set<NodeId> wanted_returns;    // the calls of external functions whose returned value is read
-  std::vector<ThreadPart> parts = {}; // none: one thread computes all of it
+  std::vector<NodeId> variables = {};
+  std::vector<RegionId> region = {}; // per variable
+  RegionTable regions = {};
+  std::vector<Check> checks = {};
+  std::vector<NodeId> results = {};
+  std::set<NodeId> wanted_returns = {}; // the calls of external functions whose returned value is read
+  std::vector<ThreadPart> parts = {};   // none: one thread computes all of it
 };
 
 // Statements of a part of a long function, where its language says nothing else: longer bodies are cut.
@@ -52,17 +52,25 @@ struct Element {
 };
 std::string_view name_of(Array array);
 
-// Inputs whose sines and cosines compute begins with (angles.h): arrays `sine` and `cosine` have an element for each.
+// What compute begins with (angles.h): sines and cosines. Arrays `sine` and `cosine` have an element for each angle,
+// first the inputs, then what is computed.
 struct Angles {
   std::vector<std::uint32_t> inputs = {};  // their slots, in order
-  std::vector<std::uint32_t> element = {}; // per node: of its array, or no_slot; empty where no inputs are
+  FunctionBody computed = {};              // its results are angles; it reads what compute reads, but no sines
+  std::vector<std::uint32_t> element = {}; // per node: of its array, or no_slot; empty where there are no angles
+
+  std::size_t size() const { return inputs.size() + computed.results.size(); }
 };
+
+// Whether expressions nest, or every operation is a statement of its own.
+enum class Nesting { bounded, none };
 
 struct Schedule {
   Graph const *graph;
   FunctionBody preprocess, compute;
   std::vector<std::uint32_t> constant_slot; // per node: where preprocess stores it for compute, or no_slot
   std::size_t constant_count = 0;
+  Nesting nesting = Nesting::bounded;
   unsigned threads = 1; // that share the parts of compute
   Angles angles = {};
 
@@ -80,8 +88,6 @@ struct Schedule {
 // What `constants` holds for compute: per node its slot, the last one that stores it, or no_slot.
 std::vector<std::uint32_t> constant_slots(Graph const &graph, std::vector<NodeId> const &stored);
 
-// Whether expressions nest, or every operation is a statement of its own.
-enum class Nesting { bounded, none };
 // Whether what one arm of a select needs waits for the condition, or is computed in any case.
 enum class Arms { in_blocks, computed };
 
@@ -89,5 +95,9 @@ enum class Arms { in_blocks, computed };
 // registers and it keeps fewer waiting. What is computed under a condition waits for the condition. `graph` must
 // outlive the program.
 Schedule schedule(Graph const &graph, Nesting nesting = Nesting::bounded, Arms arms = Arms::in_blocks);
+
+// Of a function beside compute, which finds in arrays what that does.
+FunctionBody lay_out(Graph const &graph, std::vector<NodeId> const &results,
+                     std::vector<std::uint32_t> const &constant_slot, Nesting nesting);
 
 } // namespace symreal

@@ -114,7 +114,7 @@ void emit_sources(program::Recorded const &recorded, Schedule const &plan, Optio
   product.angles = describe(laid_out.angles);
   std::optional<Rerolled> const loops =
       options.reroll.loops(laid_out, product.optimised.loops, options.passes, product.warnings, product.loops);
-  if (loops && loops->compute) product.looped = executed_operations(*loops->compute, laid_out.angles);
+  if (loops && loops->compute) product.looped = executed_operations(laid_out, *loops);
   std::optional<Laned> const lanes = options.vector.lanes(laid_out, product.warnings, product.lanes);
   product.files = emitted_files(plan, options.emitter, options.passes.floating_point(), languages, path,
                                 loops ? &*loops : nullptr, lanes ? &*lanes : nullptr);

@@ -9,7 +9,7 @@ namespace symreal {
 // of least error (Remez 1934): 2^-58 of the sine, 2^-64 of the cosine. What is computed within 1e5 has an error
 // below 2.5 units in the last place; tests/emit/angles.test measures it.
 std::string c_sines_and_cosines(Emission const &emission) {
-  if (emission.plan.angles.inputs.empty()) return {};
+  if (emission.plan.angles.size() == 0) return {};
   std::string_view const prefix = emission.language.expressions.call_prefix;
   return fmt::format(
       R"(/* Sines and cosines of angles within 1e5, side by side. Their errors are below 2.5 units in the last place. */

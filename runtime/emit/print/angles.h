@@ -6,7 +6,12 @@
 
 namespace symreal {
 
-// Nothing where there are none. Reads array `input`, and declares and fills arrays `sine` and `cosine`.
+// The array of angles that are computed, and the function that fills it.
+inline constexpr char const *computed_angles = "computed_angle";
+std::string angles_function(Emission const &emission);
+
+// Nothing where there are none. Reads array `input`, for angles that are computed also `constants`, and declares and
+// fills arrays `sine` and `cosine`.
 void print_angles(Emission const &emission, CodeText &out);
 
 } // namespace symreal

@@ -17,28 +17,30 @@ namespace {
 
 class FunctionPrinter {
 public:
-  FunctionPrinter(Emission &emission, bool is_compute)
+  FunctionPrinter(Emission &emission, FunctionPlan const &plan)
       : emission_(emission),
         graph_(emission.graph()),
         language_(emission.language),
         syntax_(emission.language.functions),
-        body_(is_compute ? emission.plan.compute : emission.plan.preprocess),
-        name_(emission.name(is_compute ? "compute" : "preprocess")),
-        inputs_(is_compute ? std::vector<std::string>{"input", "constants"} : std::vector<std::string>{"parameters"}),
-        target_(is_compute ? "output" : "constants"),
+        body_(plan.body),
+        plan_(plan),
+        name_(plan.name),
+        inputs_(plan.inputs),
+        part_inputs_(plan.inputs),
+        target_(plan.target),
         threads_(emission.plan.threads),
-        printer_(emission, body_, is_compute, target_) {
-    part_inputs_ = inputs_;
-    if (is_compute && !emission.plan.angles.inputs.empty())
+        printer_(emission, body_, plan.in_compute, target_) {
+    if (plan.has_angles)
       for (Array const array : {Array::sine, Array::cosine}) part_inputs_.emplace_back(name_of(array));
   }
 
   CodeText print() {
     bool const may_fail = !body_.checks.empty();
     CodeText out(language_), last(language_);
-    if (part_inputs_.size() != inputs_.size()) {
+    if (plan_.has_angles) {
       print_angles(emission_, last);
       printer_.note_array(name_of(Array::input));
+      if (!emission_.plan.angles.computed.results.empty()) printer_.note_array(name_of(Array::constants));
     }
     if (printer_.chunk_count() == 1) {
       printer_.begin(last);
@@ -72,7 +74,9 @@ public:
     if (printer_.result_groups() == 1) printer_.results(0, last);
     if (may_fail) last.statement(2, syntax_.success);
     last.statement(2, fill(language_, syntax_.finish, {{"name", target_}}));
-    append(out, syntax_.head, syntax_.output, may_fail, name_, target_, std::move(last));
+    std::string_view const output =
+        plan_.is_local && !syntax_.local_output.empty() ? syntax_.local_output : syntax_.output;
+    append(out, plan_.is_local ? syntax_.local_head : syntax_.head, output, may_fail, name_, target_, std::move(last));
     return out;
   }
 
@@ -193,6 +197,7 @@ private:
   Language const &language_;
   FunctionSyntax const &syntax_;
   FunctionBody const &body_;
+  FunctionPlan const &plan_;
   std::string name_;
   std::vector<std::string> inputs_, part_inputs_; // of the function, of its parts
   std::string target_;
@@ -202,17 +207,17 @@ private:
 
 } // namespace
 
-CodeText print_function(Emission &emission, bool is_compute) {
-  if (emission.loops)
-    if (auto const &loops = is_compute ? emission.loops->compute : emission.loops->preprocess)
-      return print_loops(emission, *loops, is_compute);
+CodeText print_function(Emission &emission, FunctionKind kind) {
+  FunctionPlan const plan = function_plan(emission, kind);
+  if (plan.loops && *plan.loops) return print_loops(emission, **plan.loops, plan);
   CodeText out(emission.language);
-  if (!is_compute || !emission.lanes || !emission.lanes->compute) return FunctionPrinter(emission, is_compute).print();
+  if (kind != FunctionKind::compute || !emission.lanes || !emission.lanes->compute)
+    return FunctionPrinter(emission, plan).print();
   VectorSyntax const &vectors = emission.language.vectors;
   out.lines(vectors.begin);
   out.append(print_lanes(emission, *emission.lanes->compute));
   out.lines(vectors.otherwise);
-  out.append(FunctionPrinter(emission, is_compute).print());
+  out.append(FunctionPrinter(emission, plan).print());
   out.lines(vectors.end);
   return out;
 }

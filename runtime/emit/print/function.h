@@ -1,12 +1,12 @@
-// The two functions of a schedule in a language: the one walk over statements and blocks.
+// The functions of a schedule in a language: the one walk over statements and blocks.
 #pragma once
 
 #include "emit/print/code_text.h"
-#include "emit/print/emission.h"
+#include "emit/print/function_plan.h"
 
 namespace symreal {
 
-// preprocess or compute. A long one becomes functions of the file's own that the last one calls.
-CodeText print_function(Emission &emission, bool is_compute);
+// A long one becomes functions of the file's own that the last one calls.
+CodeText print_function(Emission &emission, FunctionKind kind);
 
 } // namespace symreal

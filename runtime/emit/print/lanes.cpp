@@ -122,7 +122,8 @@ private:
   CodeText with_head(CodeText text) const {
     FunctionSyntax const &syntax = language_.functions;
     std::set<Array> used;
-    if (!emission_.plan.angles.inputs.empty()) used.insert(Array::input);
+    if (emission_.plan.angles.size() != 0) used.insert(Array::input);
+    if (!emission_.plan.angles.computed.results.empty()) used.insert(Array::constants); // the call passes it on
     for (lanes::Item const &item : function_.order)
       if (item.is_vector) {
         lanes::Vector const &vector = function_.vectors[item.id];

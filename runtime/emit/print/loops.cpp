@@ -19,27 +19,29 @@ using reroll::Store;
 
 class LoopsPrinter {
 public:
-  LoopsPrinter(Emission &emission, reroll::LoopFunction const &function, bool is_compute)
+  LoopsPrinter(Emission &emission, reroll::LoopFunction const &function, FunctionPlan const &plan)
       : emission_(emission),
         language_(emission.language),
         syntax_(emission.language.functions),
         function_(function),
-        name_(emission.name(is_compute ? "compute" : "preprocess")),
-        arrays_{
-            is_compute ? "input" : "parameters", is_compute ? "constants" : "",     "v",
-            is_compute ? "output" : "constants", std::string(name_of(Array::sine)), std::string(name_of(Array::cosine)),
-            hides_arguments(emission.graph())},
-        inputs_{arrays_.given} {
-    if (is_compute) inputs_.push_back(arrays_.read);
-    part_inputs_ = inputs_;
-    if (is_compute && !emission.plan.angles.inputs.empty())
-      part_inputs_.insert(part_inputs_.end(), {arrays_.sine, arrays_.cosine});
+        plan_(plan),
+        name_(plan.name),
+        arrays_{plan.inputs.front(),
+                plan.inputs.back(),
+                "v",
+                plan.target,
+                std::string(name_of(Array::sine)),
+                std::string(name_of(Array::cosine)),
+                hides_arguments(emission.graph())},
+        inputs_(plan.inputs),
+        part_inputs_(plan.inputs) {
+    if (plan.has_angles) part_inputs_.insert(part_inputs_.end(), {arrays_.sine, arrays_.cosine});
   }
 
   CodeText print() {
     CodeText out(language_), last(language_);
     std::set<std::string> used = {arrays_.given, arrays_.read, arrays_.filled}; // the calls pass them on
-    if (part_inputs_.size() != inputs_.size()) print_angles(emission_, last);
+    if (plan_.has_angles) print_angles(emission_, last);
     last.statement(
         2, fill(language_, language_.statements.array,
                 {{"name", arrays_.memory}, {"count", std::to_string(std::max<std::size_t>(function_.memory, 1))}}));
@@ -52,7 +54,8 @@ public:
     }
     if (!is_checked) print_checks(last);
     if (!function_.checks.empty()) last.statement(2, syntax_.success);
-    append(out, syntax_.head, !function_.checks.empty(), name_, inputs_, arrays_.filled, used, std::move(last));
+    append(out, plan_.is_local ? syntax_.local_head : syntax_.head, !function_.checks.empty(), name_, inputs_,
+           arrays_.filled, used, std::move(last));
     return out;
   }
 
@@ -104,6 +107,7 @@ private:
   Language const &language_;
   FunctionSyntax const &syntax_;
   reroll::LoopFunction const &function_;
+  FunctionPlan const &plan_;
   std::string name_;
   LoopArrays arrays_;
   std::vector<std::string> inputs_, part_inputs_; // of the function, of its parts
@@ -111,8 +115,8 @@ private:
 
 } // namespace
 
-CodeText print_loops(Emission &emission, reroll::LoopFunction const &function, bool is_compute) {
-  return LoopsPrinter(emission, function, is_compute).print();
+CodeText print_loops(Emission &emission, reroll::LoopFunction const &function, FunctionPlan const &plan) {
+  return LoopsPrinter(emission, function, plan).print();
 }
 
 } // namespace symreal

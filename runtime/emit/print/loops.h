@@ -2,10 +2,10 @@
 #pragma once
 
 #include "emit/print/code_text.h"
-#include "emit/print/emission.h"
+#include "emit/print/function_plan.h"
 
 namespace symreal {
 
-CodeText print_loops(Emission &emission, reroll::LoopFunction const &function, bool is_compute);
+CodeText print_loops(Emission &emission, reroll::LoopFunction const &function, FunctionPlan const &plan);
 
 } // namespace symreal

@@ -12,9 +12,12 @@ EmittedFile print_source(Emission &emission) {
   FileSyntax const &files = emission.language.files;
   std::string const name = emission.options.base_name + std::string(files.extension);
   if (files.whole) return {name, files.whole(emission)};
-  CodeText functions = print_function(emission, false);
-  functions.lines("\n");
-  functions.append(print_function(emission, true));
+  CodeText functions = print_function(emission, FunctionKind::preprocess);
+  for (FunctionKind const kind : {FunctionKind::computed_angles, FunctionKind::compute}) {
+    if (kind == FunctionKind::computed_angles && emission.plan.angles.computed.results.empty()) continue;
+    functions.lines("\n");
+    functions.append(print_function(emission, kind));
+  }
   auto const part = [&](Part write) { return write ? write(emission) : std::string(); };
   CodeText text(emission.language);
   text.lines(banner(emission));

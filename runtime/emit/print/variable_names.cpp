@@ -1,5 +1,7 @@
 #include "emit/print/variable_names.h"
 
+#include "emit/print/angles.h"
+
 #include "graph/names.h"
 #include "support/number.h"
 
@@ -30,8 +32,8 @@ static std::vector<std::string> words_in(std::string const &text) {
 // compilers predefine.
 static std::set<std::string> own_names(Emission const &emission) {
   std::set<std::string> names = {"input", "output", "constants", "parameters", "v", "failed", "unix", "linux", "i386"};
-  if (!emission.plan.angles.inputs.empty())
-    names.insert({"sine", "cosine", "angle", "sines_and_cosines", "sines_and_cosines_within"});
+  if (emission.plan.angles.size() != 0)
+    names.insert({"sine", "cosine", "angle", "sines_and_cosines", "sines_and_cosines_within", computed_angles});
   names.insert(emission.local_names.begin(), emission.local_names.end());
   for (OperationInfo const &operation : operations()) {
     names.emplace(operation.c);

@@ -10,7 +10,16 @@
 
 namespace symreal::test {
 
-inline std::vector<double> run(reroll::LoopFunction const &function, Angles const &angles,
+// What stands in the arrays of which compute takes sines and cosines.
+inline std::vector<double> angles_of(Schedule const &plan, std::vector<double> const &inputs) {
+  std::vector<double> angles;
+  for (std::uint32_t const slot : plan.angles.inputs) angles.push_back(inputs[slot]);
+  std::vector<double> const values = evaluate(*plan.graph, inputs, {});
+  for (NodeId const id : plan.angles.computed.results) angles.push_back(values[id]);
+  return angles;
+}
+
+inline std::vector<double> run(reroll::LoopFunction const &function, std::vector<double> const &angles,
                                std::vector<double> const &inputs, std::size_t results) {
   std::vector<double> memory(function.memory), output(results);
   for (reroll::Step const &step : function.steps) {
@@ -21,8 +30,8 @@ inline std::vector<double> run(reroll::LoopFunction const &function, Angles cons
         switch (leaf.kind) {
         case reroll::Leaf::Kind::given: leaves[i] = inputs[leaf.access.at(k)]; break;
         case reroll::Leaf::Kind::read: ADD_FAILURE() << "nothing is precomputed"; break;
-        case reroll::Leaf::Kind::sine: leaves[i] = std::sin(inputs[angles.inputs[leaf.access.at(k)]]); break;
-        case reroll::Leaf::Kind::cosine: leaves[i] = std::cos(inputs[angles.inputs[leaf.access.at(k)]]); break;
+        case reroll::Leaf::Kind::sine: leaves[i] = std::sin(angles[leaf.access.at(k)]); break;
+        case reroll::Leaf::Kind::cosine: leaves[i] = std::cos(angles[leaf.access.at(k)]); break;
         case reroll::Leaf::Kind::memory: leaves[i] = memory[leaf.access.at(k)]; break;
         case reroll::Leaf::Kind::values: leaves[i] = leaf.values[k % leaf.values.size()]; break;
         case reroll::Leaf::Kind::carried:
