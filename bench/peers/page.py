@@ -18,7 +18,7 @@ DOCS, HERE = pathlib.Path("docs"), contenders.HERE
 GENERATORS = [*contenders.MODES, *contenders.PYTHON, "CppADCodeGen"]
 SHOWN = ["original", *contenders.PEERS, *contenders.MODES, *contenders.FURTHER]
 COLOURS = dict(zip(SHOWN, ["#000000", "#8a6bb1", "#3b6ea5", "#3f8f5f", "#7f8c3f", "#2aa1a1", "#999999", "#e3a29b", "#c98a3d", "#b5453b", "#2aa1a1",
-                           "#e377c2", "#8c564b"]))
+                           "#e377c2", "#8c564b", "#d62728"]))
 DASHED = contenders.FURTHER
 
 
