@@ -19,7 +19,7 @@ SYMREAL = os.environ.get("SYMREAL", "build/dev/tool/symreal")
 PACKAGES = pathlib.Path(sys.prefix) / f"lib/python3.{sys.version_info[1]}/site-packages"
 GENERATE_SECONDS, COMPILE_SECONDS = 60, 30
 LARGE = 10_000  # operations in its text from which generated code is compiled at -O1
-LONG = 24  # joints from which mode fast takes effort 1
+LONG = 100  # joints from which mode fast takes effort 1
 LOOPS = 64  # joints from which --reroll takes part
 
 GCC, CLANG = ("gcc", "g++"), ("clang-19", "clang++-19")
@@ -31,6 +31,7 @@ LEVELS = {
 LARGE_LEVELS = {
     "gcc -O1 -march=native": (GCC, ["-O1", "-march=native"]),
     "clang -O1 -march=native": (CLANG, ["-O1", "-march=native"]),
+    "clang -O3 -march=native": LEVELS["clang -O3 -march=native"],
 }
 LINK_TIME = {"gcc -O3 -march=native -flto": (GCC, ["-O3", "-march=native", "-flto"])}
 REFERENCE = {"reference": (GCC, ["-O2", "-ffp-contract=off", "-fno-builtin", "-fno-fast-math"])}
