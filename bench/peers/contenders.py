@@ -18,7 +18,7 @@ CHAIN = pathlib.Path("inputs/chain")
 SYMREAL = os.environ.get("SYMREAL", "build/dev/tool/symreal")
 PACKAGES = pathlib.Path(sys.prefix) / f"lib/python3.{sys.version_info[1]}/site-packages"
 GENERATE_SECONDS, COMPILE_SECONDS = 60, 30
-LARGE = 10_000  # operations in its text from which generated code is compiled at -O1
+LARGE = 10_000  # operations in its text from which generated code is compiled by LARGE_LEVELS
 LONG = 100  # joints from which mode fast takes effort 1
 LOOPS = 64  # joints from which --reroll takes part
 

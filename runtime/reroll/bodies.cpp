@@ -207,6 +207,8 @@ std::size_t operations_of(Graph const &body) {
   return count;
 }
 
+std::size_t operations_of(Step const &step) { return step.count * operations_of(step.body); }
+
 Step improved(Step const &step, Angles const &angles, Improve const &improve) {
   Improver improver(step, angles);
   Step cheaper = improver.step(improve(improver.graph(), step.count > 1));
@@ -219,7 +221,7 @@ void improve_bodies(LoopFunction &function, Angles const &angles, Improve const 
   function = with_few_signs(std::move(function)); // also of what passes have made of tables
   function.operations = function.in_loops = 0;
   for (Step const &step : function.steps) {
-    std::size_t const operations = step.count * operations_of(step.body);
+    std::size_t const operations = operations_of(step);
     function.operations += operations;
     if (step.count > 1) function.in_loops += operations;
   }

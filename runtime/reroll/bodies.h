@@ -19,8 +19,9 @@ using Improve = std::function<Graph(Graph graph, bool in_loop)>;
 // and cosine of an input. `angles`: those of the schedule.
 Step improved(Step const &step, Angles const &angles, Improve const &improve);
 
-// How many operations a body has.
+// How many operations a body has, and a step in all its iterations.
 std::size_t operations_of(Graph const &body);
+std::size_t operations_of(Step const &step);
 
 // All steps, and what the function counts.
 void improve_bodies(LoopFunction &function, Angles const &angles, Improve const &improve);

@@ -53,24 +53,23 @@ bool SignRelations::is_known(SignedBody const &body, NodeId id) const {
 }
 
 // In all iterations, or in none.
-bool SignRelations::relate(SignedBody const &body, NodeId a, NodeId b, Pattern const &are_opposite, bool opposite) {
+template <class Other> bool SignRelations::relate_to(SignedBody const &body, NodeId id, Other const &other,
+                                                     Pattern const &are_opposite, bool opposite) {
   std::size_t const mark = signs_.mark();
   for (std::uint32_t k = 0; k < body.count(); ++k) {
-    if (signs_.relate(body.value(k, a), body.value(k, b), (are_opposite[k] != 0) != opposite)) continue;
+    if (signs_.relate(body.value(k, id), other(k), (are_opposite[k] != 0) != opposite)) continue;
     signs_.undo_to(mark);
     return false;
   }
   return true;
 }
 
-bool SignRelations::fix(SignedBody const &body, NodeId id, Pattern const &pattern) {
-  std::size_t const mark = signs_.mark();
-  for (std::uint32_t k = 0; k < body.count(); ++k) {
-    if (signs_.relate(body.value(k, id), ground, pattern[k] != 0)) continue;
-    signs_.undo_to(mark);
-    return false;
-  }
-  return true;
+bool SignRelations::relate(SignedBody const &body, NodeId a, NodeId b, Pattern const &are_opposite, bool opposite) {
+  return relate_to(body, a, [&](std::uint32_t k) { return body.value(k, b); }, are_opposite, opposite);
+}
+
+void SignRelations::fix(SignedBody const &body, NodeId id, Pattern const &pattern) {
+  relate_to(body, id, [](std::uint32_t) { return ground; }, pattern, false);
 }
 
 void SignRelations::relate_operation(SignedBody const &body, NodeId id) {
@@ -123,10 +122,7 @@ void SignRelations::relate_product(SignedBody const &body, NodeId id) {
   bool are_related = true;
   for (std::uint32_t k = 0; k < body.count(); ++k)
     are_related = are_related && signs_.root(body.value(k, a)).value == signs_.root(body.value(k, b)).value;
-  if (are_related) {
-    fix(body, id, product(of(body, a), of(body, b)));
-    return;
-  }
+  if (are_related) return fix(body, id, product(of(body, a), of(body, b)));
   if (is_known(body, b)) std::swap(a, b);
   for (std::uint32_t k = 0; k < body.count(); ++k)
     if (!is_ground(body.value(k, a))) signs_.relate(body.value(k, a), ground, false);

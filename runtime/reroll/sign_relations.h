@@ -21,7 +21,9 @@ private:
   bool is_ground(std::uint32_t value) const { return signs_.root(value).value == signs_.root(ground).value; }
   bool is_known(SignedBody const &body, NodeId id) const;
   bool relate(SignedBody const &body, NodeId a, NodeId b, Pattern const &are_opposite, bool opposite = false);
-  bool fix(SignedBody const &body, NodeId id, Pattern const &pattern);
+  void fix(SignedBody const &body, NodeId id, Pattern const &pattern);
+  template <class Other>
+  bool relate_to(SignedBody const &body, NodeId id, Other const &other, Pattern const &are_opposite, bool opposite);
   void relate_leaves(std::size_t memory);
   void relate_operation(SignedBody const &body, NodeId id);
   void relate_sum(SignedBody const &body, NodeId id);

@@ -141,7 +141,7 @@ private:
 
 std::size_t operations_in(std::vector<Step> const &steps) {
   std::size_t count = 0;
-  for (Step const &step : steps) count += step.count * operations_of(step.body);
+  for (Step const &step : steps) count += operations_of(step);
   return count;
 }
 

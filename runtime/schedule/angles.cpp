@@ -80,19 +80,6 @@ std::vector<char> comes_first(Schedule const &plan) {
   return result;
 }
 
-// Of the nodes that are needed for these, those that are operations of the function.
-std::vector<char> needed_for(Schedule const &plan, std::vector<NodeId> const &roots) {
-  Graph const &graph = *plan.graph;
-  std::vector<char> needed(graph.nodes.size(), 0);
-  for (NodeId const root : roots) needed[root] = 1;
-  for (NodeId id = static_cast<NodeId>(graph.nodes.size()); id-- > 0;) {
-    if (is_read(plan, true, id)) needed[id] = 0;
-    for (NodeId const operand : graph.nodes[id].operand)
-      if (needed[id] && operand != no_node) needed[operand] = 1;
-  }
-  return needed;
-}
-
 std::vector<NodeId> roots_of_compute(Graph const &graph) {
   std::vector<NodeId> roots = graph.results;
   for (Guard const &guard : graph.guards) roots.push_back(guard.condition);
@@ -128,10 +115,10 @@ void add_computed(std::vector<char> wanted, Schedule &plan) {
   for (NodeId id = 0; id < graph.nodes.size(); ++id) wanted[id] = wanted[id] && is_first[graph.nodes[id].operand[0]];
   std::vector<NodeId> const computed = angles_of(graph, wanted, false);
   if (computed.size() < least_computed) return;
-  std::vector<char> const before = needed_for(plan, computed);
+  std::vector<char> const before = needed_operations(plan, true, computed);
   Angles const without = plan.angles;
   give_elements(graph, wanted, computed, plan.angles.inputs.size(), plan.angles.element);
-  std::vector<char> const behind = needed_for(plan, roots_of_compute(graph));
+  std::vector<char> const behind = needed_operations(plan, true, roots_of_compute(graph));
   std::size_t twice = 0;
   for (NodeId id = 0; id < graph.nodes.size(); ++id) twice += before[id] && behind[id];
   if (2 * twice > computed.size()) {

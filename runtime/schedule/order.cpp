@@ -114,4 +114,20 @@ void order(Graph const &graph, std::vector<char> const &is_read, Placement &plac
     body.region.assign(body.variables.size(), everywhere);
 }
 
+std::vector<char> needed_operations(Schedule const &plan, bool in_compute, std::vector<NodeId> const &roots) {
+  Graph const &graph = *plan.graph;
+  std::vector<char> needed(graph.nodes.size(), 0);
+  for (NodeId const root : roots) needed[root] = 1;
+  for (std::size_t id = graph.nodes.size(); id-- > 0;) {
+    if (!needed[id]) continue;
+    if (is_read(plan, in_compute, static_cast<NodeId>(id))) {
+      needed[id] = 0;
+      continue;
+    }
+    for (NodeId const operand : graph.nodes[id].operand)
+      if (operand != no_node) needed[operand] = 1;
+  }
+  return needed;
+}
+
 } // namespace symreal

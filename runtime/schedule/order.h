@@ -37,6 +37,9 @@ inline bool is_read(Schedule const &plan, bool in_compute, NodeId id) {
   return is_leaf(plan.graph->nodes[id].op) || (in_compute && plan.element(id));
 }
 
+// Per node: whether it is an operation that the function computes for these.
+std::vector<char> needed_operations(Schedule const &plan, bool in_compute, std::vector<NodeId> const &roots);
+
 // Calls `visit` with the operands of the operation that sets a variable.
 template <class Visit> void for_each_operand(Schedule const &plan, FunctionBody const &body, bool in_compute,
                                              NodeId variable, Visit const &visit) {

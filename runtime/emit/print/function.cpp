@@ -24,20 +24,13 @@ public:
         syntax_(emission.language.functions),
         body_(plan.body),
         plan_(plan),
-        name_(plan.name),
-        inputs_(plan.inputs),
-        part_inputs_(plan.inputs),
-        target_(plan.target),
         threads_(emission.plan.threads),
-        printer_(emission, body_, plan.in_compute, target_) {
-    if (plan.has_angles)
-      for (Array const array : {Array::sine, Array::cosine}) part_inputs_.emplace_back(name_of(array));
-  }
+        printer_(emission, body_, plan.in_compute, plan.target) {}
 
   CodeText print() {
     bool const may_fail = !body_.checks.empty();
     CodeText out(language_), last(language_);
-    if (plan_.has_angles) {
+    if (plan_.has_angles()) {
       print_angles(emission_, last);
       printer_.note_array(name_of(Array::input));
       if (!emission_.plan.angles.computed.results.empty()) printer_.note_array(name_of(Array::constants));
@@ -66,23 +59,24 @@ public:
         print_part(printer_.chunk_count() + group, std::move(text), false, out, last);
       }
       end_group(part_count(), out);
-      for (std::string const &input : inputs_) printer_.note_array(input); // the calls pass them on
-      if (syntax_.parts_store) printer_.note_array(target_);
+      for (std::string const &input : plan_.inputs) printer_.note_array(input); // the calls pass them on
+      if (syntax_.parts_store) printer_.note_array(plan_.target);
     }
     last.statement(
-        2, fill(language_, syntax_.results, {{"name", target_}, {"count", std::to_string(body_.results.size())}}));
+        2, fill(language_, syntax_.results, {{"name", plan_.target}, {"count", std::to_string(body_.results.size())}}));
     if (printer_.result_groups() == 1) printer_.results(0, last);
     if (may_fail) last.statement(2, syntax_.success);
-    last.statement(2, fill(language_, syntax_.finish, {{"name", target_}}));
+    last.statement(2, fill(language_, syntax_.finish, {{"name", plan_.target}}));
     std::string_view const output =
         plan_.is_local && !syntax_.local_output.empty() ? syntax_.local_output : syntax_.output;
-    append(out, plan_.is_local ? syntax_.local_head : syntax_.head, output, may_fail, name_, target_, std::move(last));
+    append(out, plan_.is_local ? syntax_.local_head : syntax_.head, output, may_fail, plan_.name, plan_.target,
+           std::move(last));
     return out;
   }
 
 private:
   std::string group(std::size_t chunk) const {
-    return syntax_.group_size == 0 ? "" : fmt::format("{}_part_{}", name_, chunk / syntax_.group_size + 1);
+    return syntax_.group_size == 0 ? "" : fmt::format("{}_part_{}", plan_.name, chunk / syntax_.group_size + 1);
   }
   std::string with_output(std::string const &inputs, std::string const &output) const {
     return syntax_.output_first ? output + ", " + inputs : inputs + ", " + output;
@@ -129,13 +123,13 @@ private:
     }
     if (checks) text.statement(2, syntax_.success);
     text.statement(2, fill(language_, syntax_.local_finish, {{"name", "v"}}));
-    std::string const name = language_.names.spelled(fmt::format("{}_{}", name_, part + 1));
-    bool const stores = printer_.arrays().contains(target_);
+    std::string const name = language_.names.spelled(fmt::format("{}_{}", plan_.name, part + 1));
+    bool const stores = printer_.arrays().contains(plan_.target);
     append(out, syntax_.local_head, syntax_.local_output.empty() ? syntax_.output : syntax_.local_output, checks, name,
            "v", std::move(text));
     if (part + 1 < part_count() || syntax_.group_size == 0) out.lines("\n");
     std::string const arguments =
-        with_output(fmt::format("{}", fmt::join(part_inputs_, ", ")), stores ? target_ + ", v" : "v");
+        with_output(fmt::format("{}", fmt::join(plan_.part_inputs, ", ")), stores ? plan_.target + ", v" : "v");
     bool const is_shared = part < printer_.chunk_count() && this->is_shared(part);
     for (std::string_view rest = checks ? syntax_.checked_call : syntax_.call; !rest.empty();) { // a statement a line
       std::size_t const end = std::min(rest.find('\n'), rest.size());
@@ -150,7 +144,7 @@ private:
   void print_locals(bool is_part, CodeText &out) {
     std::vector<std::string> names = printer_.take_variables();
     if (!is_part && printer_.chunk_count() > 1) names.insert(names.begin(), "v");
-    if (!is_part && syntax_.output.empty()) names.insert(names.begin(), target_);
+    if (!is_part && syntax_.output.empty()) names.insert(names.begin(), plan_.target);
     out.statement(2, fill(names.empty() ? syntax_.no_locals : syntax_.locals,
                           {{"names", fmt::format("{}", fmt::join(names, ", "))}}));
   }
@@ -158,14 +152,14 @@ private:
   // A parameter that the text does not use is marked, or compilers warn.
   void append(CodeText &out, std::string_view head, std::string_view output, bool may_fail, std::string const &name,
               std::string const &last, CodeText text) {
-    bool const is_part = name != name_;
+    bool const is_part = name != plan_.name;
     ArrayNames const used = printer_.take_arrays();
-    std::vector<std::string> const &inputs = is_part ? part_inputs_ : inputs_;
+    std::vector<std::string> const &inputs = is_part ? plan_.part_inputs : plan_.inputs;
     std::string parameters;
     for (std::string const &input : inputs)
       parameters += (parameters.empty() ? "" : ", ") + fill(language_, syntax_.input, {{"name", input}});
-    bool const stores = is_part && used.contains(target_);
-    std::string outputs = stores ? fill(language_, syntax_.output, {{"name", target_}}) + ", " : "";
+    bool const stores = is_part && used.contains(plan_.target);
+    std::string outputs = stores ? fill(language_, syntax_.output, {{"name", plan_.target}}) + ", " : "";
     if (!output.empty()) parameters = with_output(parameters, outputs + fill(language_, output, {{"name", last}}));
     bool const is_apart = is_part && body_.variables.size() > syntax_.most_statements && !syntax_.apart.empty();
     emission_.uses.apart |= is_apart;
@@ -178,7 +172,7 @@ private:
                                  .is_apart = is_apart}));
     for (std::string const &input : inputs)
       out.statement(2, fill(language_, syntax_.input_declaration, {{"name", input}}));
-    if (stores) out.statement(2, fill(language_, syntax_.output_declaration, {{"name", target_}}));
+    if (stores) out.statement(2, fill(language_, syntax_.output_declaration, {{"name", plan_.target}}));
     out.statement(2, fill(language_, syntax_.output_declaration, {{"name", last}}));
     if (may_fail) out.statement(2, syntax_.status_declaration);
     print_locals(is_part, out);
@@ -198,9 +192,6 @@ private:
   FunctionSyntax const &syntax_;
   FunctionBody const &body_;
   FunctionPlan const &plan_;
-  std::string name_;
-  std::vector<std::string> inputs_, part_inputs_; // of the function, of its parts
-  std::string target_;
   unsigned threads_;
   BodyPrinter printer_;
 };

@@ -11,11 +11,13 @@ struct FunctionPlan {
   FunctionBody const &body;
   std::optional<reroll::LoopFunction> const *loops; // of the file, or none has any
   std::string name;
-  std::vector<std::string> inputs;
+  std::vector<std::string> inputs, part_inputs; // of the function, of its parts
   std::string target;
   bool in_compute; // reads what compute reads
-  bool has_angles; // begins with sines and cosines, which its parts read
   bool is_local;   // of the file, not of its interface
+
+  // Whether it begins with sines and cosines, which its parts read.
+  bool has_angles() const { return part_inputs.size() != inputs.size(); }
 };
 
 FunctionPlan function_plan(Emission const &emission, FunctionKind kind);

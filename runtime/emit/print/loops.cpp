@@ -25,23 +25,18 @@ public:
         syntax_(emission.language.functions),
         function_(function),
         plan_(plan),
-        name_(plan.name),
         arrays_{plan.inputs.front(),
                 plan.inputs.back(),
                 "v",
                 plan.target,
                 std::string(name_of(Array::sine)),
                 std::string(name_of(Array::cosine)),
-                hides_arguments(emission.graph())},
-        inputs_(plan.inputs),
-        part_inputs_(plan.inputs) {
-    if (plan.has_angles) part_inputs_.insert(part_inputs_.end(), {arrays_.sine, arrays_.cosine});
-  }
+                hides_arguments(emission.graph())} {}
 
   CodeText print() {
     CodeText out(language_), last(language_);
     std::set<std::string> used = {arrays_.given, arrays_.read, arrays_.filled}; // the calls pass them on
-    if (plan_.has_angles) print_angles(emission_, last);
+    if (plan_.has_angles()) print_angles(emission_, last);
     last.statement(
         2, fill(language_, language_.statements.array,
                 {{"name", arrays_.memory}, {"count", std::to_string(std::max<std::size_t>(function_.memory, 1))}}));
@@ -54,7 +49,7 @@ public:
     }
     if (!is_checked) print_checks(last);
     if (!function_.checks.empty()) last.statement(2, syntax_.success);
-    append(out, plan_.is_local ? syntax_.local_head : syntax_.head, !function_.checks.empty(), name_, inputs_,
+    append(out, plan_.is_local ? syntax_.local_head : syntax_.head, !function_.checks.empty(), plan_.name, plan_.inputs,
            arrays_.filled, used, std::move(last));
     return out;
   }
@@ -74,9 +69,9 @@ private:
     CodeText text(language_);
     std::set<std::string> used = {arrays_.memory};
     print_step(emission_, function_.steps[number], arrays_, text, used);
-    std::string const name = language_.names.spelled(fmt::format("{}_{}", name_, number + 1));
+    std::string const name = language_.names.spelled(fmt::format("{}_{}", plan_.name, number + 1));
     std::vector<std::string> inputs = {arrays_.memory};
-    if (!fills) inputs = part_inputs_;
+    if (!fills) inputs = plan_.part_inputs;
     std::string const &last = fills ? arrays_.filled : arrays_.memory;
     append(out, syntax_.local_head, false, name, inputs, last, used, std::move(text));
     out.lines("\n");
@@ -108,9 +103,7 @@ private:
   FunctionSyntax const &syntax_;
   reroll::LoopFunction const &function_;
   FunctionPlan const &plan_;
-  std::string name_;
   LoopArrays arrays_;
-  std::vector<std::string> inputs_, part_inputs_; // of the function, of its parts
 };
 
 } // namespace

@@ -57,38 +57,25 @@ LoopFunction with_few_signs(Graph const &graph) {
 
 Op sum_or_difference(bool is_sum) { return is_sum ? Op::add : Op::sub; }
 
-// y -> y z + x and y z - x in turn: y z + x, where y is a negative every other time.
-TEST(Signs, OfWhatIsCarriedOnAlternate) {
+// y -> y z - x, but every `period` times y z + x: how many operations its loop has.
+std::size_t operations_of_chain(std::uint32_t period, bool is_number) {
   Builder make;
+  NodeId const z = is_number ? make.number(2) : make.input(100);
   NodeId y = make.input(0);
   for (std::uint32_t k = 1; k <= 60; ++k)
-    y = make(sum_or_difference(k % 2 == 0), make(Op::mul, y, make.input(100)), make.input(k));
+    y = make(sum_or_difference(k % period == 0), make(Op::mul, y, z), make.input(k));
   Graph const graph = make.finish({y});
-  LoopFunction const function = with_few_signs(graph);
-  EXPECT_EQ(reroll::operations_of(loop(function).body), 2);
+  return reroll::operations_of(loop(with_few_signs(graph)).body);
 }
+
+// y is a negative every other time.
+TEST(Signs, OfWhatIsCarriedOnAlternate) { EXPECT_EQ(operations_of_chain(2, false), 2); }
 
 // No signs of y make a sum of this: two differences follow each sum.
-TEST(Signs, ThatContradictEachOtherTakeOneFactor) {
-  Builder make;
-  NodeId y = make.input(0);
-  for (std::uint32_t k = 1; k <= 60; ++k)
-    y = make(sum_or_difference(k % 3 == 0), make(Op::mul, y, make.input(100)), make.input(k));
-  Graph const graph = make.finish({y});
-  LoopFunction const function = with_few_signs(graph);
-  EXPECT_EQ(reroll::operations_of(loop(function).body), 3);
-}
+TEST(Signs, ThatContradictEachOtherTakeOneFactor) { EXPECT_EQ(operations_of_chain(3, false), 3); }
 
-// Of numbers in tables, which take any sign.
-TEST(Signs, GoIntoTables) {
-  Builder make;
-  NodeId y = make.input(0);
-  for (std::uint32_t k = 1; k <= 60; ++k)
-    y = make(sum_or_difference(k % 3 == 0), make(Op::mul, y, make.number(2)), make.input(k));
-  Graph const graph = make.finish({y});
-  LoopFunction const function = with_few_signs(graph);
-  EXPECT_EQ(reroll::operations_of(loop(function).body), 2);
-}
+// Numbers in tables take any sign.
+TEST(Signs, GoIntoTables) { EXPECT_EQ(operations_of_chain(3, true), 2); }
 
 // What one loop leaves as negatives, another reads as such, and straight-line code.
 TEST(Signs, GoThroughMemory) {
