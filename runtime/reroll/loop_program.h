@@ -28,7 +28,7 @@ struct Leaf {
     cosine,
     memory,  // an element of the function's own array
     values,  // values[iteration % size]
-    carried, // in the first iteration that element of memory, then the value `next` of the iteration before
+    carried, // in the first iteration that element of memory, then the value `next`, maybe a leaf, of the one before
   } kind;
   Access access = {};
   std::vector<double> values = {};

@@ -1,6 +1,7 @@
 #include "reroll/plan.h"
 
 #include "reroll/body_builder.h"
+#include "reroll/carried.h"
 #include "reroll/memory.h"
 #include "reroll/result_copies.h"
 #include "reroll/roles.h"
@@ -163,10 +164,15 @@ private:
     LoopBody const &plan = loops_[loop];
     BodyBuilder body(*sequence_.graph);
     std::vector<NodeId> leaves(plan.columns.size(), no_node), computed;
+    Carried carried(body, memory_);
     auto const column = [&](std::uint32_t number) {
       if (leaves[number] != no_node) return leaves[number];
       Role const &role = roles_[loop][number];
-      leaves[number] = role.constant ? body.constant(*role.constant) : body.leaf(leaf_of(role, memory_));
+      if (role.constant)
+        leaves[number] = body.constant(*role.constant);
+      else
+        leaves[number] =
+            role.next != no_position ? carried.leaf(role.next, role.nodes) : body.leaf(leaf_of(role, memory_));
       return leaves[number];
     };
     auto const value = [&](BodyOperand const &operand) {
@@ -182,9 +188,7 @@ private:
       if (first) std::swap(operands[0], operands[1]);
       computed.push_back(body.operation(first || second ? Op::sub : operation.op, operands, operation.first));
     }
-    for (std::uint32_t number = 0; number < plan.columns.size(); ++number)
-      if (Role const &role = roles_[loop][number]; role.kind == Leaf::Kind::carried)
-        body.carry(leaves[number], computed[role.next]);
+    carried.carry(computed);
     for (auto const &[position, field] : memory_.fields(loop))
       body.store(computed[position], false, {memory_.element({loop, position, 0}), memory_.stride(loop)});
     return body.finish(plan.repeat.count);

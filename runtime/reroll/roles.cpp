@@ -41,9 +41,9 @@ public:
       return role;
     }
     if (is_carried()) {
-      memory_.need(role.node = nodes_.front());
       role.kind = Leaf::Kind::carried;
       role.next = cell_.position;
+      for (std::size_t k : elsewhere_) memory_.need(role.nodes.emplace_back(nodes_[k]));
       return role;
     }
     memory_.need(cell_);
@@ -75,10 +75,12 @@ private:
     return step_ != 0;
   }
 
-  // The value of the iteration before, but for the first.
+  // The value of a few iterations before, but for the first ones.
   bool is_carried() const {
-    bool const is_before = cell_.loop == loop_ && step_ == 1 && cell_.iteration == -1;
-    return is_before && elsewhere_ == std::vector<std::size_t>{0};
+    constexpr std::size_t most_iterations = 4; // each takes a variable
+    bool const is_before = cell_.loop == loop_ && step_ == 1 && cell_.iteration < 0;
+    return is_before && elsewhere_.size() <= most_iterations &&
+           cell_.iteration == -static_cast<std::int64_t>(elsewhere_.size());
   }
 
   Sequence const &sequence_;

@@ -13,12 +13,14 @@ struct Role {
   std::optional<double> constant = {}; // of values that are all the same
   std::vector<double> values = {};     // otherwise their period
   Access access = {};                  // in what the function is given or reads
-  // In memory: cells a step of iterations apart, or one node, which also is where what is carried begins, or a list.
+  // In memory: cells a step of iterations apart, or one node, or a list.
   std::optional<Cell> cell = {};
   std::int64_t step = 0;
   NodeId node = no_node;
+  // Of what is carried on, the operation of the body that computes it, and in `nodes` its values in the first
+  // iterations: as many as it is carried.
+  std::uint32_t next = no_position;
   std::vector<NodeId> nodes = {};
-  std::uint32_t next = no_position; // carried: the operation of the body that computes the next value
 };
 
 // A constant, or a column of a table: of these values, one for each iteration.

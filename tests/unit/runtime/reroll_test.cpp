@@ -53,6 +53,21 @@ TEST(Reroll, AFilterCarriesItsState) {
   EXPECT_TRUE(leaves_of(loop, Leaf::Kind::values).empty());
 }
 
+// y[k] = x[k] + 0.5 y[k - 1] - 0.25 y[k - 2]
+TEST(Reroll, AFilterOfSecondOrderReadsNoStateFromMemory) {
+  Builder make;
+  std::vector<NodeId> y = {make.input(0), make.input(1)};
+  for (std::uint32_t k = 2; k < 100; ++k) {
+    NodeId const sum = make(Op::add, make.input(k), make(Op::mul, y[k - 1], make.number(0.5)));
+    y.push_back(make(Op::sub, sum, make(Op::mul, y[k - 2], make.number(0.25))));
+  }
+  Step const loop = longest(compute_of(make.finish(y)));
+  EXPECT_EQ(leaves_of(loop, Leaf::Kind::carried).size(), 2);
+  EXPECT_TRUE(leaves_of(loop, Leaf::Kind::memory).empty());
+  ASSERT_EQ(loop.stores.size(), 1);
+  EXPECT_EQ(loop.stores[0].access.step, 1);
+}
+
 TEST(Reroll, TheStepsDoNotGrowWithTheSamples) {
   LoopFunction const few = compute_of(filter(100)), many = compute_of(filter(1000));
   EXPECT_EQ(few.steps.size(), many.steps.size());
@@ -149,9 +164,9 @@ TEST(Reroll, ASecondSweepReadsBackwards) {
 TEST(Reroll, IterationsFurtherBackAreRecords) {
   Builder make;
   std::vector<NodeId> y;
-  for (std::uint32_t k = 0; k < 4; ++k) y.push_back(make(Op::sin, make.input(k)));
-  for (std::uint32_t k = 4; k < 60; ++k)
-    y.push_back(make(Op::add, make(Op::mul, y[k - 1], make.input(k)), make(Op::mul, y[k - 4], make.number(0.5))));
+  for (std::uint32_t k = 0; k < 5; ++k) y.push_back(make(Op::sin, make.input(k)));
+  for (std::uint32_t k = 5; k < 60; ++k)
+    y.push_back(make(Op::add, make(Op::mul, y[k - 1], make.input(k)), make(Op::mul, y[k - 5], make.number(0.5))));
   Step const loop = longest(compute_of(make.finish({y.back()})));
   EXPECT_GE(loop.count, 50);
   EXPECT_EQ(leaves_of(loop, Leaf::Kind::memory).size(), 1);
