@@ -40,7 +40,7 @@ private:
   }
 
   void collect(Op op, NodeId end) {
-    Group group{op, {}};
+    Group group{op, end, {}};
     std::vector<SignedNode> open = {{end}};
     while (!open.empty()) {
       auto const [id, is_negative] = open.back();

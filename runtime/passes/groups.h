@@ -19,7 +19,8 @@ struct SignedNode {
 // within it, changes of sign included; what is exact, and what depends on no input, is a term. In the order in which it
 // is written.
 struct Group {
-  Op op; // add or mul
+  Op op;      // add or mul
+  NodeId end; // of the graph: the sum or product
   std::vector<SignedNode> terms;
 };
 

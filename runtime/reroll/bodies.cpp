@@ -3,6 +3,7 @@
 #include "graph/evaluate.h"
 #include "graph/node_table.h"
 #include "reroll/body_builder.h"
+#include "reroll/recurrences.h"
 #include "reroll/roles.h"
 #include "reroll/signs.h"
 
@@ -219,6 +220,7 @@ void improve_bodies(LoopFunction &function, Angles const &angles, Improve const 
   function = with_few_signs(std::move(function));
   for (Step &step : function.steps) step = improved(step, angles, improve);
   function = with_few_signs(std::move(function)); // also of what passes have made of tables
+  for (Step &step : function.steps) step = with_short_recurrences(std::move(step));
   function.operations = function.in_loops = 0;
   for (Step const &step : function.steps) {
     std::size_t const operations = operations_of(step);
