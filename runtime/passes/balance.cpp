@@ -2,6 +2,7 @@
 
 #include "passes/pass.h"
 
+#include <algorithm>
 #include <limits>
 #include <queue>
 
@@ -53,11 +54,51 @@ double Balance::time(Node const &node) const {
   return time + costs_.latency_of(node.op);
 }
 
-// Sums and products of several terms as balanced trees: the critical path is shorter, the work the same. What depends
-// on no input is there at the beginning.
+namespace {
+
+Balance from_inputs_on(CostModel const &costs) {
+  return Balance(costs, [](Node const &) { return 0; });
+}
+
+// Per node, how long the longest path through it takes.
+std::vector<double> paths_through(Graph const &graph, CostModel const &costs) {
+  std::vector<char> const live = live_nodes(graph);
+  Balance times = from_inputs_on(costs);
+  std::vector<double> through(graph.nodes.size(), 0), tails = through;
+  for (auto id = static_cast<NodeId>(graph.nodes.size()); id-- > 0;) {
+    Node const &node = graph.nodes[id];
+    if (!live[id] || is_leaf(node.op) || node.attribute != Attribute::variable) continue;
+    through[id] = times.time_of(id, graph.nodes) + tails[id];
+    for (unsigned i = 0; i < arity(node.op); ++i)
+      tails[node.operand[i]] = std::max(tails[node.operand[i]], tails[id] + costs.latency_of(node.op));
+  }
+  return through;
+}
+
+Graph balanced(Graph const &graph, CostModel const &costs, std::function<bool(NodeId)> const &is_chosen) {
+  Balance balance = from_inputs_on(costs);
+  return regrouped(graph, [&](Group const &group, NodeTable &table) {
+    return is_chosen(group.end) ? std::optional(balance(group, table)) : std::nullopt;
+  });
+}
+
+double longest(std::vector<double> const &paths) { return paths.empty() ? 0 : *std::ranges::max_element(paths); }
+
+} // namespace
+
+double span(Graph const &graph, CostModel const &costs) { return longest(paths_through(graph, costs)); }
+
+// Sums and products as balanced trees, where this makes the longest path shorter: the work is the same.
 Graph pass_balance(Graph graph, PassSettings const &settings) {
-  Balance balance(settings.costs, [](Node const &) { return 0; });
-  return regrouped(graph, [&](Group const &group, NodeTable &table) { return balance(group, table); });
+  CostModel const &costs = settings.costs;
+  double const least = span(balanced(graph, costs, [](NodeId) { return true; }), costs);
+  for (double last = std::numeric_limits<double>::infinity(); true;) {
+    std::vector<double> const through = paths_through(graph, costs);
+    double const now = longest(through);
+    if (now <= least || now >= last) return graph;
+    last = now;
+    graph = balanced(graph, costs, [&](NodeId id) { return through[id] > least; });
+  }
 }
 
 } // namespace symreal

@@ -31,4 +31,7 @@ private:
   std::vector<double> times_; // per node
 };
 
+// The longest path from the inputs to an output.
+double span(Graph const &graph, CostModel const &costs);
+
 } // namespace symreal

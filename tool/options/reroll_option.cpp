@@ -25,8 +25,12 @@ std::optional<Rerolled> RerollOption::loops(Schedule const &plan, std::optional<
   if (!is_given) return {};
   auto const improve = [&](Graph graph, bool in_loop) {
     PassSettings settings = passes.settings();
-    if (!in_loop) settings.effort = std::min(settings.effort, 1); // what is computed once
-    return run_passes(std::move(graph), passes.names(), settings);
+    std::vector<std::string> names = passes.names();
+    if (in_loop)
+      std::erase(names, "latency"); // iterations stand side by side: recurrences.h
+    else
+      settings.effort = std::min(settings.effort, 1); // what is computed once
+    return run_passes(std::move(graph), names, settings);
   };
   Rerolled loops = found ? improved(*found, plan.angles, improve) : rerolled(plan);
   if (!loops.has_loops()) {

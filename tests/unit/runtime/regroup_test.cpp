@@ -5,6 +5,7 @@
 #include "graph/validate.h"
 #include "passes/pass.h"
 
+#include "graph_builder.h"
 #include "graph_words.h"
 #include "random_graph.h"
 
@@ -82,8 +83,36 @@ TEST_P(Regrouping, KeepsValuesAndWork) {
   if (pass[0] == "balance") EXPECT_GT(shorter, 20);
 }
 
-INSTANTIATE_TEST_SUITE_P(Passes, Regrouping, ::testing::Values("regroup", "balance"),
+INSTANTIATE_TEST_SUITE_P(Passes, Regrouping, ::testing::Values("regroup", "balance", "latency"),
                          [](auto const &parameter) { return parameter.param; });
+
+// A sum of nine terms, one after the other, and so many other products.
+Graph sum_beside(std::uint32_t products) {
+  test::GraphBuilder make;
+  NodeId sum = make.input(0);
+  for (std::uint32_t k = 1; k < 9; ++k) sum = make(Op::add, sum, make.input(k));
+  std::vector<NodeId> results = {sum};
+  for (std::uint32_t k = 0; k < products; ++k) results.push_back(make(Op::mul, make.input(k), make.input(k + 1)));
+  return make.finish(results);
+}
+
+TEST(Latency, SixteenOperationsBesideEachOneOfThePathAreEnough) {
+  Graph const few = sum_beside(8 * 15 - 1), enough = sum_beside(8 * 15);
+  std::vector<std::string> const pass = {"latency"};
+  auto const span_after = [&](Graph const &graph) {
+    return figures(run_passes(graph, pass, FloatingPoint::fast)).span;
+  };
+  EXPECT_EQ(figures(few).span, 8);
+  EXPECT_EQ(span_after(few), 4);
+  EXPECT_EQ(span_after(enough), 8);
+}
+
+TEST(Latency, WhatLoopsAreLookedForInStaysAlike) {
+  PassSettings settings(FloatingPoint::fast);
+  settings.searches = false;
+  std::vector<std::string> const pass = {"latency"};
+  EXPECT_EQ(figures(run_passes(sum_beside(0), pass, settings)).span, 8);
+}
 
 } // namespace
 } // namespace symreal

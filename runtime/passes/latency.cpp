@@ -1,0 +1,22 @@
+#include "passes/balance.h"
+#include "passes/pass.h"
+
+namespace symreal {
+
+// A processor that begins two operations in a cycle and has the result of a sum or product after four of them has
+// little to do where less than eight operations stand beside each one of the longest path. It sees a part of the
+// program only, so that twice as many are needed. Where loops are looked for, what is alike stays alike.
+Graph pass_latency(Graph graph, PassSettings const &settings) {
+  constexpr double beside_each = 16;
+  if (!settings.searches) return graph;
+  std::vector<char> const live = live_nodes(graph);
+  double work = 0;
+  for (NodeId id = 0; id < graph.nodes.size(); ++id) {
+    Node const &node = graph.nodes[id];
+    if (live[id] && !is_leaf(node.op) && node.attribute == Attribute::variable) work += settings.costs[node.op];
+  }
+  bool const waits = span(graph, settings.costs) * beside_each > work;
+  return waits ? pass_balance(std::move(graph), settings) : graph;
+}
+
+} // namespace symreal
