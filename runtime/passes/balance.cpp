@@ -86,6 +86,16 @@ double longest(std::vector<double> const &paths) { return paths.empty() ? 0 : *s
 
 } // namespace
 
+double work(Graph const &graph, CostModel const &costs) {
+  std::vector<char> const live = live_nodes(graph);
+  double sum = 0;
+  for (NodeId id = 0; id < graph.nodes.size(); ++id) {
+    Node const &node = graph.nodes[id];
+    if (live[id] && !is_leaf(node.op) && node.attribute == Attribute::variable) sum += costs[node.op];
+  }
+  return sum;
+}
+
 double span(Graph const &graph, CostModel const &costs) { return longest(paths_through(graph, costs)); }
 
 // Sums and products as balanced trees, where this makes the longest path shorter: the work is the same.

@@ -31,7 +31,8 @@ private:
   std::vector<double> times_; // per node
 };
 
-// The longest path from the inputs to an output.
+// What all operations that depend on inputs cost, and those of the longest path from the inputs to an output.
+double work(Graph const &graph, CostModel const &costs);
 double span(Graph const &graph, CostModel const &costs);
 
 } // namespace symreal

@@ -9,13 +9,7 @@ namespace symreal {
 Graph pass_latency(Graph graph, PassSettings const &settings) {
   constexpr double beside_each = 16;
   if (!settings.searches) return graph;
-  std::vector<char> const live = live_nodes(graph);
-  double work = 0;
-  for (NodeId id = 0; id < graph.nodes.size(); ++id) {
-    Node const &node = graph.nodes[id];
-    if (live[id] && !is_leaf(node.op) && node.attribute == Attribute::variable) work += settings.costs[node.op];
-  }
-  bool const waits = span(graph, settings.costs) * beside_each > work;
+  bool const waits = span(graph, settings.costs) * beside_each > work(graph, settings.costs);
   return waits ? pass_balance(std::move(graph), settings) : graph;
 }
 

@@ -93,14 +93,6 @@ private:
   std::vector<char> is_on_path_; // per node
 };
 
-double work(Graph const &body) {
-  std::vector<char> const live = live_nodes(body);
-  double sum = 0;
-  for (NodeId id = 0; id < body.nodes.size(); ++id)
-    if (live[id] && !is_leaf(body.nodes[id].op)) sum += usual_costs()[body.nodes[id].op];
-  return sum;
-}
-
 } // namespace
 
 std::vector<Recurrence> recurrences(Step const &step) {
@@ -134,9 +126,10 @@ std::vector<Recurrence> recurrences(Step const &step) {
 Step with_short_recurrences(Step step) {
   if (step.count == 1) return step;
   for (auto const &[leaves, period] : recurrences(step)) {
-    if (period * begun_meanwhile < work(step.body)) continue;
+    if (period * begun_meanwhile < work(step.body, usual_costs())) continue;
     Step other = Paths(step, leaves).shortened();
-    if (Paths(other, leaves).period() < period && work(other.body) <= work(step.body)) step = std::move(other);
+    if (Paths(other, leaves).period() < period && work(other.body, usual_costs()) <= work(step.body, usual_costs()))
+      step = std::move(other);
   }
   return step;
 }
