@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <map>
+#include <memory>
 #include <numeric>
 
 namespace symreal::reroll {
@@ -199,6 +200,26 @@ private:
   std::vector<char> is_table_, is_read_;         // per node of the graph that came back
 };
 
+// Bodies that are equal but for what their leaves stand for are searched once: those of the inner loops of two nested
+// ones, for instance.
+Improve each_once(Improve const &improve) {
+  using Key = std::pair<std::vector<std::uint64_t>, bool>;
+  return [&improve, known = std::make_shared<std::map<Key, Graph>>()](Graph graph, bool in_loop) {
+    Key key{{graph.input_count(), graph.parameter_count()}, in_loop};
+    for (Node const &node : graph.nodes) {
+      key.first.push_back(static_cast<std::uint64_t>(node.op));
+      for (NodeId operand : node.operand) key.first.push_back(operand);
+    }
+    auto const add = [&](auto const &list) { key.first.insert(key.first.end(), list.begin(), list.end()); };
+    add(graph.results);
+    add(graph.node_exact);
+    add(graph.node_location);
+    auto const found = known->find(key);
+    if (found != known->end()) return found->second;
+    return known->emplace(std::move(key), improve(std::move(graph), in_loop)).first->second;
+  };
+}
+
 } // namespace
 
 std::size_t operations_of(Graph const &body) {
@@ -218,7 +239,8 @@ Step improved(Step const &step, Angles const &angles, Improve const &improve) {
 
 void improve_bodies(LoopFunction &function, Angles const &angles, Improve const &improve) {
   function = with_few_signs(std::move(function));
-  for (Step &step : function.steps) step = improved(step, angles, improve);
+  Improve const once = each_once(improve);
+  for (Step &step : function.steps) step = improved(step, angles, once);
   function = with_few_signs(std::move(function)); // also of what passes have made of tables
   for (Step &step : function.steps) step = with_short_recurrences(std::move(step));
   function.operations = function.in_loops = 0;

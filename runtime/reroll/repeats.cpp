@@ -102,7 +102,7 @@ void add_stretches(Sequence const &sequence, std::uint32_t period, std::priority
 
 bool is_worth_it(Sequence const &sequence, Repeat const &repeat) {
   std::size_t const saving = repeat.count < least_count ? 0 : std::size_t{repeat.count - 1} * repeat.period;
-  return saving >= least_saving && saving * least_part >= sequence.size();
+  return saving >= least_saving && (saving * least_part >= sequence.size() || saving >= ample_saving);
 }
 
 Match match(Sequence const &sequence, std::uint32_t at, std::uint32_t period) {

@@ -19,9 +19,9 @@ struct Repeat {
 enum class Match { none, as_is, exchanged };
 Match match(Sequence const &sequence, std::uint32_t at, std::uint32_t period);
 
-// What is worth a loop: so many iterations; so many operations that need no code then, and this part of all. Small
-// loops inside of straight-line code cost more than they save.
-inline constexpr std::uint32_t least_count = 4, least_saving = 24, least_part = 50;
+// What is worth a loop: so many iterations; so many operations that need no code then, and this part of all or so many
+// that the part does not matter. Small loops inside of straight-line code cost more than they save.
+inline constexpr std::uint32_t least_count = 4, least_saving = 24, least_part = 50, ample_saving = 300;
 bool is_worth_it(Sequence const &sequence, Repeat const &repeat);
 
 // Disjoint, in order. The longest stretches win, of equal ones those of the shorter period. Time is that of a few dozen

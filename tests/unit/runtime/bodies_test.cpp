@@ -102,6 +102,29 @@ TEST(Bodies, SineAndCosineAreThoseOfOneAngle) {
   EXPECT_EQ(result.leaves(Leaf::Kind::given), 1);
 }
 
+// Two loops of equal bodies, whose tables differ.
+TEST(Bodies, EqualBodiesAreSearchedOnce) {
+  Builder make;
+  std::vector<NodeId> results;
+  for (std::uint32_t row = 0; row < 2; ++row) {
+    NodeId sum = make(Op::exp, make.input(row));
+    for (std::uint32_t k = 1; k <= 60; ++k)
+      sum = make(Op::mul, make(Op::add, sum, make.number(k * k + row)), make.input(k + 1));
+    results.push_back(sum);
+  }
+  Graph const graph = make.finish(results);
+  Schedule const plan = schedule(graph);
+  int loops = 0;
+  auto const counted = [&](Graph body, bool in_loop) {
+    loops += in_loop;
+    return by_passes(std::move(body), in_loop);
+  };
+  Rerolled const found = improved(rerolled(plan), plan.angles, counted);
+  ASSERT_TRUE(found.compute);
+  EXPECT_EQ(found.compute->loops, 2);
+  EXPECT_EQ(loops, 1);
+}
+
 // What is carried only to carry itself on is left out.
 TEST(Bodies, WhatNobodyReadsAnyMoreIsNotCarried) {
   Builder make;

@@ -74,6 +74,21 @@ TEST(Reroll, TheStepsDoNotGrowWithTheSamples) {
   EXPECT_EQ(few.operations - few.in_loops, many.operations - many.in_loops);
 }
 
+// Of two nested loops the inner ones, longer from row to row, each a small part of all: y = 0.5 y + x.
+TEST(Reroll, ManyLoopsMayEachBeASmallPart) {
+  Builder make;
+  std::vector<NodeId> results;
+  for (std::uint32_t row = 0; row < 60; ++row) {
+    NodeId y = make(Op::exp, make.input(row));
+    for (std::uint32_t k = 0; k < 160 + row; ++k)
+      y = make(Op::add, make(Op::mul, y, make.number(0.5)), make.input(60 + row + k));
+    results.push_back(make(Op::sin, y));
+  }
+  LoopFunction const function = compute_of(make.finish(results));
+  EXPECT_GE(function.loops, 59);
+  EXPECT_GT(function.in_loops, function.operations * 9 / 10);
+}
+
 TEST(Reroll, CoefficientsAreATable) {
   Builder make;
   NodeId sum = make.input(0);
