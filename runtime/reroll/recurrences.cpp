@@ -66,17 +66,21 @@ private:
   // Times from the begin of an iteration on.
   Balance balance(double period) const {
     return Balance(usual_costs(), [this, period](Node const &node) {
-      if (node.op != Op::input || std::ranges::find(leaves_, node.slot()) == leaves_.end())
-        return -std::numeric_limits<double>::infinity();
-      return -period * handed_on(node.slot());
+      if (!is_within(node)) return -std::numeric_limits<double>::infinity();
+      return -period * static_cast<double>(handed_on(node.slot()));
     });
   }
-  // How many iterations have handed on what the leaf is.
-  double handed_on(std::uint32_t leaf) const {
-    double iterations = 0;
-    for (auto next = step_.leaves[leaf].next; step_.body.nodes[next].op == Op::input; ++iterations)
-      next = step_.leaves[step_.body.nodes[next].slot()].next;
-    return iterations;
+  // How many iterations have handed on what the leaf is: what never changes, any number of them.
+  std::size_t handed_on(std::uint32_t leaf) const {
+    for (std::size_t iterations = 0; iterations < leaves_.size(); ++iterations) {
+      Node const &next = step_.body.nodes[step_.leaves[leaf].next];
+      if (!is_within(next)) return iterations;
+      leaf = next.slot();
+    }
+    return leaves_.size();
+  }
+  bool is_within(Node const &node) const {
+    return node.op == Op::input && std::ranges::find(leaves_, node.slot()) != leaves_.end();
   }
 
   // From what an iteration takes over to what it hands on.

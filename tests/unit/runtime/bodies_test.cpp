@@ -140,5 +140,18 @@ TEST(Bodies, WhatNobodyReadsAnyMoreIsNotCarried) {
   EXPECT_EQ(result.leaves(Leaf::Kind::carried), 1);
 }
 
+// A sum to which nothing is added any more, beside one that is carried on.
+TEST(Bodies, WhatNeverChangesIsCarriedOn) {
+  Builder make;
+  NodeId sum = make(Op::exp, make.input(0)), other = make(Op::exp, make.input(1));
+  for (std::uint32_t k = 2; k < 62; ++k) {
+    NodeId const x = make.input(k), y = make(Op::add, x, make.number(1));
+    sum = make(Op::add, sum, make(Op::sub, make(Op::mul, x, y), make(Op::mul, y, x)));
+    other = make(Op::add, make(Op::mul, make(Op::add, other, x), make.number(0.5)), sum);
+  }
+  Graph const graph = make.finish({sum, other});
+  EXPECT_EQ(looped(graph).operations(), 3);
+}
+
 } // namespace
 } // namespace symreal
