@@ -10,14 +10,13 @@ namespace {
 
 class Body {
 public:
-  Body(Sequence &sequence, Repeat const &repeat, std::vector<std::uint32_t> const &uses)
+  Body(Sequence const &sequence, Repeat const &repeat, std::vector<std::uint32_t> const &uses)
       : sequence_(sequence),
         repeat_(repeat),
         uses_(uses),
         body_{repeat, std::vector<BodyOperation>(repeat.period), {}} {}
 
   LoopBody run() {
-    exchange();
     for (std::uint32_t p = 0; p < repeat_.period; ++p) {
       Operation const &first = operation(0, p);
       body_.operations[p] = {first.op, first.node, first.count, {}};
@@ -30,18 +29,11 @@ public:
   }
 
 private:
-  Operation &operation(std::uint32_t iteration, std::uint32_t p) {
+  Operation const &operation(std::uint32_t iteration, std::uint32_t p) {
     return sequence_.operations[repeat_.begin + iteration * repeat_.period + p];
   }
   Operand const &operand_at(std::uint32_t iteration, std::uint32_t p, unsigned i) {
     return operation(iteration, p).operands[i];
-  }
-
-  void exchange() {
-    for (std::uint32_t at = repeat_.begin; at + repeat_.period < repeat_.end(); ++at) {
-      auto &operands = sequence_.operations[at + repeat_.period].operands;
-      if (match(sequence_, at, repeat_.period) == Match::exchanged) std::swap(operands[0], operands[1]);
-    }
   }
 
   BodyOperand operand(std::uint32_t p, unsigned i) {
@@ -133,7 +125,7 @@ private:
     body_.columns = std::move(kept);
   }
 
-  Sequence &sequence_;
+  Sequence const &sequence_;
   Repeat repeat_;
   std::vector<std::uint32_t> const &uses_;
   LoopBody body_;
@@ -142,7 +134,7 @@ private:
 
 } // namespace
 
-LoopBody loop_body(Sequence &sequence, Repeat const &repeat, std::vector<std::uint32_t> const &uses) {
+LoopBody loop_body(Sequence const &sequence, Repeat const &repeat, std::vector<std::uint32_t> const &uses) {
   return Body(sequence, repeat, uses).run();
 }
 

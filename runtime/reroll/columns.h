@@ -33,8 +33,7 @@ struct LoopBody {
   std::vector<Column> columns; // all different
 };
 
-// Exchanges operands of `sequence` so that those of an iteration stand as those of the one before. `uses`: per node how
-// often it is an operand or a root.
-LoopBody loop_body(Sequence &sequence, Repeat const &repeat, std::vector<std::uint32_t> const &uses);
+// Of a repeat whose iterations are aligned. `uses`: per node how often it is an operand or a root.
+LoopBody loop_body(Sequence const &sequence, Repeat const &repeat, std::vector<std::uint32_t> const &uses);
 
 } // namespace symreal::reroll

@@ -1,10 +1,13 @@
 // The array of a function: where values stand that other steps read.
 //
 // A loop has a record for each iteration with what it stores. Some records more lie around them: where a later loop
-// reads beyond the first or the last, copies of the values stand that it would have found elsewhere.
+// reads beyond the first or the last, copies of the values stand that it would have found elsewhere. Where iterations
+// do not wait for each other, a record is spread: its fields each stand beside those of the next record, as compilers
+// need it to carry out iterations at the same time. What nobody reads any more leaves its place to others.
 #pragma once
 
 #include "reroll/columns.h"
+#include "reroll/storage.h"
 
 #include <map>
 #include <optional>
@@ -20,7 +23,10 @@ struct Cell {
 
 class Memory {
 public:
-  Memory(Sequence const &sequence, std::vector<LoopBody> const &loops);
+  // `step_of`: per operation the step of the function that computes it.
+  Memory(Sequence const &sequence, std::vector<LoopBody> const &loops, std::vector<std::uint32_t> step_of);
+
+  std::uint32_t step_of_loop(std::uint32_t loop) const { return step_of_[loops_[loop].repeat.begin]; }
 
   // Which iteration of which loop computes the node.
   std::optional<Cell> cell(NodeId node) const;
@@ -28,37 +34,41 @@ public:
     return cell.iteration >= 0 && cell.iteration < static_cast<std::int64_t>(loops_[cell.loop].repeat.count);
   }
 
-  // First what is needed is said:
-  void need(NodeId node);
-  void need(Cell const &cell) { regions_[cell.loop].fields.try_emplace(cell.position, 0); }
+  // First what a step reads is said:
+  void need(NodeId node, std::uint32_t step);
+  void need(Cell const &cell, std::uint32_t step);
   // Whether a copy of the node may stand at a cell that is not real. It does from then on.
   bool may_hold_copy(Cell const &cell, NodeId node) const;
-  // Whether this is the first time.
-  bool hold_copy(Cell const &cell, NodeId node);
+  // The step before writes it. Whether this is the first time.
+  bool hold_copy(Cell const &cell, NodeId node, std::uint32_t step);
 
-  // Then where it stands:
-  void lay_out();
+  // Then where it stands; per loop whether its records are spread.
+  void lay_out(std::vector<char> const &spread);
   std::uint32_t home(NodeId node) const;
   bool has_home(NodeId node) const;
   std::uint32_t element(Cell const &cell) const;
-  std::int64_t stride(std::uint32_t loop) const { return static_cast<std::int64_t>(regions_[loop].fields.size()); }
-  // By position: what the loop stores.
-  std::map<std::uint32_t, std::uint32_t> const &fields(std::uint32_t loop) const { return regions_[loop].fields; }
+  std::int64_t stride(std::uint32_t loop) const { return regions_[loop].stride; }
+  // Of the operations of a body that the loop stores.
+  std::vector<std::uint32_t> stored_positions(std::uint32_t loop) const;
   std::size_t size() const { return size_; }
 
 private:
+  struct Place {
+    Life life;
+    std::uint32_t element = 0; // of a field, in the first record
+  };
   struct Region {
-    std::map<std::uint32_t, std::uint32_t> fields; // by position: the element of a record
-    std::int64_t first = 0, last = 0;              // iterations with records
-    std::size_t begin = 0;                         // element of the first record
+    std::map<std::uint32_t, Place> fields; // by position
+    std::int64_t first = 0, last = 0;      // iterations with records
+    std::int64_t stride = 0;               // from a record to the next
   };
 
   Sequence const &sequence_;
   std::vector<LoopBody> const &loops_;
-  std::vector<std::uint32_t> loop_of_; // per operation, or no_position
+  std::vector<std::uint32_t> step_of_, loop_of_; // per operation; no loop: no_position
   std::vector<Region> regions_;
   std::map<Cell, NodeId> copies_;
-  std::map<NodeId, std::uint32_t> singles_;
+  std::map<NodeId, Place> singles_;
   std::size_t size_ = 0;
 };
 

@@ -13,7 +13,7 @@ namespace symreal::reroll {
 
 namespace {
 
-// A loop, or a straight stretch: one lies before each loop, and one at the end.
+// A loop, or a straight stretch.
 struct Piece {
   std::uint32_t begin, end;
   std::uint32_t loop = no_position;
@@ -35,18 +35,18 @@ public:
         stored_(stored),
         checked_(checked),
         loops_(bodies(repeats)),
-        memory_(sequence_, loops_) {}
+        pieces_(cut()),
+        memory_(sequence_, loops_, piece_of_operations()) {}
 
   LoopFunction run() {
-    cut();
-    for (Piece &piece : pieces_) {
-      if (piece.loop == no_position)
-        need_operands(piece);
+    for (std::uint32_t k = 0; k < pieces_.size(); ++k) {
+      if (pieces_[k].loop == no_position)
+        need_operands(k);
       else
-        choose_roles(piece.loop);
+        choose_roles(k);
     }
     need_roots();
-    memory_.lay_out();
+    memory_.lay_out(independent_loops());
     LoopFunction function;
     for (Piece const &piece : pieces_) {
       Step step = piece.loop == no_position ? straight_step(piece) : loop_step(piece.loop);
@@ -73,51 +73,77 @@ private:
     return result;
   }
 
-  void cut() {
+  // A straight piece before each loop, and at the end.
+  std::vector<Piece> cut() const {
+    std::vector<Piece> pieces;
     std::uint32_t at = 0;
     auto const straight_to = [&](std::uint32_t end) {
       do {
         std::uint32_t const next = std::min(at + most_operations, end);
-        pieces_.push_back({at, next});
+        pieces.push_back({at, next});
         at = next;
       } while (at < end);
     };
     for (std::uint32_t loop = 0; loop < loops_.size(); ++loop) {
       Repeat const &repeat = loops_[loop].repeat;
       straight_to(repeat.begin);
-      piece_before_.push_back(pieces_.size() - 1);
-      pieces_.push_back({repeat.begin, repeat.end(), loop});
+      pieces.push_back({repeat.begin, repeat.end(), loop});
       at = repeat.end();
     }
     straight_to(static_cast<std::uint32_t>(sequence_.size()));
+    return pieces;
+  }
+
+  std::vector<std::uint32_t> piece_of_operations() const {
+    std::vector<std::uint32_t> result;
+    for (std::uint32_t k = 0; k < pieces_.size(); ++k) result.resize(pieces_[k].end, k);
+    return result;
   }
 
   bool is_computed(NodeId node) const { return sequence_.source(node) == Source::computed; }
 
-  void need_operands(Piece const &piece) {
+  void need_operands(std::uint32_t number) {
+    Piece const &piece = pieces_[number];
     for (std::uint32_t at = piece.begin; at < piece.end; ++at)
       for (unsigned i = 0; i < sequence_.operations[at].count; ++i) {
         NodeId const node = sequence_.operations[at].operands[i].node;
-        if (is_computed(node) && !piece.computes(sequence_, node)) memory_.need(node);
+        if (is_computed(node) && !piece.computes(sequence_, node)) memory_.need(node, number);
       }
   }
 
-  void choose_roles(std::uint32_t loop) {
-    Piece &before = pieces_[piece_before_[loop]];
+  void choose_roles(std::uint32_t number) {
+    std::uint32_t const loop = pieces_[number].loop;
+    Piece &before = pieces_[number - 1];
     auto const copy = [&](Cell const &cell, NodeId node) {
-      if (!memory_.hold_copy(cell, node)) return;
+      if (!memory_.hold_copy(cell, node, number)) return;
       before.copies.emplace_back(cell, node);
-      if (!before.computes(sequence_, node)) memory_.need(node);
+      if (!before.computes(sequence_, node)) memory_.need(node, number - 1);
     };
     roles_.emplace_back();
     for (Column const &column : loops_[loop].columns)
       roles_.back().push_back(choose_role(sequence_, loops_, loop, column, memory_, copy));
   }
 
+  // Per loop whether its iterations do not wait for each other.
+  std::vector<char> independent_loops() const {
+    std::vector<char> result;
+    for (std::uint32_t loop = 0; loop < loops_.size(); ++loop) {
+      auto const is_own = [&](NodeId node) {
+        std::optional<Cell> const cell = memory_.cell(node);
+        return cell && cell->loop == loop;
+      };
+      result.push_back(std::ranges::none_of(roles_[loop], [&](Role const &role) {
+        return role.kind == Leaf::Kind::carried || (role.cell && role.cell->loop == loop) ||
+               std::ranges::any_of(role.nodes, is_own);
+      }));
+    }
+    return result;
+  }
+
   void need_roots() {
     std::set<NodeId> kept;
     auto const need = [&](NodeId root) {
-      memory_.need(root);
+      memory_.need(root, static_cast<std::uint32_t>(pieces_.size()));
       if (!is_computed(root) && kept.insert(root).second) pieces_.back().kept.push_back(root);
     };
     for (NodeId root : stored_)
@@ -189,7 +215,7 @@ private:
       computed.push_back(body.operation(first || second ? Op::sub : operation.op, operands, operation.first));
     }
     carried.carry(computed);
-    for (auto const &[position, field] : memory_.fields(loop))
+    for (std::uint32_t const position : memory_.stored_positions(loop))
       body.store(computed[position], false, {memory_.element({loop, position, 0}), memory_.stride(loop)});
     return body.finish(plan.repeat.count);
   }
@@ -197,10 +223,9 @@ private:
   Sequence sequence_;
   std::vector<NodeId> const &stored_, &checked_;
   std::vector<LoopBody> loops_;
-  Memory memory_;
   std::vector<Piece> pieces_;
-  std::vector<std::size_t> piece_before_; // per loop
-  std::vector<std::vector<Role>> roles_;  // per loop and column
+  Memory memory_;
+  std::vector<std::vector<Role>> roles_; // per loop and column
 };
 
 } // namespace

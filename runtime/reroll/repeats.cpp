@@ -85,6 +85,12 @@ struct Stretch {
   }
 };
 
+bool matches(Sequence const &sequence, Repeat const &repeat) {
+  for (std::uint32_t at = repeat.begin; at + repeat.period < repeat.end(); ++at)
+    if (match(sequence, at, repeat.period) == Match::none) return false;
+  return true;
+}
+
 void add_stretches(Sequence const &sequence, std::uint32_t period, std::priority_queue<Stretch> &stretches) {
   std::uint32_t begin = 0;
   auto const end_at = [&](std::uint32_t end) {
@@ -118,10 +124,12 @@ Match match(Sequence const &sequence, std::uint32_t at, std::uint32_t period) {
   return a.may_exchange && fit(0, 1) && fit(1, 0) ? Match::exchanged : Match::none;
 }
 
-std::vector<Repeat> find_repeats(Sequence const &sequence) {
+std::vector<Repeat> find_repeats(Sequence const &sequence, std::vector<Repeat> const &known) {
   std::priority_queue<Stretch> stretches;
   for (std::uint32_t period : likely_periods(sequence)) add_stretches(sequence, period, stretches);
   std::map<std::uint32_t, Repeat> chosen; // by their ends
+  for (Repeat const &repeat : known)
+    if (matches(sequence, repeat)) chosen.emplace(repeat.end(), repeat);
   while (!stretches.empty()) {
     Stretch stretch = stretches.top();
     stretches.pop();
@@ -140,6 +148,14 @@ std::vector<Repeat> find_repeats(Sequence const &sequence) {
   std::vector<Repeat> repeats;
   for (auto const &[end, repeat] : chosen) repeats.push_back(repeat);
   return repeats;
+}
+
+void align(Sequence &sequence, std::vector<Repeat> const &repeats) {
+  for (Repeat const &repeat : repeats)
+    for (std::uint32_t at = repeat.begin; at + repeat.period < repeat.end(); ++at) {
+      auto &operands = sequence.operations[at + repeat.period].operands;
+      if (match(sequence, at, repeat.period) == Match::exchanged) std::swap(operands[0], operands[1]);
+    }
 }
 
 } // namespace symreal::reroll

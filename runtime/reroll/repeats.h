@@ -24,8 +24,11 @@ Match match(Sequence const &sequence, std::uint32_t at, std::uint32_t period);
 inline constexpr std::uint32_t least_count = 4, least_saving = 24, least_part = 50, ample_saving = 300;
 bool is_worth_it(Sequence const &sequence, Repeat const &repeat);
 
-// Disjoint, in order. The longest stretches win, of equal ones those of the shorter period. Time is that of a few dozen
-// scans of the sequence.
-std::vector<Repeat> find_repeats(Sequence const &sequence);
+// Disjoint, in order. Those that are `known` win if all of their operations match, then the longest stretches, of equal
+// ones those of the shorter period. Time is that of a few dozen scans of the sequence.
+std::vector<Repeat> find_repeats(Sequence const &sequence, std::vector<Repeat> const &known = {});
+
+// Exchanges operands so that those of an iteration stand as those of the one before.
+void align(Sequence &sequence, std::vector<Repeat> const &repeats);
 
 } // namespace symreal::reroll

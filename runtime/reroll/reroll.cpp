@@ -2,6 +2,7 @@
 
 #include "graph/statistics.h"
 #include "reroll/check.h"
+#include "reroll/interchange.h"
 #include "reroll/plan.h"
 #include "reroll/trim.h"
 
@@ -28,8 +29,10 @@ std::optional<reroll::LoopFunction> loops_of(Schedule const &plan, bool in_compu
   using namespace reroll;
   std::vector<NodeId> roots = stored;
   roots.insert(roots.end(), checked.begin(), checked.end());
-  Sequence const all = sequence(plan, in_compute, roots);
-  std::vector<Repeat> const repeats = trimmed(all, find_repeats(all));
+  auto [all, stages] = interchanged(sequence(plan, in_compute, roots));
+  std::vector<Repeat> repeats = find_repeats(all, stages);
+  align(all, repeats);
+  repeats = trimmed(all, repeats);
   if (repeats.empty()) return {};
   LoopFunction function = reroll::plan(all, repeats, stored, checked);
   internal_check(find_difference(all, function, stored, checked).empty());

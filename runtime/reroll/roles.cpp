@@ -32,21 +32,21 @@ public:
   Role choose(std::function<void(Cell const &, NodeId)> const &copy) {
     Role role{Leaf::Kind::memory};
     if (std::ranges::all_of(nodes_, [&](NodeId node) { return node == nodes_.front(); })) {
-      memory_.need(role.node = nodes_.front());
+      memory_.need(role.node = nodes_.front(), here());
       return role;
     }
     if (!find_line()) {
-      for (NodeId node : nodes_) memory_.need(node);
+      for (NodeId node : nodes_) memory_.need(node, here());
       role.nodes = nodes_;
       return role;
     }
     if (is_carried()) {
       role.kind = Leaf::Kind::carried;
       role.next = cell_.position;
-      for (std::size_t k : elsewhere_) memory_.need(role.nodes.emplace_back(nodes_[k]));
+      for (std::size_t k : elsewhere_) memory_.need(role.nodes.emplace_back(nodes_[k]), here());
       return role;
     }
-    memory_.need(cell_);
+    memory_.need(cell_, here());
     for (std::size_t k : elsewhere_) copy(at(k), nodes_[k]);
     role.cell = cell_;
     role.step = step_;
@@ -54,6 +54,8 @@ public:
   }
 
 private:
+  std::uint32_t here() const { return memory_.step_of_loop(loop_); }
+
   Cell at(std::size_t k) const {
     return {cell_.loop, cell_.position, cell_.iteration + step_ * static_cast<std::int64_t>(k)};
   }

@@ -9,8 +9,14 @@ SignRelations::SignRelations(std::vector<SignedBody> const &bodies, std::size_t 
       signs_(bodies.back().end()) {
   relate_leaves(memory);
   for (SignedBody const &body : bodies_)
-    for (NodeId id = 0; id < body.size(); ++id)
-      if (!is_leaf(body.node(id).op)) relate_operation(body, id);
+    for (Store const &store : body.step().stores)
+      if (store.is_result && !body.is_number(store.value)) fix(body, store.value, body.plain());
+  // Signs that are the same in all iterations cost nothing: so loops choose before what is computed once.
+  relate_operations(true);
+  for (SignedBody const &body : bodies_)
+    for (std::size_t s = 0; s < body.step().stores.size(); ++s)
+      signs_.relate(body.stored(0, s), body.value(0, body.step().stores[s].value), false);
+  relate_operations(false);
   // What is free yet goes by the signs in tables: without them tables repeat early, and more of them are alike.
   for (SignedBody const &body : bodies_)
     for (NodeId id = 0; id < body.size(); ++id) relate_product_with_numbers(body, id, false);
@@ -18,32 +24,55 @@ SignRelations::SignRelations(std::vector<SignedBody> const &bodies, std::size_t 
 
 Pattern SignRelations::of(SignedBody const &body, NodeId id) const {
   Pattern pattern(body.count());
-  bool const is_ground_negated = signs_.root(ground).negated;
-  for (std::uint32_t k = 0; k < body.count(); ++k) {
-    std::uint32_t const value = body.value(k, id);
-    pattern[k] = signs_.root(value).negated != (is_ground(value) && is_ground_negated);
-  }
+  for (std::uint32_t k = 0; k < body.count(); ++k) pattern[k] = is_negative(body.value(k, id));
   return pattern;
 }
 
-// What is read is what was stored or carried on.
+Pattern SignRelations::of_store(SignedBody const &body, std::size_t store) const {
+  Pattern pattern(body.count());
+  for (std::uint32_t k = 0; k < body.count(); ++k) pattern[k] = is_negative(body.stored(k, store));
+  return pattern;
+}
+
+bool SignRelations::is_negative(std::uint32_t value) const {
+  return signs_.root(value).negated != (is_ground(value) && signs_.root(ground).negated);
+}
+
+// In a body first what leaves no choice: the sign of a product with a known sign is that of the other operand.
+void SignRelations::relate_operations(bool in_loops) {
+  auto const is_forced = [&](SignedBody const &body, Node const &node) {
+    return node.op == Op::neg || ((node.op == Op::mul || node.op == Op::div) &&
+                                  (is_known(body, node.operand[0]) || is_known(body, node.operand[1])));
+  };
+  for (SignedBody const &body : bodies_)
+    for (bool const only_forced : {true, false})
+      for (NodeId id = 0; id < body.size() && (body.count() > 1) == in_loops; ++id) {
+        Node const &node = body.node(id);
+        if (!is_leaf(node.op) && (!only_forced || is_forced(body, node))) relate_operation(body, id);
+      }
+}
+
+// What is read is what was stored there last, or carried on.
 void SignRelations::relate_leaves(std::size_t memory) {
   std::vector<std::uint32_t> stored(memory, ground); // per element the value
   for (SignedBody const &body : bodies_)
-    for (Store const &store : body.step().stores)
-      for (std::uint32_t k = 0; k < body.count() && !store.is_result; ++k)
-        stored[store.access.at(k)] = body.value(k, store.value);
-  for (SignedBody const &body : bodies_)
-    for (NodeId id = 0; id < body.size(); ++id)
-      for (std::uint32_t k = 0; k < body.count() && is_leaf(body.node(id).op); ++k) {
-        Leaf const *const leaf = body.leaf(id);
-        std::uint32_t source = ground;
-        if (leaf && leaf->kind == Leaf::Kind::carried && k > 0)
-          source = body.value(k - 1, leaf->next);
-        else if (leaf && (leaf->kind == Leaf::Kind::memory || leaf->kind == Leaf::Kind::carried))
-          source = stored[leaf->access.at(k)];
-        internal_check(signs_.relate(body.value(k, id), source, false));
-      }
+    for (std::uint32_t k = 0; k < body.count(); ++k) {
+      for (NodeId id = 0; id < body.size(); ++id)
+        if (is_leaf(body.node(id).op))
+          internal_check(signs_.relate(body.value(k, id), source(body, id, k, stored), false));
+      for (std::size_t s = 0; s < body.step().stores.size(); ++s)
+        if (Store const &store = body.step().stores[s]; !store.is_result)
+          stored[store.access.at(k)] = body.stored(k, s);
+    }
+}
+
+std::uint32_t SignRelations::source(SignedBody const &body, NodeId id, std::uint32_t k,
+                                    std::vector<std::uint32_t> const &stored) {
+  Leaf const *const leaf = body.leaf(id);
+  if (!leaf) return ground;
+  if (leaf->kind == Leaf::Kind::carried && k > 0) return body.value(k - 1, leaf->next);
+  bool const is_in_memory = leaf->kind == Leaf::Kind::memory || leaf->kind == Leaf::Kind::carried;
+  return is_in_memory ? stored[leaf->access.at(k)] : ground;
 }
 
 bool SignRelations::is_known(SignedBody const &body, NodeId id) const {

@@ -16,15 +16,21 @@ public:
 
   // In which iterations the node is a negative.
   Pattern of(SignedBody const &body, NodeId id) const;
+  // In which a negative is stored.
+  Pattern of_store(SignedBody const &body, std::size_t store) const;
 
 private:
   bool is_ground(std::uint32_t value) const { return signs_.root(value).value == signs_.root(ground).value; }
+  bool is_negative(std::uint32_t value) const;
   bool is_known(SignedBody const &body, NodeId id) const;
   bool relate(SignedBody const &body, NodeId a, NodeId b, Pattern const &are_opposite, bool opposite = false);
   void fix(SignedBody const &body, NodeId id, Pattern const &pattern);
   template <class Other>
   bool relate_to(SignedBody const &body, NodeId id, Other const &other, Pattern const &are_opposite, bool opposite);
   void relate_leaves(std::size_t memory);
+  static std::uint32_t source(SignedBody const &body, NodeId id, std::uint32_t k,
+                              std::vector<std::uint32_t> const &stored);
+  void relate_operations(bool in_loops);
   void relate_operation(SignedBody const &body, NodeId id);
   void relate_sum(SignedBody const &body, NodeId id);
   void relate_product(SignedBody const &body, NodeId id);

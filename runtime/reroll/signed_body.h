@@ -31,7 +31,14 @@ public:
   Node const &node(NodeId id) const { return step_->body.nodes[id]; }
   // All nodes of all iterations have numbers, also across bodies: from `first` on, to `end`.
   std::uint32_t value(std::uint32_t iteration, NodeId id) const { return first_ + iteration * size() + id; }
-  std::uint32_t end() const { return value(count(), 0); }
+  // So has what is stored: what is computed once may be stored as its negative.
+  std::uint32_t stored(std::uint32_t iteration, std::size_t store) const {
+    if (count() > 1) return value(iteration, step_->stores[store].value);
+    return value(1, 0) + static_cast<std::uint32_t>(store);
+  }
+  std::uint32_t end() const {
+    return value(count(), 0) + (count() > 1 ? 0 : static_cast<std::uint32_t>(step_->stores.size()));
+  }
   Leaf const *leaf(NodeId id) const { return node(id).op == Op::input ? &step_->leaves[node(id).slot()] : nullptr; }
 
   Pattern plain() const { return Pattern(count(), 0); }

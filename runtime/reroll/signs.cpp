@@ -29,8 +29,11 @@ public:
   Step step() {
     for (NodeId id = 0; id < body_.size(); ++id)
       if (!body_.is_number(id)) now_[id] = body_.leaf(id) ? Now{builder_.leaf(*body_.leaf(id))} : operation(id);
-    for (Store const &store : body_.step().stores)
-      builder_.store(store.is_result ? itself(store.value) : as_related(store.value), store.is_result, store.access);
+    for (std::size_t s = 0; s < body_.step().stores.size(); ++s) {
+      Store const &store = body_.step().stores[s];
+      builder_.store(store.is_result ? itself(store.value) : stored(store.value, signs_.of_store(body_, s)),
+                     store.is_result, store.access);
+    }
     for (NodeId id = 0; id < body_.size(); ++id)
       if (Leaf const *const leaf = body_.leaf(id); leaf && leaf->kind == Leaf::Kind::carried)
         builder_.carry(now_[id].node, as_related(leaf->next));
@@ -97,7 +100,11 @@ private:
   }
   NodeId any(NodeId id) { return body_.is_number(id) ? plain(numbers(id, body_.plain())) : now_[id].node; }
   NodeId as_related(NodeId id) { return body_.is_number(id) ? any(id) : plain(now_[id]); }
-  NodeId itself(NodeId id) { return plain(with_sign(any(id), sign_of(id))); }
+  NodeId itself(NodeId id) { return stored(id, body_.plain()); }
+  NodeId stored(NodeId id, Pattern const &pattern) {
+    if (body_.is_number(id)) return plain(numbers(id, pattern));
+    return plain(with_sign(now_[id].node, product(pattern, sign_of(id))));
+  }
   NodeId plain(Now now) {
     return now.negated ? builder_.operation(Op::neg, {now.node, no_node, no_node}, no_node) : now.node;
   }

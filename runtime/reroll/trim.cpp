@@ -6,7 +6,7 @@ namespace symreal::reroll {
 
 namespace {
 
-// Where operand i of operation p stands in an iteration; the operands that may be exchanged are taken by their order.
+// Where operand i of operation p stands in an iteration.
 std::uint32_t position_of(Sequence const &sequence, Repeat const &repeat, std::uint32_t k, std::uint32_t p,
                           unsigned i) {
   return sequence.position[sequence.operations[repeat.begin + k * repeat.period + p].operands[i].node];
@@ -37,7 +37,8 @@ std::optional<std::uint32_t> misfit(Sequence const &sequence, Repeat const &repe
 
 std::vector<Repeat> trimmed(Sequence const &sequence, std::vector<Repeat> const &repeats) {
   std::vector<Repeat> kept;
-  for (Repeat repeat : repeats) {
+  for (Repeat const &whole : repeats) {
+    Repeat repeat = whole;
     while (repeat.count >= least_count) {
       std::optional<std::uint32_t> const bad = misfit(sequence, repeat);
       if (!bad) break;
@@ -48,7 +49,7 @@ std::vector<Repeat> trimmed(Sequence const &sequence, std::vector<Repeat> const 
         repeat.count = *bad;
       }
     }
-    if (is_worth_it(sequence, repeat)) kept.push_back(repeat);
+    if (repeat.count == whole.count || is_worth_it(sequence, repeat)) kept.push_back(repeat);
   }
   return kept;
 }

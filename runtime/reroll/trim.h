@@ -5,8 +5,8 @@
 
 namespace symreal::reroll {
 
-// What an iteration reads must be computed before it begins, or by the same operation of its body in every iteration.
-// The iterations from the first that does not fit on, or those up to it, are left out.
+// Of repeats that are aligned. What an iteration reads must be computed before it begins, or by the same operation of
+// its body in every iteration. The iterations from the first that does not fit on, or those up to it, are left out.
 std::vector<Repeat> trimmed(Sequence const &sequence, std::vector<Repeat> const &repeats);
 
 } // namespace symreal::reroll

@@ -1,0 +1,126 @@
+// Chains that wait for themselves become loops whose iterations wait for nothing, and what they store shares places.
+#include "graph_builder.h"
+#include "loop_run.h"
+#include "reroll/bodies.h"
+#include "reroll/interchange.h"
+#include "reroll/reroll.h"
+#include "reroll/signs.h"
+#include "reroll/storage.h"
+
+#include <algorithm>
+#include <gtest/gtest.h>
+#include <random>
+
+namespace symreal {
+namespace {
+
+using Builder = test::GraphBuilder;
+using reroll::Block;
+using reroll::Leaf;
+using reroll::LoopFunction;
+using reroll::Step;
+using reroll::Storage;
+
+constexpr std::uint32_t count = 40; // of chains
+
+// Chain i turns a vector by angle i, i - 1, ..., 0, of which the inputs are the cosine and the sine. Where it `flips`,
+// it computes with the negative of the second coordinate. `waits`: a chain begins with what the one before ends with.
+Graph turned_vectors(std::uint32_t flips, bool waits = false) {
+  Builder make;
+  std::vector<NodeId> results;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    bool const flipped = flips != 0 && i % flips == 1;
+    NodeId x = make(Op::sqrt, make.input(2 * count + i)), y = make(Op::exp, make.input(2 * count + i));
+    if (waits && !results.empty()) x = results.back();
+    for (std::uint32_t k = i + 1; k-- > 0;) {
+      NodeId const c = make.input(2 * k), s = make.input(2 * k + 1);
+      NodeId const xc = make(Op::mul, x, c), xs = make(Op::mul, x, s), yc = make(Op::mul, y, c),
+                   ys = make(Op::mul, y, s);
+      x = make(flipped ? Op::add : Op::sub, xc, ys);
+      y = flipped ? make(Op::sub, yc, xs) : make(Op::add, xs, yc);
+      results.push_back(x);
+    }
+  }
+  return make.finish(results);
+}
+
+LoopFunction compute_of(Graph const &graph) {
+  Rerolled const loops = rerolled(schedule(graph));
+  EXPECT_TRUE(loops.compute) << loops.why_not;
+  return loops.compute.value_or(LoopFunction());
+}
+
+bool any_leaf(LoopFunction const &function, Leaf::Kind kind) {
+  return std::ranges::any_of(function.steps, [&](Step const &step) {
+    return step.count > 1 && std::ranges::any_of(step.leaves, [&](Leaf const &leaf) { return leaf.kind == kind; });
+  });
+}
+
+TEST(Interchange, StagesOfAllChainsAreLoops) {
+  LoopFunction const function = compute_of(turned_vectors(0));
+  EXPECT_GE(function.loops, 30);
+  EXPECT_GT(function.in_loops, function.operations * 9 / 10);
+  EXPECT_FALSE(any_leaf(function, Leaf::Kind::carried));
+  EXPECT_FALSE(any_leaf(function, Leaf::Kind::values));
+  // Where compilers may carry out iterations at the same time, neighbours stand beside each other.
+  auto const is_one = [](auto const &element) { return element.access.step == 1; };
+  auto const stores_beside = [&](Step const &step) {
+    return reroll::operations_of(step.body) >= 6 && std::ranges::all_of(step.stores, is_one);
+  };
+  EXPECT_GE(std::ranges::count_if(function.steps, stores_beside), 30);
+}
+
+// All first coordinates are results; of the second ones two stages are alive at the same time.
+TEST(Interchange, StagesLeaveTheirPlaces) {
+  LoopFunction const function = compute_of(turned_vectors(0));
+  EXPECT_LT(function.memory, count * (count + 1) * 4 / 5);
+}
+
+TEST(Interchange, AChainThatWaitsForAnotherStays) {
+  LoopFunction const function = compute_of(turned_vectors(0, true));
+  EXPECT_TRUE(any_leaf(function, Leaf::Kind::carried));
+}
+
+// What a chain begins with is stored as its negative, once, and no iteration needs a factor.
+TEST(Interchange, SignsOfChainsAreThoseOfTheirBeginnings) {
+  Graph const graph = turned_vectors(3);
+  LoopFunction const before = compute_of(graph), after = reroll::with_few_signs(before);
+  EXPECT_TRUE(any_leaf(before, Leaf::Kind::values));
+  EXPECT_FALSE(any_leaf(after, Leaf::Kind::values));
+  std::vector<double> inputs;
+  for (std::size_t k = 0; k < graph.input_count(); ++k) inputs.push_back(1.5 + std::sin(static_cast<double>(k * k)));
+  std::vector<double> const values = evaluate(graph, inputs, {}),
+                            run = test::run(after, {}, inputs, graph.results.size());
+  for (std::size_t k = 0; k < graph.results.size(); ++k) EXPECT_EQ(run[k], values[graph.results[k]]);
+}
+
+bool live_together(Block const &a, Block const &b) {
+  return a.life.first <= b.life.last && b.life.first <= a.life.last;
+}
+
+TEST(Storage, BlocksThatLiveTogetherShareNothing) {
+  std::mt19937 random(3);
+  auto const below = [&](unsigned limit) { return std::uniform_int_distribution<unsigned>(0, limit - 1)(random); };
+  for (int sample = 0; sample < 50; ++sample) {
+    std::vector<Block> blocks;
+    std::size_t sum = 0;
+    for (int k = 0; k < 100; ++k) {
+      std::uint32_t const first = below(100);
+      blocks.push_back({1 + below(20), {first, first + below(10)}});
+      sum += blocks.back().size;
+    }
+    Storage const storage = reroll::stored(blocks);
+    EXPECT_LT(storage.size, sum / 3);
+    for (std::size_t a = 0; a < blocks.size(); ++a) {
+      EXPECT_LE(storage.begins[a] + blocks[a].size, storage.size);
+      for (std::size_t b = 0; b < a; ++b) {
+        bool const overlap = storage.begins[a] < storage.begins[b] + blocks[b].size &&
+                             storage.begins[b] < storage.begins[a] + blocks[a].size;
+        EXPECT_FALSE(overlap && live_together(blocks[a], blocks[b]));
+      }
+    }
+  }
+}
+
+} // namespace
+} // namespace symreal
