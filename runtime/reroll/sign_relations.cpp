@@ -1,5 +1,6 @@
 #include "reroll/sign_relations.h"
 
+#include <ranges>
 #include <utility>
 
 namespace symreal::reroll {
@@ -38,13 +39,15 @@ bool SignRelations::is_negative(std::uint32_t value) const {
   return signs_.root(value).negated != (is_ground(value) && signs_.root(ground).negated);
 }
 
-// In a body first what leaves no choice: the sign of a product with a known sign is that of the other operand.
+// Loops in which the most chains go on come last, and the signs of all of them must agree there: so the last loops
+// first. In a body first what leaves no choice: the sign of a product with a known sign is that of the other operand.
 void SignRelations::relate_operations(bool in_loops) {
+  auto const is_settled = [&](SignedBody const &body, NodeId id) { return is_known(body, id) || is_uniform(body, id); };
   auto const is_forced = [&](SignedBody const &body, Node const &node) {
     return node.op == Op::neg || ((node.op == Op::mul || node.op == Op::div) &&
-                                  (is_known(body, node.operand[0]) || is_known(body, node.operand[1])));
+                                  (is_settled(body, node.operand[0]) || is_settled(body, node.operand[1])));
   };
-  for (SignedBody const &body : bodies_)
+  for (SignedBody const &body : std::views::reverse(bodies_))
     for (bool const only_forced : {true, false})
       for (NodeId id = 0; id < body.size() && (body.count() > 1) == in_loops; ++id) {
         Node const &node = body.node(id);
@@ -78,6 +81,16 @@ std::uint32_t SignRelations::source(SignedBody const &body, NodeId id, std::uint
 bool SignRelations::is_known(SignedBody const &body, NodeId id) const {
   for (std::uint32_t k = 0; k < body.count(); ++k)
     if (!is_ground(body.value(k, id))) return false;
+  return true;
+}
+
+// Whether the sign, known or not, is the same in all iterations: that of what is set before a loop.
+bool SignRelations::is_uniform(SignedBody const &body, NodeId id) const {
+  SignedValue const first = signs_.root(body.value(0, id));
+  for (std::uint32_t k = 1; k < body.count(); ++k) {
+    SignedValue const other = signs_.root(body.value(k, id));
+    if (other.value != first.value || other.negated != first.negated) return false;
+  }
   return true;
 }
 
@@ -152,6 +165,11 @@ void SignRelations::relate_product(SignedBody const &body, NodeId id) {
   for (std::uint32_t k = 0; k < body.count(); ++k)
     are_related = are_related && signs_.root(body.value(k, a)).value == signs_.root(body.value(k, b)).value;
   if (are_related) return fix(body, id, product(of(body, a), of(body, b)));
+  for (auto const &[one, other] : {std::pair(a, b), std::pair(b, a)})
+    if (is_uniform(body, one)) {
+      relate(body, id, other, body.plain());
+      return;
+    }
   if (is_known(body, b)) std::swap(a, b);
   for (std::uint32_t k = 0; k < body.count(); ++k)
     if (!is_ground(body.value(k, a))) signs_.relate(body.value(k, a), ground, false);

@@ -23,6 +23,7 @@ private:
   bool is_ground(std::uint32_t value) const { return signs_.root(value).value == signs_.root(ground).value; }
   bool is_negative(std::uint32_t value) const;
   bool is_known(SignedBody const &body, NodeId id) const;
+  bool is_uniform(SignedBody const &body, NodeId id) const;
   bool relate(SignedBody const &body, NodeId a, NodeId b, Pattern const &are_opposite, bool opposite = false);
   void fix(SignedBody const &body, NodeId id, Pattern const &pattern);
   template <class Other>
