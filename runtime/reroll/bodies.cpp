@@ -238,7 +238,6 @@ Step improved(Step const &step, Angles const &angles, Improve const &improve) {
 }
 
 void improve_bodies(LoopFunction &function, Angles const &angles, Improve const &improve) {
-  function = with_few_signs(std::move(function));
   Improve const once = each_once(improve);
   for (Step &step : function.steps) step = improved(step, angles, once);
   function = with_few_signs(std::move(function)); // also of what passes have made of tables

@@ -13,8 +13,9 @@ using Value = NumberedValue;
 
 class Run {
 public:
-  Run(Sequence const &sequence, LoopFunction const &function, std::size_t result_count)
+  Run(Sequence const &sequence, LoopFunction const &function, std::size_t result_count, bool zeros_have_signs)
       : sequence_(sequence),
+        numbering_(zeros_have_signs),
         memory_(function.memory),
         results_(result_count) {}
 
@@ -33,7 +34,8 @@ public:
       if (results_[slot] != values[stored[slot]]) return fmt::format("result {} is another value", slot);
     if (checked.size() != checks.size()) return "a guard is not checked";
     for (std::size_t k = 0; k < checked.size(); ++k)
-      if (memory_[checks[k]] != values[checked[k]]) return fmt::format("guard {} has another condition", k);
+      if (memory_[checks[k]].number != values[checked[k]].number) // of which only matters whether it is 0
+        return fmt::format("guard {} has another condition", k);
     return {};
   }
 
@@ -111,8 +113,8 @@ private:
 } // namespace
 
 std::string find_difference(Sequence const &sequence, LoopFunction const &function, std::vector<NodeId> const &stored,
-                            std::vector<NodeId> const &checked) {
-  Run run(sequence, function, stored.size());
+                            std::vector<NodeId> const &checked, bool zeros_have_signs) {
+  Run run(sequence, function, stored.size(), zeros_have_signs);
   if (std::string difference = run.steps(function.steps); !difference.empty()) return difference;
   return run.compare(stored, checked, function.checks);
 }

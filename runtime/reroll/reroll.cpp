@@ -4,6 +4,7 @@
 #include "reroll/check.h"
 #include "reroll/interchange.h"
 #include "reroll/plan.h"
+#include "reroll/signs.h"
 #include "reroll/trim.h"
 
 #include <algorithm>
@@ -25,7 +26,7 @@ std::string obstacle(Graph const &graph) {
 }
 
 std::optional<reroll::LoopFunction> loops_of(Schedule const &plan, bool in_compute, std::vector<NodeId> const &stored,
-                                             std::vector<NodeId> const &checked) {
+                                             std::vector<NodeId> const &checked, FloatingPoint mode) {
   using namespace reroll;
   std::vector<NodeId> roots = stored;
   roots.insert(roots.end(), checked.begin(), checked.end());
@@ -35,19 +36,21 @@ std::optional<reroll::LoopFunction> loops_of(Schedule const &plan, bool in_compu
   repeats = trimmed(all, repeats);
   if (repeats.empty()) return {};
   LoopFunction function = reroll::plan(all, repeats, stored, checked);
-  internal_check(find_difference(all, function, stored, checked).empty());
+  bool const zeros_have_signs = mode == FloatingPoint::strict;
+  if (!zeros_have_signs) function = with_few_signs(std::move(function));
+  internal_check(find_difference(all, function, stored, checked, zeros_have_signs).empty());
   return function;
 }
 
 } // namespace
 
-Rerolled rerolled(Schedule const &plan) {
+Rerolled rerolled(Schedule const &plan, FloatingPoint mode) {
   if (std::string why = obstacle(*plan.graph); !why.empty()) return {{}, {}, {}, std::move(why)};
   std::vector<NodeId> conditions;
   for (Guard const &guard : plan.graph->guards) conditions.push_back(guard.condition);
-  Rerolled loops{loops_of(plan, false, plan.preprocess.results, {}),
-                 loops_of(plan, true, plan.compute.results, conditions),
-                 loops_of(plan, true, plan.angles.computed.results, {})};
+  Rerolled loops{loops_of(plan, false, plan.preprocess.results, {}, mode),
+                 loops_of(plan, true, plan.compute.results, conditions, mode),
+                 loops_of(plan, true, plan.angles.computed.results, {}, mode)};
   if (!loops.has_loops()) loops.why_not = "no operations repeat often enough";
   return loops;
 }

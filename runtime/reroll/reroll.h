@@ -5,6 +5,7 @@
 // becomes an index that grows, a table, or a variable that is carried on. docs/reroll.md says more.
 #pragma once
 
+#include "ops/floating_point.h"
 #include "reroll/bodies.h"
 #include "schedule/schedule.h"
 
@@ -21,8 +22,9 @@ struct Rerolled {
   bool has_loops() const { return preprocess || compute || computed_angles; }
 };
 
-// What is found is proved (check.h) whenever this runs.
-Rerolled rerolled(Schedule const &plan);
+// What is found is proved (check.h) whenever this runs. But in mode strict, signs are chosen so that few iterations
+// multiply by them (signs.h).
+Rerolled rerolled(Schedule const &plan, FloatingPoint mode);
 
 // With passes over what the loops and the stretches between them compute (bodies.h).
 Rerolled improved(Rerolled loops, Angles const &angles, reroll::Improve const &improve);

@@ -1,7 +1,8 @@
 // Numbers of values: two values have one number if they are the same operation of values with the same numbers.
 //
 // Known besides is only what is exact in floating point: that sums and products commute, x - y is x + (-y), and signs
-// go through products and quotients. So what has one number is the same, bit by bit, any NaN taken for any other.
+// go through products and quotients. So what has one number is the same, bit by bit, any NaN taken for any other. Where
+// zeros have no sign, signs go through sums as well, sums of opposites are 0, and so are products with 0.
 #pragma once
 
 #include "graph/graph.h"
@@ -23,6 +24,8 @@ struct NumberedValue {
 
 class Numbering {
 public:
+  explicit Numbering(bool zeros_have_signs = true) : zeros_have_signs_(zeros_have_signs) {}
+
   NumberedValue constant(double value);
   // Of an element of an array.
   NumberedValue element(std::uint32_t array, std::size_t index);
@@ -34,7 +37,10 @@ private:
     std::size_t operator()(Key const &key) const;
   };
   std::uint32_t number(Key const &key);
+  NumberedValue sum(NumberedValue x, NumberedValue y);
+  NumberedValue product(Op op, NumberedValue x, NumberedValue y);
 
+  bool zeros_have_signs_;
   std::unordered_map<Key, std::uint32_t, Hash> numbers_;
 };
 

@@ -37,7 +37,8 @@ Optimised optimise_around_loops(Graph recorded, PassOptions const &options, Emit
   std::vector<Diagnostic> remarks;
   Optimised result = optimise(recorded, options, [&](Diagnostic const &remark) { remarks.push_back(remark); }, false);
   Rerolled loops =
-      rerolled(as_emitted(schedule(result.graph, emitter.nesting()), emitter, options.floating_point(), languages));
+      rerolled(as_emitted(schedule(result.graph, emitter.nesting()), emitter, options.floating_point(), languages),
+               options.floating_point());
   if (!loops.has_loops()) return optimise(std::move(recorded), options, report);
   for (Diagnostic const &remark : remarks) report ? report(remark) : print(std::cerr, remark);
   result.loops = std::move(loops);

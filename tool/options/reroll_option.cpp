@@ -32,7 +32,7 @@ std::optional<Rerolled> RerollOption::loops(Schedule const &plan, std::optional<
       settings.effort = std::min(settings.effort, 1); // what is computed once
     return run_passes(std::move(graph), names, settings);
   };
-  Rerolled loops = found ? improved(*found, plan.angles, improve) : rerolled(plan);
+  Rerolled loops = found ? improved(*found, plan.angles, improve) : rerolled(plan, passes.settings().mode);
   if (!loops.has_loops()) {
     remarks.push_back(
         {DiagnosticId::not_rerolled, {}, "kernel '" + plan.graph->kernel + "' is not re-rolled: " + loops.why_not});

@@ -36,8 +36,9 @@ struct Looped {
 // Of this graph, which must outlive it; with the values that the graph has.
 Looped looped(Graph const &graph) {
   Schedule const plan = with_angles(schedule(graph));
-  std::optional<LoopFunction> const before = rerolled(plan).compute,
-                                    after = improved(rerolled(plan), plan.angles, by_passes).compute;
+  std::optional<LoopFunction> const before = rerolled(plan, FloatingPoint::fast).compute,
+                                    after =
+                                        improved(rerolled(plan, FloatingPoint::fast), plan.angles, by_passes).compute;
   EXPECT_TRUE(before && after);
   if (!before || !after) return {plan, {}};
   std::vector<double> inputs;
@@ -119,7 +120,7 @@ TEST(Bodies, EqualBodiesAreSearchedOnce) {
     loops += in_loop;
     return by_passes(std::move(body), in_loop);
   };
-  Rerolled const found = improved(rerolled(plan), plan.angles, counted);
+  Rerolled const found = improved(rerolled(plan, FloatingPoint::fast), plan.angles, counted);
   ASSERT_TRUE(found.compute);
   EXPECT_EQ(found.compute->loops, 2);
   EXPECT_EQ(loops, 1);

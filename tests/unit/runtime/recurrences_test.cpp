@@ -23,7 +23,7 @@ struct Loops {
 
   explicit Loops(Graph const &graph) {
     Schedule const plan = schedule(graph);
-    std::optional<LoopFunction> const found = rerolled(plan).compute;
+    std::optional<LoopFunction> const found = rerolled(plan, FloatingPoint::fast).compute;
     EXPECT_TRUE(found);
     plain = shortened = found.value_or(LoopFunction());
     for (Step &step : shortened.steps) step = with_short_recurrences(step);

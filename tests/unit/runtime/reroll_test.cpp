@@ -15,7 +15,7 @@ using reroll::LoopFunction;
 using reroll::Step;
 
 LoopFunction compute_of(Graph const &graph) {
-  Rerolled const loops = rerolled(schedule(graph));
+  Rerolled const loops = rerolled(schedule(graph), FloatingPoint::strict);
   EXPECT_TRUE(loops.compute) << loops.why_not;
   return loops.compute.value_or(LoopFunction());
 }
@@ -223,7 +223,7 @@ TEST(Reroll, ResultsAndGuardsOfEveryKind) {
 TEST(Reroll, WithoutRepeatsThereAreNoLoops) {
   Builder make;
   NodeId const sum = make(Op::add, make(Op::sin, make.input(0)), make.input(1));
-  Rerolled const loops = rerolled(schedule(make.finish({sum})));
+  Rerolled const loops = rerolled(schedule(make.finish({sum})), FloatingPoint::strict);
   EXPECT_FALSE(loops.has_loops());
   EXPECT_EQ(loops.why_not, "no operations repeat often enough");
 }
