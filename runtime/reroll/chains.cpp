@@ -1,12 +1,12 @@
 #include "reroll/chains.h"
 
+#include "reroll/seeds.h"
+
 #include <algorithm>
 
 namespace symreal::reroll {
 
 namespace {
-
-constexpr std::uint32_t window = 12;
 
 using Run = std::pair<std::size_t, std::size_t>; // from, to: elements from..to-1
 
@@ -73,7 +73,7 @@ public:
   std::vector<Chains> run() {
     constexpr std::size_t most_attempts = 32;
     std::size_t attempts = 0;
-    for (std::vector<std::uint32_t> const &places : seeds()) {
+    for (std::vector<std::uint32_t> const &places : seeds(sequence_)) {
       if (std::ranges::any_of(places, [&](std::uint32_t at) { return taken_[at] != 0; })) continue;
       if (++attempts > most_attempts) break;
       Chains chains = grown(places);
@@ -87,69 +87,6 @@ public:
   }
 
 private:
-  // Where the same short window stands with the same operands, of which one is no constant; the most frequent ones
-  // first.
-  std::vector<std::vector<std::uint32_t>> seeds() const {
-    constexpr std::uint64_t base = 0x9E3779B97F4A7C15;
-    std::uint32_t const size = static_cast<std::uint32_t>(sequence_.size());
-    if (size < window) return {};
-    std::vector<char> const is_shared = shared_nodes();
-    std::vector<std::uint64_t> tokens(size);
-    std::vector<std::uint32_t> named(size + std::size_t{1}, 0); // how many operations before have such an operand
-    for (std::uint32_t at = 0; at < size; ++at) {
-      Operation const &operation = sequence_.operations[at];
-      std::uint64_t token = static_cast<std::uint64_t>(operation.op) + 1;
-      bool is_named = false;
-      std::array<std::uint64_t, 3> words = {};
-      for (unsigned i = 0; i < operation.count; ++i) {
-        NodeId const node = operation.operands[i].node;
-        Source const source = sequence_.source(node);
-        bool const has_name = source != Source::computed || is_shared[node];
-        words[i] = has_name ? node + std::uint64_t{2} : 1;
-        is_named = is_named || (has_name && source != Source::constant);
-      }
-      if (operation.may_exchange && words[1] < words[0]) std::swap(words[0], words[1]);
-      for (std::uint64_t const word : words) token = token * base + word;
-      tokens[at] = (token ^ (token >> 29)) * 0xD6E8FEB86659FD93 + 1;
-      named[at + 1] = named[at] + (is_named ? 1 : 0);
-    }
-    std::vector<std::pair<std::uint64_t, std::uint32_t>> hashes;
-    std::uint64_t leaving = 1, hash = 0;
-    for (std::uint32_t k = 0; k + 1 < window; ++k) leaving *= base;
-    for (std::uint32_t at = 0; at < size; ++at) {
-      if (at >= window) hash -= tokens[at - window] * leaving;
-      hash = hash * base + tokens[at];
-      if (at + 1 >= window && named[at + 1] != named[at + 1 - window]) hashes.emplace_back(hash, at + 1 - window);
-    }
-    std::ranges::sort(hashes);
-    std::vector<std::vector<std::uint32_t>> groups;
-    for (std::size_t k = 0; k < hashes.size();) {
-      std::vector<std::uint32_t> places;
-      std::size_t const first = k;
-      for (; k < hashes.size() && hashes[k].first == hashes[first].first; ++k)
-        if (places.empty() || hashes[k].second >= places.back() + window) places.push_back(hashes[k].second);
-      if (places.size() >= least_count) groups.push_back(std::move(places));
-    }
-    std::ranges::sort(groups, [](auto const &a, auto const &b) {
-      return a.size() != b.size() ? a.size() > b.size() : a.front() < b.front();
-    });
-    return groups;
-  }
-
-  // What operations read here and there.
-  std::vector<char> shared_nodes() const {
-    constexpr std::uint32_t far = 200;
-    std::vector<char> result(sequence_.position.size(), 0);
-    std::vector<std::uint32_t> distant(sequence_.position.size(), 0);
-    for (std::uint32_t at = 0; at < sequence_.size(); ++at)
-      for (unsigned i = 0; i < sequence_.operations[at].count; ++i) {
-        NodeId const node = sequence_.operations[at].operands[i].node;
-        std::uint32_t const made = sequence_.position[node];
-        if (made != no_position && at - made > far && ++distant[node] >= least_count) result[node] = 1;
-      }
-    return result;
-  }
-
   // To where neighbours end at the same distance, and back to where they differ.
   Chains grown(std::vector<std::uint32_t> const &places) const {
     std::vector<std::uint32_t> lengths;

@@ -1,6 +1,7 @@
 #include "reroll/repeats.h"
 
 #include "reroll/rotation.h"
+#include "reroll/windows.h"
 
 #include <algorithm>
 #include <map>
@@ -42,20 +43,13 @@ std::uint64_t token(Sequence const &sequence, std::uint32_t at) {
 // How often the same short window comes again at which distance: what a period may be.
 std::vector<std::uint32_t> likely_periods(Sequence const &sequence) {
   constexpr std::size_t window = 12, most_periods = 48, most_returns = 4;
-  constexpr std::uint64_t base = 0x9E3779B97F4A7C15;
-  if (sequence.size() <= window) return {};
   std::vector<std::uint64_t> tokens(sequence.size());
-  for (std::uint32_t at = 0; at < sequence.size(); ++at) tokens[at] = token(sequence, at) * 0xD6E8FEB86659FD93 + 1;
-  std::uint64_t leaving = 1;
-  for (std::size_t k = 0; k + 1 < window; ++k) leaving *= base;
+  for (std::uint32_t at = 0; at < sequence.size(); ++at) tokens[at] = token(sequence, at);
   std::unordered_map<std::uint64_t, std::array<std::uint32_t, most_returns>> seen; // where, the newest first
   std::unordered_map<std::uint32_t, std::size_t> votes;
-  std::uint64_t hash = 0;
-  for (std::uint32_t at = 0; at < sequence.size(); ++at) {
-    if (at >= window) hash -= tokens[at - window] * leaving;
-    hash = hash * base + tokens[at];
-    if (at + 1 < window) continue;
-    auto const [entry, is_new] = seen.try_emplace(hash);
+  std::vector<std::uint64_t> const hashes = window_hashes(tokens, window);
+  for (std::uint32_t at = 0; at < hashes.size(); ++at) {
+    auto const [entry, is_new] = seen.try_emplace(hashes[at]);
     if (is_new) entry->second.fill(no_position);
     for (std::uint32_t const before : entry->second)
       if (before != no_position) ++votes[at - before];
