@@ -240,7 +240,7 @@ Step improved(Step const &step, Angles const &angles, Improve const &improve) {
 void improve_bodies(LoopFunction &function, Angles const &angles, Improve const &improve) {
   Improve const once = each_once(improve);
   for (Step &step : function.steps) step = improved(step, angles, once);
-  function = with_few_signs(std::move(function)); // also of what passes have made of tables
+  function = with_few_signs(std::move(function)); // of what passes have made of tables
   for (Step &step : function.steps) step = with_short_recurrences(std::move(step));
   function.operations = function.in_loops = 0;
   for (Step const &step : function.steps) {

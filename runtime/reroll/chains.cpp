@@ -27,22 +27,10 @@ Chains part(Chains const &chains, Run const &run) {
           {at(chains.common, run.first), at(chains.common, run.second)}};
 }
 
-bool is_computed(Sequence const &sequence, NodeId node) { return sequence.position[node] != no_position; }
-
-// Whether two operations are the same when operands fit, as they stand or, where it changes nothing, exchanged. Signs
-// are a matter of columns.h.
-template <typename Fit> bool alike(Operation const &a, Operation const &b, Fit fit) {
-  if (a.op != b.op || a.count != b.count) return false;
-  bool as_is = true;
-  for (unsigned i = 0; i < a.count; ++i) as_is = as_is && fit(a.operands[i].node, b.operands[i].node);
-  if (as_is || !a.may_exchange) return as_is;
-  return fit(a.operands[0].node, b.operands[1].node) && fit(a.operands[1].node, b.operands[0].node);
-}
-
-// The same but for operands that operations compute.
+// The same but for operands that operations compute. Signs are a matter of columns.h.
 bool alike(Sequence const &sequence, std::uint32_t at, std::uint32_t other) {
-  return alike(sequence.operations[at], sequence.operations[other],
-               [&](NodeId x, NodeId y) { return x == y || (is_computed(sequence, x) && is_computed(sequence, y)); });
+  auto const fit = [&](NodeId x, NodeId y) { return x == y || (sequence.is_computed(x) && sequence.is_computed(y)); };
+  return match(sequence.operations[at], sequence.operations[other], fit) != Match::none;
 }
 
 // Of two chains the operations at their ends, at most `common` of them, that differ in nothing but in what they have
@@ -55,7 +43,7 @@ std::uint32_t linked(Sequence const &sequence, std::uint32_t end, std::uint32_t 
   auto const fit = [&](NodeId x, NodeId y) { return x == y || depth(x, end) == depth(y, other_end); };
   for (std::uint32_t d = 1; d <= common; ++d) {
     Operation const &a = sequence.operations[end - d], &b = sequence.operations[other_end - d];
-    while (!alike(a, b, fit)) {
+    while (match(a, b, fit) == Match::none) {
       std::uint32_t deepest = 0;
       for (unsigned i = 0; i < a.count; ++i)
         deepest = std::max({deepest, depth(a.operands[i].node, end), depth(b.operands[i].node, other_end)});
@@ -120,7 +108,7 @@ private:
   bool follows(std::uint32_t begin, std::uint32_t at) const {
     Operation const &operation = sequence_.operations[at];
     return std::any_of(operation.operands.begin(), operation.operands.begin() + operation.count, [&](Operand const &x) {
-      return is_computed(sequence_, x.node) && sequence_.position[x.node] >= begin;
+      return sequence_.is_computed(x.node) && sequence_.position[x.node] >= begin;
     });
   }
 

@@ -3,6 +3,8 @@
 
 #include "reroll/repeats.h"
 
+#include <algorithm>
+
 namespace symreal::reroll {
 
 // Where chains end, and per neighbours how many operations they have in common at their ends.

@@ -100,14 +100,12 @@ private:
     return result;
   }
 
-  bool is_computed(NodeId node) const { return sequence_.source(node) == Source::computed; }
-
   void need_operands(std::uint32_t number) {
     Piece const &piece = pieces_[number];
     for (std::uint32_t at = piece.begin; at < piece.end; ++at)
       for (unsigned i = 0; i < sequence_.operations[at].count; ++i) {
         NodeId const node = sequence_.operations[at].operands[i].node;
-        if (is_computed(node) && !piece.computes(sequence_, node)) memory_.need(node, number);
+        if (sequence_.is_computed(node) && !piece.computes(sequence_, node)) memory_.need(node, number);
       }
   }
 
@@ -144,7 +142,7 @@ private:
     std::set<NodeId> kept;
     auto const need = [&](NodeId root) {
       memory_.need(root, static_cast<std::uint32_t>(pieces_.size()));
-      if (!is_computed(root) && kept.insert(root).second) pieces_.back().kept.push_back(root);
+      if (!sequence_.is_computed(root) && kept.insert(root).second) pieces_.back().kept.push_back(root);
     };
     for (NodeId root : stored_)
       if (sequence_.source(root) != Source::constant) need(root);

@@ -107,15 +107,8 @@ bool is_worth_it(Sequence const &sequence, Repeat const &repeat) {
 
 Match match(Sequence const &sequence, std::uint32_t at, std::uint32_t period) {
   Operation const &a = sequence.operations[at], &b = sequence.operations[at + period];
-  if (a.op != b.op || a.count != b.count) return Match::none;
-  auto const fit = [&](unsigned i, unsigned j) {
-    return operands_match(sequence, at, a.operands[i].node, b.operands[j].node, period);
-  };
   if (names_table(a.op) && a.operands[0].node != b.operands[0].node) return Match::none;
-  bool as_is = true;
-  for (unsigned i = 0; i < a.count; ++i) as_is = as_is && fit(i, i);
-  if (as_is) return Match::as_is;
-  return a.may_exchange && fit(0, 1) && fit(1, 0) ? Match::exchanged : Match::none;
+  return match(a, b, [&](NodeId x, NodeId y) { return operands_match(sequence, at, x, y, period); });
 }
 
 std::vector<Repeat> find_repeats(Sequence const &sequence, std::vector<Repeat> const &known) {

@@ -14,9 +14,20 @@ struct Repeat {
   std::uint32_t end() const { return begin + period * count; }
 };
 
-// Whether the operation at `at` matches the one a period later, and whether its first two operands must be exchanged
-// for that.
+// Whether an operation matches another one, and whether its first two operands must be exchanged for that. `fit`:
+// whether an operand may stand where one of the other stands.
 enum class Match { none, as_is, exchanged };
+template <typename Fit> Match match(Operation const &a, Operation const &b, Fit fit) {
+  if (a.op != b.op || a.count != b.count) return Match::none;
+  bool as_is = true;
+  for (unsigned i = 0; i < a.count; ++i) as_is = as_is && fit(a.operands[i].node, b.operands[i].node);
+  if (as_is) return Match::as_is;
+  bool const crosswise =
+      a.may_exchange && fit(a.operands[0].node, b.operands[1].node) && fit(a.operands[1].node, b.operands[0].node);
+  return crosswise ? Match::exchanged : Match::none;
+}
+
+// The operation at `at` and the one a period later.
 Match match(Sequence const &sequence, std::uint32_t at, std::uint32_t period);
 
 // What is worth a loop: so many iterations; so many operations that need no code then, and this part of all or so many

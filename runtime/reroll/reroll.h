@@ -22,8 +22,8 @@ struct Rerolled {
   bool has_loops() const { return preprocess || compute || computed_angles; }
 };
 
-// What is found is proved (check.h) whenever this runs. But in mode strict, signs are chosen so that few iterations
-// multiply by them (signs.h).
+// What is found is proved (check.h) whenever this runs. In modes other than strict, signs are chosen so that
+// few iterations multiply by them (signs.h).
 Rerolled rerolled(Schedule const &plan, FloatingPoint mode);
 
 // With passes over what the loops and the stretches between them compute (bodies.h).

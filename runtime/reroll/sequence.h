@@ -38,8 +38,9 @@ struct Sequence {
   std::vector<std::uint32_t> angle;    // per node: where it stands among the sines or cosines
 
   std::size_t size() const { return operations.size(); }
+  bool is_computed(NodeId node) const { return position[node] != no_position; }
   Source source(NodeId node) const {
-    if (position[node] != no_position) return Source::computed;
+    if (is_computed(node)) return Source::computed;
     if (slot[node] != no_slot) return Source::read;
     if (angle[node] != no_slot) return graph->nodes[node].op == Op::sin ? Source::sine : Source::cosine;
     return graph->nodes[node].is_constant() ? Source::constant : Source::input;
