@@ -193,7 +193,8 @@ def contender(name, kernel, joints, smaller):
             made = generated(name, kernel, joints)
             result.update({key: value for key, value in made.items() if key not in ("sources", "flags")})
             sources, flags, seconds = made["sources"], made["flags"], COMPILE_SECONDS
-            levels = LARGE_LEVELS if written(name, made) > LARGE else LEVELS
+            result["written"] = written(name, made)
+            levels = LARGE_LEVELS if result["written"] > LARGE else LEVELS
     except Missing as reason:
         return {"missing": str(reason), "joints": joints}
     reasons = {}
@@ -213,8 +214,8 @@ def written(name, made):
 
 
 def expected(smaller, level, result):
-    """Seconds to compile, from those of the smaller code: they grow faster than the code."""
+    """Seconds to compile, from those of the smaller code: they grow faster than its text."""
     before = [variant["compile"] for other, variant in smaller.get("variants", {}).items() if other.split()[0] == level.split()[0]]
-    if not before or "operations" not in result or smaller["operations"] < 1000:
+    if not before or "written" not in result or smaller["written"] < 1000:
         return 0
-    return min(before) * (result["operations"] / smaller["operations"]) ** 1.1
+    return min(before) * (result["written"] / smaller["written"]) ** 1.1
