@@ -5,6 +5,15 @@
 
 namespace symreal::algebra {
 
+namespace {
+
+// From a number to how many of the next ones it is compared with: all of them, where the work allows that.
+std::size_t reach(std::size_t least, std::size_t pairs, std::size_t count) {
+  return std::max(least, pairs / std::max<std::size_t>(count, 1));
+}
+
+} // namespace
+
 ConstantForms::ConstantForms(std::span<double const> constants) {
   for (double constant : constants)
     if (constant != 0 && std::isfinite(constant) && place_.emplace(constant, constants_.size()).second)
@@ -17,6 +26,7 @@ ConstantForms::ConstantForms(std::span<double const> constants) {
 }
 
 void ConstantForms::look_at_pairs() {
+  std::size_t const farthest = reach(600, 3'000'000, constants_.size());
   for (std::size_t i = 0; i < constants_.size(); ++i) {
     double const a = constants_[i];
     propose(1 / a, {FormKind::quotient, 1, a});
@@ -33,9 +43,10 @@ void ConstantForms::look_at_pairs() {
 
 // A block of constants at a time: for each number and each other one the products that can make up the difference.
 void ConstantForms::look_at_products() {
-  for (std::size_t first = 0; first < constants_.size(); first += farthest_product / 2) {
-    std::span<double const> const block =
-        std::span(constants_).subspan(first, std::min(farthest_product, constants_.size() - first));
+  std::size_t const length = reach(150, 1'000'000, constants_.size());
+  for (std::size_t first = 0, end = 0; end < constants_.size(); first += length / 2) {
+    end = std::min(first + length, constants_.size());
+    std::span<double const> const block(&constants_[first], end - first);
     std::vector<Product> products;
     for (std::size_t i = 0; i < block.size(); ++i)
       for (std::size_t j = i; j < block.size(); ++j) products.push_back({block[i] * block[j], block[i], block[j]});

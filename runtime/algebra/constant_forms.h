@@ -24,7 +24,7 @@ struct ConstantForm {
 
 class ConstantForms {
 public:
-  // Magnitudes, in the order in which they occur; far apart from one another they are not compared. Of several forms
+  // Magnitudes, in the order in which they occur; of thousands, those far apart are not compared. Of several forms
   // that fit, one of earlier numbers is taken: a quotient is known by its dividend, not the other way round.
   explicit ConstantForms(std::span<double const> constants);
 
@@ -35,7 +35,6 @@ private:
   struct Product {
     double value, a, b;
   };
-  static constexpr std::size_t farthest = 600, farthest_product = 150;
   static constexpr int deepest = 4;
 
   void look_at_pairs();

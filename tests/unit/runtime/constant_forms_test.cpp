@@ -35,11 +35,28 @@ TEST(ConstantForms, ShortNumbersAreWhatTheyAre) {
 }
 
 // Numbers that have nothing to do with one another.
-TEST(ConstantForms, NothingIsFoundByChance) {
+std::vector<double> unrelated(std::size_t count) {
   std::mt19937_64 random(5);
   std::uniform_real_distribution<double> uniform(0.01, 3);
-  std::vector<double> constants(300);
+  std::vector<double> constants(count);
   for (double &constant : constants) constant = uniform(random);
+  return constants;
+}
+
+// A chain that repeats the numbers of its links ends with one whose numbers came first.
+TEST(ConstantForms, WhatOccurredLongBeforeIsSeen) {
+  std::vector<double> constants = unrelated(900);
+  double const product = constants[1] * constants[700], both = constants[2] + constants[3] * constants[701];
+  constants.insert(constants.end(), {product, both});
+  ConstantForms const forms(constants);
+  ASSERT_NE(forms.find(product), nullptr);
+  EXPECT_EQ(forms.find(product)->kind, FormKind::product);
+  ASSERT_NE(forms.find(both), nullptr);
+  EXPECT_EQ(forms.find(both)->kind, FormKind::sum_with_product);
+}
+
+TEST(ConstantForms, NothingIsFoundByChance) {
+  std::vector<double> const constants = unrelated(900);
   ConstantForms const forms(constants);
   for (double constant : constants) EXPECT_EQ(forms.find(constant), nullptr) << constant;
 }
