@@ -1,5 +1,6 @@
 #include "reroll/check.h"
 
+#include "reroll/mirrors.h"
 #include "reroll/roles.h"
 #include "schedule/numbering.h"
 
@@ -25,6 +26,11 @@ public:
       for (std::uint32_t k = 0; k < step.count && difference_.empty(); ++k) iteration(step, k, carried);
     }
     return difference_;
+  }
+
+  void mirrors(std::vector<Mirror> const &mirrors) {
+    for (Mirror const &mirror : mirrors)
+      for_each_copy(mirror, [&](std::uint32_t to, std::uint32_t from) { results_[to] = results_[from]; });
   }
 
   std::string compare(std::vector<NodeId> const &stored, std::vector<NodeId> const &checked,
@@ -66,10 +72,10 @@ private:
     switch (leaf.kind) {
     case Leaf::Kind::given:
     case Leaf::Kind::read:
-    case Leaf::Kind::sine:
-    case Leaf::Kind::cosine:
       if (has_results_) difference_ = "an input is read after a result is stored";
-      return numbering_.element(static_cast<std::uint32_t>(leaf.kind), leaf.access.at(k));
+      [[fallthrough]];
+    case Leaf::Kind::sine:
+    case Leaf::Kind::cosine: return numbering_.element(static_cast<std::uint32_t>(leaf.kind), leaf.access.at(k));
     case Leaf::Kind::memory: return memory_.at(leaf.access.at(k));
     case Leaf::Kind::values: return numbering_.constant(leaf.values[k % leaf.values.size()]);
     case Leaf::Kind::carried: return k == 0 ? memory_.at(leaf.access.at(0)) : carried;
@@ -116,6 +122,7 @@ std::string find_difference(Sequence const &sequence, LoopFunction const &functi
                             std::vector<NodeId> const &checked, bool zeros_have_signs) {
   Run run(sequence, function, stored.size(), zeros_have_signs);
   if (std::string difference = run.steps(function.steps); !difference.empty()) return difference;
+  run.mirrors(function.mirrors);
   return run.compare(stored, checked, function.checks);
 }
 

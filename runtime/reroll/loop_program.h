@@ -49,8 +49,16 @@ struct Step {
   std::vector<Store> stores = {};
 };
 
+// When all steps are done: a symmetric matrix among what the function fills, row by row. What stands below its diagonal
+// is copied from above, or the other way round.
+struct Mirror {
+  std::uint32_t first, rows;
+  bool from_above;
+};
+
 struct LoopFunction {
   std::vector<Step> steps;
+  std::vector<Mirror> mirrors = {};
   std::size_t memory = 0;                 // elements of the function's own array
   std::vector<std::uint32_t> checks = {}; // per guard: the element of memory that must not be 0
   std::size_t operations = 0, in_loops = 0, loops = 0;

@@ -2,7 +2,10 @@
 
 #include "reroll/body_builder.h"
 #include "reroll/carried.h"
+#include "reroll/direct_results.h"
 #include "reroll/memory.h"
+#include "reroll/mirrors.h"
+#include "reroll/pieces.h"
 #include "reroll/result_copies.h"
 #include "reroll/roles.h"
 
@@ -13,29 +16,16 @@ namespace symreal::reroll {
 
 namespace {
 
-// A loop, or a straight stretch.
-struct Piece {
-  std::uint32_t begin, end;
-  std::uint32_t loop = no_position;
-  std::vector<std::pair<Cell, NodeId>> copies = {}; // that later loops read
-  std::vector<NodeId> kept = {};                    // what no operation computes and is read from memory
-
-  bool computes(Sequence const &sequence, NodeId node) const {
-    return sequence.position[node] != no_position && sequence.position[node] >= begin && sequence.position[node] < end;
-  }
-};
-
-constexpr std::uint32_t most_operations = 1000; // of a straight piece: compilers take long over one huge function
-
 class Planner {
 public:
   Planner(Sequence sequence, std::vector<Repeat> const &repeats, std::vector<NodeId> const &stored,
-          std::vector<NodeId> const &checked)
+          std::vector<NodeId> const &checked, std::vector<Object> const &objects)
       : sequence_(std::move(sequence)),
         stored_(stored),
         checked_(checked),
+        objects_(objects),
         loops_(bodies(repeats)),
-        pieces_(cut()),
+        pieces_(pieces(sequence_, loops_)),
         memory_(sequence_, loops_, piece_of_operations()) {}
 
   LoopFunction run() {
@@ -45,14 +35,17 @@ public:
       else
         choose_roles(k);
     }
+    need_inputs_among_results();
+    LoopFunction function;
+    function.mirrors = mirrors(objects_, stored_, memory_);
+    direct_ = direct_results(sequence_, loops_, stored_, function.mirrors, memory_, first_to_store_results());
     need_roots();
     memory_.lay_out(independent_loops());
-    LoopFunction function;
     for (Piece const &piece : pieces_) {
       Step step = piece.loop == no_position ? straight_step(piece) : loop_step(piece.loop);
       if (!step.stores.empty()) function.steps.push_back(std::move(step));
     }
-    add_result_copies(*sequence_.graph, stored_, memory_, function.steps);
+    add_result_copies(*sequence_.graph, stored_, direct_.is_stored, memory_, function.steps);
     for (NodeId condition : checked_) function.checks.push_back(memory_.home(condition));
     function.memory = memory_.size();
     function.operations = sequence_.size();
@@ -71,27 +64,6 @@ private:
     std::vector<LoopBody> result;
     for (Repeat const &repeat : repeats) result.push_back(loop_body(sequence_, repeat, uses));
     return result;
-  }
-
-  // A straight piece before each loop, and at the end.
-  std::vector<Piece> cut() const {
-    std::vector<Piece> pieces;
-    std::uint32_t at = 0;
-    auto const straight_to = [&](std::uint32_t end) {
-      do {
-        std::uint32_t const next = std::min(at + most_operations, end);
-        pieces.push_back({at, next});
-        at = next;
-      } while (at < end);
-    };
-    for (std::uint32_t loop = 0; loop < loops_.size(); ++loop) {
-      Repeat const &repeat = loops_[loop].repeat;
-      straight_to(repeat.begin);
-      pieces.push_back({repeat.begin, repeat.end(), loop});
-      at = repeat.end();
-    }
-    straight_to(static_cast<std::uint32_t>(sequence_.size()));
-    return pieces;
   }
 
   std::vector<std::uint32_t> piece_of_operations() const {
@@ -138,15 +110,30 @@ private:
     return result;
   }
 
-  void need_roots() {
+  // What stands in no memory, for the copies of results and the checks.
+  void need_inputs_among_results() {
     std::set<NodeId> kept;
-    auto const need = [&](NodeId root) {
-      memory_.need(root, static_cast<std::uint32_t>(pieces_.size()));
-      if (!sequence_.is_computed(root) && kept.insert(root).second) pieces_.back().kept.push_back(root);
-    };
-    for (NodeId root : stored_)
-      if (sequence_.source(root) != Source::constant) need(root);
-    for (NodeId root : checked_) need(root);
+    for (auto const *roots : {&stored_, &checked_})
+      for (NodeId root : *roots) {
+        Source const source = sequence_.source(root);
+        bool const is_number = source == Source::constant && roots == &stored_;
+        if (source != Source::computed && !is_number && kept.insert(root).second) pieces_.back().kept.push_back(root);
+      }
+  }
+
+  // The first operation of what may: behind it no input is read, and nothing is checked.
+  std::size_t first_to_store_results() const {
+    if (!checked_.empty()) return sequence_.size();
+    std::size_t piece = pieces_.size();
+    while (piece > 0 && !reads_inputs(pieces_[piece - 1], sequence_, roles_)) --piece;
+    return piece == pieces_.size() ? sequence_.size() : pieces_[piece].begin;
+  }
+
+  void need_roots() {
+    auto const copied = static_cast<std::uint32_t>(pieces_.size()); // by the steps behind them all
+    for (std::size_t k = 0; k < stored_.size(); ++k)
+      if (!direct_.is_stored[k] && sequence_.source(stored_[k]) != Source::constant) memory_.need(stored_[k], copied);
+    for (NodeId root : checked_) memory_.need(root, copied);
   }
 
   Step straight_step(Piece const &piece) const {
@@ -178,6 +165,8 @@ private:
       for (unsigned i = 0; i < arity(node.op); ++i) operands[i] = value(node.operand[i]);
       now[id] = body.operation(node.op, operands, id);
       if (memory_.has_home(id)) store(id, memory_.home(id));
+      if (auto const found = direct_.of_operation.find(id); found != direct_.of_operation.end())
+        for (std::uint32_t const slot : found->second) body.store(now[id], true, {slot});
     }
     for (auto const &[cell, node] : piece.copies) store(node, memory_.element(cell));
     for (NodeId node : piece.kept) store(node, memory_.home(node));
@@ -215,22 +204,25 @@ private:
     carried.carry(computed);
     for (std::uint32_t const position : memory_.stored_positions(loop))
       body.store(computed[position], false, {memory_.element({loop, position, 0}), memory_.stride(loop)});
+    for (LoopResult const &result : direct_.of_loop[loop]) body.store(computed[result.position], true, result.access);
     return body.finish(plan.repeat.count);
   }
 
   Sequence sequence_;
   std::vector<NodeId> const &stored_, &checked_;
+  std::vector<Object> const &objects_;
   std::vector<LoopBody> loops_;
   std::vector<Piece> pieces_;
   Memory memory_;
   std::vector<std::vector<Role>> roles_; // per loop and column
+  DirectResults direct_;
 };
 
 } // namespace
 
 LoopFunction plan(Sequence sequence, std::vector<Repeat> const &repeats, std::vector<NodeId> const &stored,
-                  std::vector<NodeId> const &checked) {
-  return Planner(std::move(sequence), repeats, stored, checked).run();
+                  std::vector<NodeId> const &checked, std::vector<Object> const &objects) {
+  return Planner(std::move(sequence), repeats, stored, checked, objects).run();
 }
 
 } // namespace symreal::reroll

@@ -26,7 +26,8 @@ std::string obstacle(Graph const &graph) {
 }
 
 std::optional<reroll::LoopFunction> loops_of(Schedule const &plan, bool in_compute, std::vector<NodeId> const &stored,
-                                             std::vector<NodeId> const &checked, FloatingPoint mode) {
+                                             std::vector<NodeId> const &checked, std::vector<Object> const &objects,
+                                             FloatingPoint mode) {
   using namespace reroll;
   std::vector<NodeId> roots = stored;
   roots.insert(roots.end(), checked.begin(), checked.end());
@@ -35,7 +36,7 @@ std::optional<reroll::LoopFunction> loops_of(Schedule const &plan, bool in_compu
   align(all, repeats);
   repeats = trimmed(all, repeats);
   if (repeats.empty()) return {};
-  LoopFunction function = reroll::plan(all, repeats, stored, checked);
+  LoopFunction function = reroll::plan(all, repeats, stored, checked, objects);
   bool const zeros_have_signs = mode == FloatingPoint::strict;
   if (!zeros_have_signs) function = with_few_signs(std::move(function));
   internal_check(find_difference(all, function, stored, checked, zeros_have_signs).empty());
@@ -48,9 +49,9 @@ Rerolled rerolled(Schedule const &plan, FloatingPoint mode) {
   if (std::string why = obstacle(*plan.graph); !why.empty()) return {{}, {}, {}, std::move(why)};
   std::vector<NodeId> conditions;
   for (Guard const &guard : plan.graph->guards) conditions.push_back(guard.condition);
-  Rerolled loops{loops_of(plan, false, plan.preprocess.results, {}, mode),
-                 loops_of(plan, true, plan.compute.results, conditions, mode),
-                 loops_of(plan, true, plan.angles.computed.results, {}, mode)};
+  Rerolled loops{loops_of(plan, false, plan.preprocess.results, {}, {}, mode),
+                 loops_of(plan, true, plan.compute.results, conditions, plan.graph->outputs, mode),
+                 loops_of(plan, true, plan.angles.computed.results, {}, {}, mode)};
   if (!loops.has_loops()) loops.why_not = "no operations repeat often enough";
   return loops;
 }

@@ -27,9 +27,10 @@ struct Line {
   }
 };
 
-std::vector<Line> lines_of(std::vector<NodeId> const &stored, Memory const &memory) {
+std::vector<Line> lines_of(std::vector<NodeId> const &stored, std::vector<char> const &done, Memory const &memory) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<Line>> by_operation;
   for (std::uint32_t slot = 0; slot < stored.size(); ++slot) {
+    if (done[slot]) continue;
     std::optional<Cell> const cell = memory.cell(stored[slot]);
     if (!cell) continue;
     std::vector<Line> &lines = by_operation[{cell->loop, cell->position}];
@@ -43,12 +44,11 @@ std::vector<Line> lines_of(std::vector<NodeId> const &stored, Memory const &memo
 
 } // namespace
 
-void add_result_copies(Graph const &graph, std::vector<NodeId> const &stored, Memory const &memory,
-                       std::vector<Step> &steps) {
+void add_result_copies(Graph const &graph, std::vector<NodeId> const &stored, std::vector<char> done,
+                       Memory const &memory, std::vector<Step> &steps) {
   constexpr std::size_t most_stores = 500;
-  std::vector<char> done(stored.size(), 0);
   std::map<std::uint32_t, std::vector<Line>> loops; // by how often they go round
-  for (Line const &line : lines_of(stored, memory)) {
+  for (Line const &line : lines_of(stored, done, memory)) {
     if (line.count < least_count) continue;
     loops[line.count].push_back(line);
     for (std::uint32_t k = 0; k < line.count; ++k)

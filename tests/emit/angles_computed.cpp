@@ -33,7 +33,7 @@
 // CHECK: output[2] = y_2;
 
 // LOOPS: angles: 1 loop holds {{[0-9]+}} of {{[0-9]+}} operations; compute: 1 loop holds
-// LOOP: static void compute_angles_{{[0-9]+}}(double const *input, double const *constants, double *v) {
+// LOOP: static void compute_angles_{{[0-9]+}}(double const *input, double *restrict v) {
 // LOOP: for (int k = 0; k < {{[34][0-9]}}; ++k) {
 // LOOP: static void compute_angles(double const *input, double const *constants, double *computed_angle) {
 // LOOP: sine[k + {{[0-9]+}}]

@@ -5,7 +5,7 @@
    SAID: compute: 1 loop holds {{[0-9]+}} of {{[0-9]+}} operations
    RUN: FileCheck %s --input-file=%t/long.c
    CHECK: "no-tree-vectorize"
-   CHECK: static void compute_[[LOOP:[0-9]+]](double const *input, double const *constants, double *v) {
+   CHECK: static void compute_[[LOOP:[0-9]+]](double const *input, double *restrict v) {
    CHECK: double c[[STATE:[0-9]+]] = v[{{[0-9]+}}];
    CHECK: static double const values_5[5] = {
    CHECK: for (int k = 0; k < {{19[0-9]}}; ++k) {
@@ -14,11 +14,12 @@
    CHECK: v[{{.*}}k{{.*}}] =
    CHECK-NEXT: c[[STATE]] =
    CHECK-NEXT: }
-   CHECK: static void compute_{{[0-9]+}}(double const *v, double *output) {
+   CHECK: static void compute_{{[0-9]+}}(double const *v, double *restrict output) {
    CHECK-NEXT: for (int k = 0;
    CHECK: void compute(double const *input, double const *constants, double *output) {
+   CHECK-NEXT: (void)constants;
    CHECK-NEXT: double v[
-   CHECK: compute_[[LOOP]](input, constants, v);
+   CHECK: compute_[[LOOP]](input, v);
 
    RUN: %cc -std=c99 -Wall -Wextra -Wconversion -pedantic -Werror -O1 -ffp-contract=off %t/long.c %t/long_main.c -lm -o %t/run
    RUN: %cc -w %s -o %t/original

@@ -3,7 +3,7 @@
    RUN: %symreal generate %s --reroll --decisions=guard -o %t/g.c
    RUN: FileCheck %s --input-file=%t/g.c
    CHECK: int compute(
-   CHECK: compute_{{[0-9]+}}(input, constants, v);
+   CHECK: compute_{{[0-9]+}}(input, v);
    CHECK: if (v[{{[0-9]+}}] == 0.0) return 1;
    CHECK: compute_{{[0-9]+}}(v, output);
    CHECK: return 0;

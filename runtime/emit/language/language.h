@@ -119,6 +119,8 @@ struct LoopSyntax {
   std::string_view begin = {}, end = {};               // $index $count
   std::string_view row = {};                           // $name $table $index: where a row of a table begins
   std::string_view element_table = {}, table_end = {}; // $name $count: of elements of arrays
+  // $rows $copy: a statement for each row and column below a diagonal, column by column, eight columns at a time
+  std::string_view below_diagonal = {};
 
   bool is_given() const { return !begin.empty(); }
 };

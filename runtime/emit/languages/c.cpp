@@ -75,6 +75,14 @@ Language language_c() {
       .row = "$real const *const $name = $table + $index;",
       .element_table = "static unsigned const $name[$count] = {",
       .table_end = "};",
+      .below_diagonal = "  /* A symmetric matrix: one half is the other. */\n"
+                        "  for (int first = 0; first < $rows; first += 8) {\n"
+                        "    int const end = first + 8 < $rows ? first + 8 : $rows;\n"
+                        "    for (int row = first; row < end; ++row)\n"
+                        "      for (int column = first; column < row; ++column) $copy\n"
+                        "    for (int row = end; row < $rows; ++row)\n"
+                        "      for (int column = first; column < first + 8; ++column) $copy\n"
+                        "  }\n",
   };
   c.vectors = {
       .begin = "#if defined(SYMREAL_VECTORS)\n",

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <ranges>
 
 namespace symreal {
 
@@ -16,6 +17,11 @@ namespace {
 
 using reroll::Step;
 using reroll::Store;
+
+struct Parameter {
+  std::string_view pattern;
+  std::string name;
+};
 
 class LoopsPrinter {
 public:
@@ -35,22 +41,30 @@ public:
 
   CodeText print() {
     CodeText out(language_), last(language_);
-    std::set<std::string> used = {arrays_.given, arrays_.read, arrays_.filled}; // the calls pass them on
-    if (plan_.has_angles()) print_angles(emission_, last);
-    last.statement(
-        2, fill(language_, language_.statements.array,
-                {{"name", arrays_.memory}, {"count", std::to_string(std::max<std::size_t>(function_.memory, 1))}}));
+    std::set<std::string> used;
+    if (plan_.has_angles()) {
+      print_angles(emission_, last);
+      used.insert(arrays_.given);
+      if (!emission_.plan.angles.computed.results.empty()) used.insert(arrays_.read);
+    }
+    if (function_.memory != 0)
+      last.statement(2, fill(language_, language_.statements.array,
+                             {{"name", arrays_.memory}, {"count", std::to_string(function_.memory)}}));
     bool is_checked = false;
     for (std::size_t k = 0; k < function_.steps.size(); ++k) {
       Step const &step = function_.steps[k];
       bool const fills = std::ranges::any_of(step.stores, &Store::is_result);
       if (fills && !std::exchange(is_checked, true)) print_checks(last);
-      print_part(k, fills, out, last);
+      used.merge(print_part(k, out, last));
     }
     if (!is_checked) print_checks(last);
+    for (reroll::Mirror const &mirror : function_.mirrors) print_mirror(mirror, last);
     if (!function_.checks.empty()) last.statement(2, syntax_.success);
-    append(out, plan_.is_local ? syntax_.local_head : syntax_.head, !function_.checks.empty(), plan_.name, plan_.inputs,
-           arrays_.filled, used, std::move(last));
+    std::vector<Parameter> parameters;
+    for (std::string const &input : plan_.inputs) parameters.push_back({syntax_.input, input});
+    parameters.push_back({syntax_.output, arrays_.filled});
+    append(out, plan_.is_local ? syntax_.local_head : syntax_.head, !function_.checks.empty(), plan_.name, parameters,
+           used, std::move(last));
     return out;
   }
 
@@ -64,35 +78,56 @@ private:
     }
   }
 
-  // What fills the results reads memory alone.
-  void print_part(std::size_t number, bool fills, CodeText &out, CodeText &calls) {
+  void print_mirror(reroll::Mirror const &mirror, CodeText &out) const {
+    auto const element = [&](char const *row, char const *column) {
+      std::string const first = mirror.first == 0 ? "" : fmt::format("{} + ", mirror.first);
+      return fill(language_, language_.expressions.element,
+                  {{"array", arrays_.filled}, {"index", fmt::format("{}{}*{} + {}", first, mirror.rows, row, column)}});
+    };
+    std::string const below = element("row", "column"), above = element("column", "row");
+    std::string const copy =
+        fill(language_, language_.statements.set,
+             {{"name", mirror.from_above ? below : above}, {"value", mirror.from_above ? above : below}});
+    out.lines(fill(language_, language_.loops.below_diagonal, {{"rows", std::to_string(mirror.rows)}, {"copy", copy}}));
+  }
+
+  // A part is given the arrays that it uses, which it returns. Those that it fills overlap with no other.
+  std::set<std::string> print_part(std::size_t number, CodeText &out, CodeText &calls) {
+    Step const &step = function_.steps[number];
     CodeText text(language_);
-    std::set<std::string> used = {arrays_.memory};
-    print_step(emission_, function_.steps[number], arrays_, text, used);
+    std::set<std::string> used;
+    print_step(emission_, step, arrays_, text, used);
+    std::vector<Parameter> parameters;
+    for (std::string const &input : plan_.part_inputs)
+      if (used.contains(input)) parameters.push_back({syntax_.input, input});
+    bool const stores = !std::ranges::all_of(step.stores, &Store::is_result);
+    if (used.contains(arrays_.memory))
+      parameters.push_back({stores ? syntax_.local_output : syntax_.input, arrays_.memory});
+    if (used.contains(arrays_.filled)) parameters.push_back({syntax_.local_output, arrays_.filled});
     std::string const name = language_.names.spelled(fmt::format("{}_{}", plan_.name, number + 1));
-    std::vector<std::string> inputs = {arrays_.memory};
-    if (!fills) inputs = plan_.part_inputs;
-    std::string const &last = fills ? arrays_.filled : arrays_.memory;
-    append(out, syntax_.local_head, false, name, inputs, last, used, std::move(text));
+    append(out, syntax_.local_head, false, name, parameters, used, std::move(text));
     out.lines("\n");
-    calls.statement(
-        2, fill(language_, syntax_.call,
-                {{"name", name}, {"group", ""}, {"arguments", fmt::format("{}, {}", fmt::join(inputs, ", "), last)}}));
+    std::string const arguments =
+        fmt::format("{}", fmt::join(parameters | std::views::transform(&Parameter::name), ", "));
+    calls.statement(2, fill(language_, syntax_.call, {{"name", name}, {"group", ""}, {"arguments", arguments}}));
+    return used;
   }
 
   // A parameter that the text does not use is marked, or compilers warn.
   void append(CodeText &out, std::string_view head, bool may_fail, std::string const &name,
-              std::vector<std::string> const &inputs, std::string const &last, std::set<std::string> const &used,
-              CodeText &&text) const {
-    std::string parameters, unused;
-    auto const add = [&](std::string_view pattern, std::string const &parameter) {
-      parameters += (parameters.empty() ? "" : ", ") + fill(language_, pattern, {{"name", parameter}});
-      if (!used.contains(parameter)) unused += "  " + fill(language_, syntax_.unused, {{"name", parameter}}) + "\n";
-    };
-    for (std::string const &input : inputs) add(syntax_.input, input);
-    add(syntax_.output, last);
-    out.statement(
-        0, print_head(language_, head, {.name = name, .parameters = parameters, .target = last, .may_fail = may_fail}));
+              std::vector<Parameter> const &parameters, std::set<std::string> const &used, CodeText &&text) const {
+    std::vector<std::string> words;
+    std::string unused;
+    for (Parameter const &parameter : parameters) {
+      words.push_back(fill(language_, parameter.pattern, {{"name", parameter.name}}));
+      if (!used.contains(parameter.name))
+        unused += "  " + fill(language_, syntax_.unused, {{"name", parameter.name}}) + "\n";
+    }
+    out.statement(0, print_head(language_, head,
+                                {.name = name,
+                                 .parameters = fmt::format("{}", fmt::join(words, ", ")),
+                                 .target = parameters.back().name,
+                                 .may_fail = may_fail}));
     out.lines(unused);
     out.append(std::move(text));
     out.statement(0, Filling().set_name("name", name)(with_words(language_, syntax_.end)));

@@ -3,6 +3,7 @@
 
 #include "graph/evaluate.h"
 #include "reroll/loop_program.h"
+#include "reroll/mirrors.h"
 #include "schedule/schedule.h"
 
 #include <cmath>
@@ -46,6 +47,8 @@ inline std::vector<double> run(reroll::LoopFunction const &function, std::vector
         if (step.leaves[i].kind == reroll::Leaf::Kind::carried) leaves[i] = values[step.leaves[i].next];
     }
   }
+  for (reroll::Mirror const &mirror : function.mirrors)
+    reroll::for_each_copy(mirror, [&](std::uint32_t to, std::uint32_t from) { output[to] = output[from]; });
   return output;
 }
 
