@@ -35,9 +35,13 @@ static void prepare(int, char **) { terms = example_terms(n); }
 #include "programs/swing.cpp"
 static void original(double const *in, double *out) { swing(in, in[2], n, out); }
 static void prepare(int, char **) {}
-#else
+#elif KERNEL == 5
 #include "programs/filter.cpp"
 static void original(double const *in, double *out) { filter(in, n, out); }
+static void prepare(int, char **) {}
+#else
+#include "programs/covariance.cpp"
+static void original(double const *in, double *out) { predict(in, in + n * n, in + 2 * n * n, n, out); }
 static void prepare(int, char **) {}
 #endif
 
@@ -61,18 +65,19 @@ static bool agree(std::vector<double> const &x, std::vector<double> const &y, do
 int main(int argc, char **argv) {
   n = std::atoi(argv[1]);
   prepare(argc, argv);
-  std::vector<double> in(3 * n + 3);
+  int const size = KERNEL == 6 ? n * n : n;
+  std::vector<double> in(3 * size + 3);
   for (std::size_t k = 0; k < in.size(); k++) in[k] = 0.3 + 0.001 * (k % 700);
   void (*const contenders[])(double const *, double *) = {original, straight, reroll, fast};
   std::vector<double> results[4];
   for (int k = 0; k < 4; k++) {
-    results[k].resize(n + 12);
+    results[k].resize(size + 12);
     contenders[k](in.data(), results[k].data());
   }
   // The original is fused as gcc likes it: near, but not equal.
   if (!agree(results[2], results[0], 1e-6) || !agree(results[3], results[0], 1e-6)) return 1;
   if (STRAIGHT && !agree(results[1], results[2], 0)) return 1;
-  std::vector<double> out(n + 12);
+  std::vector<double> out(size + 12);
   double turn = 2e6; // nanoseconds
   for (int round = 0; round < 41; round++) {
     for (int k = 0; k < 4; k++) {

@@ -19,7 +19,7 @@ SYMREAL = pathlib.Path(os.environ["SYMREAL"]).resolve()
 WORK = pathlib.Path("build/bench-reroll").resolve()
 CHAIN = [f"inputs/chain/{name}.cpp" for name in ("algorithms", "example", "model", "spatial")]
 MODEL = pathlib.Path("inputs/chain/data/chain-model.csv")
-SIZES = (16, 64, 256, 1000)
+SIZES, OTHER_SIZES = (16, 64, 256, 1000), {"rnea*": (1000,), "covariance": (16, 32, 64)}
 # name: what is measured, its number in driver.cpp, sources
 KERNELS = {
     "fk": ("forward kinematics of N links", 0, ["inputs/chain/fk.cpp", *CHAIN]),
@@ -29,6 +29,7 @@ KERNELS = {
     "series": ("a series of N terms", 3, [HERE / "programs/series.cpp"]),
     "swing": ("N steps of Runge and Kutta", 4, [HERE / "programs/swing.cpp"]),
     "filter": ("N samples of a filter", 5, [HERE / "programs/filter.cpp"]),
+    "covariance": ("the covariance of N states one step on", 6, [HERE / "programs/covariance.cpp"]),
 }
 FLAGS = ["-O3", "-march=native", "-w"]
 KEPT = ["-ffp-contract=off", "-fno-tree-slp-vectorize"]  # what generated code asks for; it says so itself, too
@@ -128,7 +129,7 @@ def main():
         text += ["", f"## {kernel}: {KERNELS[kernel][0]}", "",
                  "| N | Original | Straight-line code | `--reroll` | Times as fast as the original | `--reroll --fp=fast` | Times as fast | "
                  "File | with `--reroll` | and `--fp=fast` |", "|---:|" + 9 * "---:|"]
-        results = [measure(kernel, size) for size in (SIZES if kernel != "rnea*" else SIZES[-1:])]
+        results = [measure(kernel, size) for size in OTHER_SIZES.get(kernel, SIZES)]
         text += [row(result) for result in results]
         text += ["", f"N = {results[-1]['size']}: {results[-1]['loops']}."]
         print("\n".join(text[begin:]), flush=True)

@@ -1,6 +1,7 @@
 #include "reroll/direct_results.h"
 
 #include "reroll/mirrors.h"
+#include "reroll/nest.h"
 
 #include <set>
 
@@ -27,6 +28,23 @@ std::optional<Access> take_line(std::vector<Slots> &iterations) {
   return {};
 }
 
+// Likewise, where they stand as the indices of two loops say.
+std::optional<Access> take_nest(std::vector<Slots> &iterations) {
+  Access access;
+  for (Slots const &slots : iterations) {
+    if (slots.empty()) return {};
+    access.elements.push_back(*slots.begin());
+  }
+  if (!nest_of(static_cast<std::uint32_t>(iterations.size()), {&access})) return {};
+  for (Slots &slots : iterations) slots.erase(slots.begin());
+  return access;
+}
+
+std::optional<Access> take(std::vector<Slots> &iterations) {
+  std::optional<Access> line = take_line(iterations);
+  return line ? line : take_nest(iterations);
+}
+
 } // namespace
 
 DirectResults direct_results(Sequence const &sequence, std::vector<LoopBody> const &loops,
@@ -49,9 +67,9 @@ DirectResults direct_results(Sequence const &sequence, std::vector<LoopBody> con
     }
   }
   for (auto &[operation, iterations] : by_operation)
-    while (auto const line = take_line(iterations)) {
-      for (std::size_t k = 0; k < iterations.size(); ++k) results.is_stored[line->at(k)] = 1;
-      results.of_loop[operation.first].push_back({operation.second, *line});
+    while (auto const found = take(iterations)) {
+      for (std::size_t k = 0; k < iterations.size(); ++k) results.is_stored[found->at(k)] = 1;
+      results.of_loop[operation.first].push_back({operation.second, *found});
     }
   return results;
 }

@@ -72,6 +72,8 @@ Language language_c() {
   c.loops = {
       .begin = "for (int $index = 0; $index < $count; ++$index) {",
       .end = "}",
+      .counter = "int $index = 0;",
+      .count = "++$index;",
       .row = "$real const *const $name = $table + $index;",
       .element_table = "static unsigned const $name[$count] = {",
       .table_end = "};",

@@ -1,6 +1,7 @@
 #include "emit/print/loop_step.h"
 
 #include "emit/print/body.h"
+#include "emit/print/loop_indices.h"
 #include "emit/print/module.h"
 #include "emit/print/value_rows.h"
 
@@ -17,8 +18,6 @@ using reroll::Leaf;
 using reroll::Step;
 using reroll::Store;
 
-constexpr std::string_view counter = "k";
-
 class StepPrinter {
 public:
   StepPrinter(Emission &emission, Step const &step, LoopArrays const &arrays, CodeText &out,
@@ -26,14 +25,21 @@ public:
       : emission_(emission),
         language_(emission.language),
         step_(step),
+        indices_(emission.language, step),
+        names_(indices_.names()),
         arrays_(arrays),
         out_(out),
         used_(used) {}
 
   void print() {
     std::vector<std::string> const leaves = spell_leaves();
+    std::vector<std::string> stores;
+    for (Store const &store : step_.stores)
+      stores.push_back(element(store.is_result ? arrays_.filled : arrays_.memory, store.access));
     for (auto &[period, rows] : values_) print_values(period, rows);
-    begin_loop();
+    std::vector<std::string> const rows = spell_rows();
+    indent_ = indices_.begin(of_turn_, out_);
+    for (std::string const &row : rows) out_.statement(indent_, row);
     Language whole = language_; // the body is not cut
     whole.functions.most_statements = std::string::npos;
     Schedule const plan = schedule(step_.body);
@@ -43,17 +49,14 @@ public:
     CodeText statements(language_);
     printer.statements(0, statements, indent_);
     out_.append(std::move(statements));
-    for (Store const &store : step_.stores)
-      set(element(store.is_result ? arrays_.filled : arrays_.memory, store.access), printer.use(store.value));
+    for (std::size_t k = 0; k < stores.size(); ++k) set(stores[k], printer.use(step_.stores[k].value));
     for (std::size_t k = 0; k < leaves.size(); ++k)
       if (step_.leaves[k].kind == Leaf::Kind::carried) set(leaves[k], printer.use(step_.leaves[k].next));
     emission_.uses.add(inner.uses);
-    if (is_loop()) out_.statement(2, language_.loops.end);
+    indices_.end(out_);
   }
 
 private:
-  bool is_loop() const { return step_.count > 1; }
-
   // Compilers may unroll a loop and see what a table holds.
   std::vector<char> constant_leaves() const {
     std::vector<char> constant;
@@ -77,18 +80,22 @@ private:
     return leaves;
   }
 
+  // What stays the same stands before the loop: compilers cannot know that no store changes it.
   std::string spell(Leaf const &leaf, std::size_t number) {
     StatementSyntax const &syntax = language_.statements;
-    auto const declare = [&](char const *prefix, std::string_view pattern, std::string const &value) {
-      std::string name = prefix + std::to_string(number);
-      names_.insert(name);
-      out_.statement(2, fill(language_, pattern, {{"type", language_.number.name}, {"name", name}, {"value", value}}));
-      return name;
-    };
-    if (leaf.kind == Leaf::Kind::carried) return declare("c", syntax.variable, element(arrays_.memory, leaf.access));
-    std::string const text = element(array_of(leaf.kind), leaf.access);
-    bool const is_fixed = is_loop() && !leaf.access.is_listed() && leaf.access.step == 0;
-    return is_fixed ? declare("f", syntax.constant, text) : text; // compilers cannot know that no store changes it
+    bool const is_carried = leaf.kind == Leaf::Kind::carried;
+    std::string text = element(is_carried ? arrays_.memory : array_of(leaf.kind), leaf.access);
+    bool const is_fixed = indices_.is_fixed(leaf.access), in_turn = indices_.is_fixed_in_turn(leaf.access);
+    if (!is_carried && !is_fixed && !in_turn) return text;
+    std::string name = (is_carried ? "c" : "f") + std::to_string(number);
+    names_.insert(name);
+    std::string declaration = fill(language_, is_carried ? syntax.variable : syntax.constant,
+                                   {{"type", language_.number.name}, {"name", name}, {"value", text}});
+    if (is_carried || is_fixed)
+      out_.statement(2, declaration);
+    else
+      of_turn_.push_back(std::move(declaration));
+    return name;
   }
 
   std::string const &array_of(Leaf::Kind kind) const {
@@ -103,21 +110,12 @@ private:
 
   std::string element(std::string const &array, Access const &access) {
     used_.insert(array);
-    return indexed(array, access.is_listed() ? indexed(element_table(access.elements), std::string(counter))
-                                             : place(access.first, access.step));
+    std::optional<std::string> const index = indices_.of_element(access);
+    return indexed(array, index ? *index : indexed(element_table(access.elements), indices_.of_iteration()));
   }
   std::string indexed(std::string_view array, std::string const &index) const {
     return fill(language_, language_.expressions.element, {{"array", array}, {"index", index}});
   }
-  // first + step * k
-  static std::string place(std::int64_t first, std::int64_t step) {
-    if (step == 0) return std::to_string(first);
-    std::string const steps =
-        std::abs(step) == 1 ? std::string(counter) : fmt::format("{}*{}", std::abs(step), counter);
-    if (step < 0) return fmt::format("{} - {}", first, steps);
-    return first == 0 ? steps : fmt::format("{} + {}", steps, first);
-  }
-
   std::string element_table(std::vector<std::uint32_t> const &elements) {
     std::string const name = fmt::format("table_{}", ++element_tables_);
     print_element_table(name, elements);
@@ -158,24 +156,22 @@ private:
                fill(language_, end, {{"name", name}, {"count", count}}) + "\n");
   }
 
-  void begin_loop() {
-    if (!is_loop()) return;
-    names_.insert(std::string(counter));
-    out_.statement(
-        2, fill(language_, language_.loops.begin, {{"index", counter}, {"count", std::to_string(step_.count)}}));
-    indent_ = 4;
+  // Where the rows of tables begin, statements of the body.
+  std::vector<std::string> spell_rows() {
+    std::vector<std::string> statements;
     for (auto const &[period, rows] : values_) {
       names_.insert(row_name(period));
-      out_.statement(
-          indent_,
+      statements.push_back(
           fill(language_, language_.loops.row,
                {{"name", row_name(period)}, {"table", values_name(period)}, {"index", begin_of_row(period, rows)}}));
     }
+    return statements;
   }
 
-  std::string begin_of_row(std::size_t period, ValueRows const &rows) const {
+  std::string begin_of_row(std::size_t period, ValueRows const &rows) {
     bool const is_in_turn = period == step_.count;
-    std::string const place = is_in_turn ? std::string(counter) : fmt::format("{} % {}", counter, period);
+    std::string const place =
+        is_in_turn ? indices_.of_iteration() : fmt::format("{} % {}", indices_.of_iteration(), period);
     std::string row = rows.is_listed() ? indexed(rows_name(period), place) : place;
     if (rows.columns.size() == 1) return row;
     return fmt::format("{}*{}", rows.columns.size(), is_in_turn || rows.is_listed() ? row : "(" + row + ")");
@@ -188,11 +184,13 @@ private:
   Emission &emission_;
   Language const &language_;
   Step const &step_;
+  LoopIndices indices_;
+  std::set<std::string> names_; // that the body must not take
   LoopArrays const &arrays_;
   CodeText &out_;
   std::set<std::string> &used_;
-  std::set<std::string> names_;
   std::map<std::size_t, ValueRows> values_; // by their periods
+  std::vector<std::string> of_turn_;        // statements of the outer of two loops
   std::size_t element_tables_ = 0, indent_ = 2;
 };
 

@@ -1,0 +1,42 @@
+// How the text of a step counts its iterations: k through all of them; or i and j in two loops, one in the other, and k
+// beside them only where something goes by it.
+#pragma once
+
+#include "emit/print/code_text.h"
+#include "reroll/nest.h"
+
+#include <set>
+#include <string>
+
+namespace symreal {
+
+class LoopIndices {
+public:
+  LoopIndices(Language const &language, reroll::Step const &step);
+
+  bool is_loop() const { return count_ > 1; }
+  std::set<std::string> const &names() const { return names_; }
+
+  // k.
+  std::string of_iteration();
+  // Of an element; none where only a table says it.
+  std::optional<std::string> of_element(reroll::Access const &access);
+  // Whether it stays the same in all iterations, and while the inner of two loops goes round.
+  bool is_fixed(reroll::Access const &access) const;
+  bool is_fixed_in_turn(reroll::Access const &access) const;
+
+  // `of_turn`: statements of the outer loop. Returns how far the body is indented.
+  std::size_t begin(std::vector<std::string> const &of_turn, CodeText &out) const;
+  void end(CodeText &out) const;
+
+private:
+  std::optional<reroll::NestedAccess> nested(reroll::Access const &access) const;
+
+  Language const &language_;
+  std::uint32_t count_;
+  std::optional<reroll::Nest> nest_ = {};
+  std::set<std::string> names_ = {};
+  bool is_counted_ = false; // something goes by k
+};
+
+} // namespace symreal
