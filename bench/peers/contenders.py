@@ -20,7 +20,7 @@ PACKAGES = pathlib.Path(sys.prefix) / f"lib/python3.{sys.version_info[1]}/site-p
 GENERATE_SECONDS, COMPILE_SECONDS = 60, 30
 LARGE = 10_000  # operations in its text from which generated code is compiled by LARGE_LEVELS
 LONG = 100  # joints from which mode fast takes effort 1
-LOOPS = 64  # joints from which --reroll takes part
+LOOPS = 32  # joints from which --reroll takes part
 
 GCC, CLANG = ("gcc", "g++"), ("clang-19", "clang++-19")
 LEVELS = {
