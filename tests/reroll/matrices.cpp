@@ -50,7 +50,8 @@ void covariance(double const F[n][n], double const P[n][n], double const Q[n][n]
     }
 }
 
-#pragma symreal function input(x[0 : rows], y[0 : rows]) range(0.5, 2) output(L[0 : rows][0 : rows], U[0 : rows][0 : rows])
+#pragma symreal function input(x[0 : rows], y[0 : rows]) range(0.5, 2)                                                 \
+    output(L[0 : rows][0 : rows], U[0 : rows][0 : rows])
 void triangles(double const x[rows], double const y[rows], double L[rows][rows], double U[rows][rows]) {
   for (int k = 0; k < rows * rows; ++k) L[0][k] = U[0][k] = 0;
   for (int i = 0; i < rows; ++i)
