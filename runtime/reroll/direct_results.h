@@ -19,10 +19,10 @@ struct LoopResult {
 struct DirectResults {
   std::vector<std::vector<LoopResult>> of_loop;              // per loop
   std::map<NodeId, std::vector<std::uint32_t>> of_operation; // of straight stretches: the results that it is
-  std::vector<char> is_stored;                               // per result
+  std::vector<char> is_stored;                               // per result: by one of these, or a mirror copies it
 };
 
-// `begin`: where in the sequence the steps begin that may store results.
+// `begin`: where in the sequence the steps begin that may store results. `mirrors`: what they copy is left to them.
 DirectResults direct_results(Sequence const &sequence, std::vector<LoopBody> const &loops,
                              std::vector<NodeId> const &stored, std::vector<Mirror> const &mirrors,
                              Memory const &memory, std::size_t begin);
