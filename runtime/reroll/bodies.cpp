@@ -29,10 +29,6 @@ bool are_of_inputs(Access const &access, std::uint32_t count, Angles const &angl
   return true;
 }
 
-bool reads_inputs(Step const &step) {
-  return std::ranges::any_of(step.leaves, [](Leaf const &leaf) { return leaf.kind == Leaf::Kind::given; });
-}
-
 std::array<NodeId, 3> moved(Node const &node, std::vector<NodeId> const &now) {
   std::array<NodeId, 3> operands = {no_node, no_node, no_node};
   for (unsigned i = 0; i < arity(node.op); ++i) operands[i] = now[node.operand[i]];
@@ -248,7 +244,7 @@ void improve_bodies(LoopFunction &function, Angles const &angles, Improve const 
     has_results = has_results || std::ranges::any_of(step.stores, &Store::is_result);
     Step cheaper = improved(step, angles, once);
     // Passes may make use of an angle itself, but results may overlap with it.
-    if (!has_results || !reads_inputs(cheaper)) step = std::move(cheaper);
+    if (!has_results || !reads_arguments(cheaper)) step = std::move(cheaper);
   }
   function = with_few_signs(std::move(function)); // of what passes have made of tables
   for (Step &step : function.steps) step = with_short_recurrences(std::move(step));

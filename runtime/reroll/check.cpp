@@ -69,11 +69,10 @@ private:
   }
 
   Value leaf(Leaf const &leaf, std::uint32_t k, Value const &carried) {
+    if (has_results_ && is_argument(leaf.kind)) difference_ = "an input is read after a result is stored";
     switch (leaf.kind) {
     case Leaf::Kind::given:
     case Leaf::Kind::read:
-      if (has_results_) difference_ = "an input is read after a result is stored";
-      [[fallthrough]];
     case Leaf::Kind::sine:
     case Leaf::Kind::cosine: return numbering_.element(static_cast<std::uint32_t>(leaf.kind), leaf.access.at(k));
     case Leaf::Kind::memory: return memory_.at(leaf.access.at(k));

@@ -3,6 +3,7 @@
 
 #include "graph/graph.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace symreal::reroll {
@@ -55,6 +56,10 @@ struct Mirror {
   std::uint32_t first, rows;
   bool from_above;
 };
+
+// Whether it is of an array that the caller passes: results may overlap with it.
+inline bool is_argument(Leaf::Kind kind) { return kind == Leaf::Kind::given || kind == Leaf::Kind::read; }
+inline bool reads_arguments(Step const &step) { return std::ranges::any_of(step.leaves, is_argument, &Leaf::kind); }
 
 struct LoopFunction {
   std::vector<Step> steps;

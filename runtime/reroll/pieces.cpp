@@ -31,13 +31,11 @@ std::vector<Piece> pieces(Sequence const &sequence, std::vector<LoopBody> const 
   return pieces;
 }
 
-bool reads_inputs(Piece const &piece, Sequence const &sequence, std::vector<std::vector<Role>> const &roles) {
-  if (piece.loop != no_position)
-    return std::ranges::any_of(roles[piece.loop], [](Role const &role) {
-      return role.kind == Leaf::Kind::given || role.kind == Leaf::Kind::read;
-    });
+bool reads_arguments(Piece const &piece, Sequence const &sequence, std::vector<std::vector<Role>> const &roles) {
+  if (piece.loop != no_position) return std::ranges::any_of(roles[piece.loop], is_argument, &Role::kind);
   auto const is_given = [&](NodeId node) {
-    return sequence.source(node) == Source::input || sequence.source(node) == Source::read;
+    Source const source = sequence.source(node);
+    return source != Source::computed && source != Source::constant && is_argument(array_of(source));
   };
   for (std::uint32_t at = piece.begin; at < piece.end; ++at)
     for (unsigned i = 0; i < sequence.operations[at].count; ++i)

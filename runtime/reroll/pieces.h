@@ -24,6 +24,6 @@ struct Piece {
 std::vector<Piece> pieces(Sequence const &sequence, std::vector<LoopBody> const &loops);
 
 // Whether it reads what results may overlap with. `roles`: per loop and column.
-bool reads_inputs(Piece const &piece, Sequence const &sequence, std::vector<std::vector<Role>> const &roles);
+bool reads_arguments(Piece const &piece, Sequence const &sequence, std::vector<std::vector<Role>> const &roles);
 
 } // namespace symreal::reroll

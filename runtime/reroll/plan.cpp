@@ -125,7 +125,7 @@ private:
   std::size_t first_to_store_results() const {
     if (!checked_.empty()) return sequence_.size();
     std::size_t piece = pieces_.size();
-    while (piece > 0 && !reads_inputs(pieces_[piece - 1], sequence_, roles_)) --piece;
+    while (piece > 0 && !reads_arguments(pieces_[piece - 1], sequence_, roles_)) --piece;
     return piece == pieces_.size() ? sequence_.size() : pieces_[piece].begin;
   }
 

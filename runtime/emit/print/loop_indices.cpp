@@ -11,8 +11,9 @@ namespace {
 
 constexpr std::string_view all = "k", outer = "i", inner = "j";
 
-// 2*k + first, or first - 2*k.
-std::string sum(std::int64_t first, std::vector<std::pair<std::int64_t, std::string_view>> const &steps) {
+} // namespace
+
+std::string index_text(std::int64_t first, std::vector<std::pair<std::int64_t, std::string_view>> const &steps) {
   std::string added, subtracted;
   for (auto const &[step, index] : steps) {
     if (step == 0) continue;
@@ -26,8 +27,6 @@ std::string sum(std::int64_t first, std::vector<std::pair<std::int64_t, std::str
   if (first == 0) return added + subtracted;
   return subtracted.empty() ? fmt::format("{} + {}", added, first) : fmt::format("{} + {}{}", first, added, subtracted);
 }
-
-} // namespace
 
 LoopIndices::LoopIndices(Language const &language, reroll::Step const &step) : language_(language), count_(step.count) {
   if (!is_loop()) return;
@@ -47,10 +46,10 @@ std::string LoopIndices::of_iteration() {
 
 std::optional<std::string> LoopIndices::of_element(reroll::Access const &access) {
   if (std::optional<reroll::NestedAccess> const place = nested(access))
-    return sum(place->first, {{place->outer, outer}, {place->inner, inner}});
+    return index_text(place->first, {{place->outer, outer}, {place->inner, inner}});
   if (access.is_listed()) return {};
   is_counted_ = is_counted_ || access.step != 0;
-  return sum(access.first, {{access.step, all}});
+  return index_text(access.first, {{access.step, all}});
 }
 
 bool LoopIndices::is_fixed(reroll::Access const &access) const {
@@ -72,7 +71,7 @@ std::size_t LoopIndices::begin(std::vector<std::string> const &of_turn, CodeText
     if (is_counted_) out.statement(indent, fill(language_, language_.loops.counter, {{"index", all}}));
     begin_loop(outer, std::to_string(nest_->turns));
     for (std::string const &statement : of_turn) out.statement(indent, statement);
-    begin_loop(inner, sum(nest_->inner, {{nest_->growth, outer}}));
+    begin_loop(inner, index_text(nest_->inner, {{nest_->growth, outer}}));
   } else if (is_loop()) {
     begin_loop(all, std::to_string(count_));
   }

@@ -7,8 +7,14 @@
 
 #include <set>
 #include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 namespace symreal {
+
+// The text of first + step * counter + ... for each step and counter: 2*k + 5, or 5 - 2*k.
+std::string index_text(std::int64_t first, std::vector<std::pair<std::int64_t, std::string_view>> const &steps);
 
 class LoopIndices {
 public:

@@ -61,7 +61,7 @@ private:
   std::vector<char> constant_leaves() const {
     std::vector<char> constant;
     for (Leaf const &leaf : step_.leaves)
-      constant.push_back(arrays_.may_be_constant && leaf.kind != Leaf::Kind::given && leaf.kind != Leaf::Kind::read);
+      constant.push_back(arrays_.may_be_constant && !reroll::is_argument(leaf.kind));
     return constant;
   }
 

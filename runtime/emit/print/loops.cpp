@@ -4,6 +4,7 @@
 #include "emit/print/angles.h"
 #include "emit/print/constant_paths.h"
 #include "emit/print/function_head.h"
+#include "emit/print/loop_indices.h"
 #include "emit/print/loop_step.h"
 
 #include <algorithm>
@@ -80,9 +81,8 @@ private:
 
   void print_mirror(reroll::Mirror const &mirror, CodeText &out) const {
     auto const element = [&](char const *row, char const *column) {
-      std::string const first = mirror.first == 0 ? "" : fmt::format("{} + ", mirror.first);
       return fill(language_, language_.expressions.element,
-                  {{"array", arrays_.filled}, {"index", fmt::format("{}{}*{} + {}", first, mirror.rows, row, column)}});
+                  {{"array", arrays_.filled}, {"index", index_text(mirror.first, {{mirror.rows, row}, {1, column}})}});
     };
     std::string const below = element("row", "column"), above = element("column", "row");
     std::string const copy =

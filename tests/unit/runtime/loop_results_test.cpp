@@ -11,7 +11,6 @@ namespace symreal {
 namespace {
 
 using Builder = test::GraphBuilder;
-using reroll::Leaf;
 using reroll::LoopFunction;
 using reroll::Step;
 using reroll::Store;
@@ -62,10 +61,6 @@ bool computes(Step const &step) {
   return std::ranges::any_of(step.body.nodes, [](Node const &node) { return !is_leaf(node.op); });
 }
 
-bool reads_inputs(Step const &step) {
-  return std::ranges::any_of(step.leaves, [](Leaf const &leaf) { return leaf.kind == Leaf::Kind::given; });
-}
-
 bool a_loop_stores_results(LoopFunction const &function) {
   return std::ranges::any_of(function.steps,
                              [](Step const &step) { return step.count > 1 && computes(step) && stores_results(step); });
@@ -76,7 +71,7 @@ TEST(LoopResults, LoopsStoreThemBehindTheLastInput) {
   LoopFunction const function = compute_of(squares.make.finish(squares.symmetric(true)));
   EXPECT_TRUE(a_loop_stores_results(function));
   auto const first = std::ranges::find_if(function.steps, stores_results);
-  EXPECT_TRUE(std::none_of(first, function.steps.end(), reads_inputs));
+  EXPECT_TRUE(std::none_of(first, function.steps.end(), reroll::reads_arguments));
 }
 
 TEST(LoopResults, WhileInputsAreReadTheyWait) {
