@@ -14,13 +14,19 @@ SignRelations::SignRelations(std::vector<SignedBody> const &bodies, std::size_t 
       if (store.is_result && !body.is_number(store.value)) fix(body, store.value, body.plain());
   // Signs that are the same in all iterations cost nothing: so loops choose before what is computed once.
   relate_operations(true);
+  relate_numbers(true);
   for (SignedBody const &body : bodies_)
     for (std::size_t s = 0; s < body.step().stores.size(); ++s)
       signs_.relate(body.stored(0, s), body.value(0, body.step().stores[s].value), false);
   relate_operations(false);
-  // What is free yet goes by the signs in tables: without them tables repeat early, and more of them are alike.
+  relate_numbers(false);
+}
+
+// What is free yet goes by the signs in tables: without them tables repeat early, and more of them are alike.
+void SignRelations::relate_numbers(bool in_loops) {
   for (SignedBody const &body : bodies_)
-    for (NodeId id = 0; id < body.size(); ++id) relate_product_with_numbers(body, id, false);
+    for (NodeId id = 0; id < body.size() && (body.count() > 1) == in_loops; ++id)
+      relate_product_with_numbers(body, id, false);
 }
 
 Pattern SignRelations::of(SignedBody const &body, NodeId id) const {

@@ -32,6 +32,7 @@ private:
   static std::uint32_t source(SignedBody const &body, NodeId id, std::uint32_t k,
                               std::vector<std::uint32_t> const &stored);
   void relate_operations(bool in_loops);
+  void relate_numbers(bool in_loops);
   void relate_operation(SignedBody const &body, NodeId id);
   void relate_sum(SignedBody const &body, NodeId id);
   void relate_product(SignedBody const &body, NodeId id);
