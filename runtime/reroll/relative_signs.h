@@ -1,63 +1,54 @@
-// Signs of values, as far as they are known: each is that of another value, or the opposite one.
+// Signs of values, as far as they are known: that of a product follows from those of its factors.
 //
-// A forest of values (union-find) in which every value knows its sign relative to its parent.
+// Method: equations over the field of two elements, one after the other. What two values share is a forest (union-find)
+// in which every value knows its sign relative to its parent. An equation of more values makes one of them depend on
+// the others; these were free when it was stated, so later equations say what they depend on, and in the order of the
+// equations every value is replaced once.
 #pragma once
 
 #include <cstdint>
-#include <numeric>
+#include <initializer_list>
 #include <utility>
 #include <vector>
 
 namespace symreal::reroll {
 
-// What is computed in place of a value: itself, or its negative.
-struct SignedValue {
-  std::uint32_t value;
-  bool negated = false;
-};
-
 class RelativeSigns {
 public:
-  explicit RelativeSigns(std::size_t count) : parent_(count), size_(count, 1), is_opposite_(count, 0) {
-    std::iota(parent_.begin(), parent_.end(), 0U);
-  }
+  explicit RelativeSigns(std::size_t count);
 
-  // The value's root, and whether the sign is the opposite one.
-  SignedValue root(std::uint32_t value) const {
+  // The sign of a product, as far as it is found with little work.
+  struct Sign {
+    std::vector<std::uint32_t> free = {}; // values that nothing is known of whose signs go into it: in order, each once
     bool negated = false;
-    for (; parent_[value] != value; value = parent_[value]) negated = negated != (is_opposite_[value] != 0);
-    return {value, negated};
-  }
+    bool is_too_far = false; // it depends on more than is looked at
 
-  // From now on the two are both themselves or both negatives; where `are_opposite`, one of each. False where that
-  // contradicts what is known.
-  bool relate(std::uint32_t a, std::uint32_t b, bool are_opposite) {
-    SignedValue x = root(a), y = root(b);
-    bool const opposite = (x.negated != y.negated) != are_opposite;
-    if (x.value == y.value) return !opposite;
-    if (size_[x.value] > size_[y.value]) std::swap(x, y);
-    parent_[x.value] = y.value;
-    size_[y.value] += size_[x.value];
-    is_opposite_[x.value] = opposite;
-    related_.push_back(x.value);
-    return true;
-  }
+    bool is_known() const { return free.empty() && !is_too_far; }
+    friend bool operator==(Sign const &, Sign const &) = default;
+  };
+  Sign of(std::initializer_list<std::uint32_t> factors) const;
 
-  // A number of relations, to come back to: the roots of later ones are roots again.
+  // From now on the product of these has this sign. False where that contradicts what is known, or is too far.
+  bool relate(std::initializer_list<std::uint32_t> factors, bool is_negative);
+
+  // A number of relations, to come back to: what later ones say is not known again.
   std::size_t mark() const { return related_.size(); }
-  void undo_to(std::size_t mark) {
-    for (; related_.size() > mark; related_.pop_back()) {
-      std::uint32_t const value = related_.back();
-      size_[parent_[value]] -= size_[value];
-      parent_[value] = value;
-      is_opposite_[value] = 0;
-    }
-  }
+  void undo_to(std::size_t mark);
+
+  // Per value whether it is a negative, where those are none that nothing is known of.
+  std::vector<char> negatives() const;
 
 private:
+  static constexpr std::uint32_t free_value = ~std::uint32_t{0};
+
+  // The value's root, and whether its sign is the opposite one.
+  std::pair<std::uint32_t, bool> root(std::uint32_t value) const;
+
   std::vector<std::uint32_t> parent_, size_;
-  std::vector<char> is_opposite_; // to its parent
-  std::vector<std::uint32_t> related_;
+  std::vector<char> is_opposite_;       // to the parent
+  std::vector<std::uint32_t> equation_; // per root, of `related_`, or it is free
+  std::vector<std::uint32_t> related_;  // roots no longer free, in the order of the relations
+  std::vector<Sign> depends_;           // as long: of a root, on others; of one with a parent nothing
 };
 
 } // namespace symreal::reroll

@@ -1,5 +1,7 @@
 #include "reroll/sign_relations.h"
 
+#include "reroll/roles.h"
+
 #include <ranges>
 #include <utility>
 
@@ -11,42 +13,33 @@ SignRelations::SignRelations(std::vector<SignedBody> const &bodies, std::size_t 
   relate_leaves(memory);
   for (SignedBody const &body : bodies_)
     for (Store const &store : body.step().stores)
-      if (store.is_result && !body.is_number(store.value)) fix(body, store.value, body.plain());
+      if (store.is_result && !body.is_number(store.value)) fix(body, store.value);
   // Signs that are the same in all iterations cost nothing: so loops choose before what is computed once.
   relate_operations(true);
   relate_numbers(true);
   for (SignedBody const &body : bodies_)
     for (std::size_t s = 0; s < body.step().stores.size(); ++s)
-      signs_.relate(body.stored(0, s), body.value(0, body.step().stores[s].value), false);
+      signs_.relate({body.stored(0, s), body.value(0, body.step().stores[s].value)}, false);
   relate_operations(false);
   relate_numbers(false);
-}
-
-// What is free yet goes by the signs in tables: without them tables repeat early, and more of them are alike.
-void SignRelations::relate_numbers(bool in_loops) {
-  for (SignedBody const &body : bodies_)
-    for (NodeId id = 0; id < body.size() && (body.count() > 1) == in_loops; ++id)
-      relate_product_with_numbers(body, id, false);
+  negative_ = signs_.negatives();
 }
 
 Pattern SignRelations::of(SignedBody const &body, NodeId id) const {
   Pattern pattern(body.count());
-  for (std::uint32_t k = 0; k < body.count(); ++k) pattern[k] = is_negative(body.value(k, id));
+  for (std::uint32_t k = 0; k < body.count(); ++k) pattern[k] = negative_[body.value(k, id)];
   return pattern;
 }
 
 Pattern SignRelations::of_store(SignedBody const &body, std::size_t store) const {
   Pattern pattern(body.count());
-  for (std::uint32_t k = 0; k < body.count(); ++k) pattern[k] = is_negative(body.stored(k, store));
+  for (std::uint32_t k = 0; k < body.count(); ++k) pattern[k] = negative_[body.stored(k, store)];
   return pattern;
 }
 
-bool SignRelations::is_negative(std::uint32_t value) const {
-  return signs_.root(value).negated != (is_ground(value) && signs_.root(ground).negated);
-}
-
 // Loops in which the most chains go on come last, and the signs of all of them must agree there: so the last loops
-// first. In a body first what leaves no choice: the sign of a product with a known sign is that of the other operand.
+// first. In a body first what leaves no choice, since the sign of a product with a known sign is that of the other
+// operand; and from what is stored down to what is read, since what is stored has its signs already.
 void SignRelations::relate_operations(bool in_loops) {
   auto const is_settled = [&](SignedBody const &body, NodeId id) { return is_known(body, id) || is_uniform(body, id); };
   auto const is_forced = [&](SignedBody const &body, Node const &node) {
@@ -55,57 +48,62 @@ void SignRelations::relate_operations(bool in_loops) {
   };
   for (SignedBody const &body : std::views::reverse(bodies_))
     for (bool const only_forced : {true, false})
-      for (NodeId id = 0; id < body.size() && (body.count() > 1) == in_loops; ++id) {
+      for (NodeId id = body.size(); id-- > 0 && (body.count() > 1) == in_loops;) {
         Node const &node = body.node(id);
         if (!is_leaf(node.op) && (!only_forced || is_forced(body, node))) relate_operation(body, id);
       }
 }
 
-// What is read is what was stored there last, or carried on.
+// What is free yet leaves the numbers of tables as they are, unless the table repeats earlier without their signs.
+void SignRelations::relate_numbers(bool in_loops) {
+  for (SignedBody const &body : bodies_)
+    for (NodeId id = 0; id < body.size() && (body.count() > 1) == in_loops; ++id)
+      relate_product_with_numbers(body, id, false);
+}
+
+// What is read is what was stored there last, or carried on; anything else is given.
 void SignRelations::relate_leaves(std::size_t memory) {
-  std::vector<std::uint32_t> stored(memory, ground); // per element the value
+  std::vector<std::optional<std::uint32_t>> stored(memory); // per element the value
+  auto const source = [&](SignedBody const &body, NodeId id, std::uint32_t k) -> std::optional<std::uint32_t> {
+    Leaf const *const leaf = body.leaf(id);
+    if (!leaf) return {};
+    if (leaf->kind == Leaf::Kind::carried && k > 0) return body.value(k - 1, leaf->next);
+    bool const is_in_memory = leaf->kind == Leaf::Kind::memory || leaf->kind == Leaf::Kind::carried;
+    return is_in_memory ? stored[leaf->access.at(k)] : std::nullopt;
+  };
   for (SignedBody const &body : bodies_)
     for (std::uint32_t k = 0; k < body.count(); ++k) {
-      for (NodeId id = 0; id < body.size(); ++id)
-        if (is_leaf(body.node(id).op))
-          internal_check(signs_.relate(body.value(k, id), source(body, id, k, stored), false));
+      for (NodeId id = 0; id < body.size(); ++id) {
+        if (!is_leaf(body.node(id).op)) continue;
+        std::optional<std::uint32_t> const from = source(body, id, k);
+        internal_check(from ? signs_.relate({body.value(k, id), *from}, false)
+                            : signs_.relate({body.value(k, id)}, false));
+      }
       for (std::size_t s = 0; s < body.step().stores.size(); ++s)
         if (Store const &store = body.step().stores[s]; !store.is_result)
           stored[store.access.at(k)] = body.stored(k, s);
     }
 }
 
-std::uint32_t SignRelations::source(SignedBody const &body, NodeId id, std::uint32_t k,
-                                    std::vector<std::uint32_t> const &stored) {
-  Leaf const *const leaf = body.leaf(id);
-  if (!leaf) return ground;
-  if (leaf->kind == Leaf::Kind::carried && k > 0) return body.value(k - 1, leaf->next);
-  bool const is_in_memory = leaf->kind == Leaf::Kind::memory || leaf->kind == Leaf::Kind::carried;
-  return is_in_memory ? stored[leaf->access.at(k)] : ground;
-}
-
 bool SignRelations::is_known(SignedBody const &body, NodeId id) const {
   for (std::uint32_t k = 0; k < body.count(); ++k)
-    if (!is_ground(body.value(k, id))) return false;
+    if (!signs_.of({body.value(k, id)}).is_known()) return false;
   return true;
 }
 
 // Whether the sign, known or not, is the same in all iterations: that of what is set before a loop.
 bool SignRelations::is_uniform(SignedBody const &body, NodeId id) const {
-  SignedValue const first = signs_.root(body.value(0, id));
-  for (std::uint32_t k = 1; k < body.count(); ++k) {
-    SignedValue const other = signs_.root(body.value(k, id));
-    if (other.value != first.value || other.negated != first.negated) return false;
-  }
+  RelativeSigns::Sign const first = signs_.of({body.value(0, id)});
+  for (std::uint32_t k = 1; k < body.count(); ++k)
+    if (signs_.of({body.value(k, id)}) != first) return false;
   return true;
 }
 
 // In all iterations, or in none.
-template <class Other> bool SignRelations::relate_to(SignedBody const &body, NodeId id, Other const &other,
-                                                     Pattern const &are_opposite, bool opposite) {
+template <class Relate> bool SignRelations::in_all_iterations(SignedBody const &body, Relate const &relate) {
   std::size_t const mark = signs_.mark();
   for (std::uint32_t k = 0; k < body.count(); ++k) {
-    if (signs_.relate(body.value(k, id), other(k), (are_opposite[k] != 0) != opposite)) continue;
+    if (relate(k)) continue;
     signs_.undo_to(mark);
     return false;
   }
@@ -113,11 +111,13 @@ template <class Other> bool SignRelations::relate_to(SignedBody const &body, Nod
 }
 
 bool SignRelations::relate(SignedBody const &body, NodeId a, NodeId b, Pattern const &are_opposite, bool opposite) {
-  return relate_to(body, a, [&](std::uint32_t k) { return body.value(k, b); }, are_opposite, opposite);
+  return in_all_iterations(body, [&](std::uint32_t k) {
+    return signs_.relate({body.value(k, a), body.value(k, b)}, (are_opposite[k] != 0) != opposite);
+  });
 }
 
-void SignRelations::fix(SignedBody const &body, NodeId id, Pattern const &pattern) {
-  relate_to(body, id, [](std::uint32_t) { return ground; }, pattern, false);
+void SignRelations::fix(SignedBody const &body, NodeId id) {
+  in_all_iterations(body, [&](std::uint32_t k) { return signs_.relate({body.value(k, id)}, false); });
 }
 
 void SignRelations::relate_operation(SignedBody const &body, NodeId id) {
@@ -131,8 +131,8 @@ void SignRelations::relate_operation(SignedBody const &body, NodeId id) {
     if (body.place_beside_number(id)) return relate_product_with_numbers(body, id, true);
     return relate_product(body, id);
   default:
-    fix(body, id, body.plain());
-    for (unsigned i = 0; i < arity(node.op) && node.op != Op::abs; ++i) fix(body, node.operand[i], body.plain());
+    fix(body, id);
+    for (unsigned i = 0; i < arity(node.op) && node.op != Op::abs; ++i) fix(body, node.operand[i]);
   }
 }
 
@@ -154,32 +154,38 @@ void SignRelations::relate_sum(SignedBody const &body, NodeId id) {
   if (!relate_either(first)) relate_either(second);
 }
 
+static std::size_t period(std::vector<double> const &values) {
+  Role const role = role_of_values(values);
+  return role.constant ? 1 : role.values.size();
+}
+
+static bool repeats_earlier_without_signs(SignedBody const &body, NodeId number) {
+  std::vector<double> values, magnitudes;
+  for (std::uint32_t k = 0; k < body.count(); ++k) {
+    values.push_back(body.number(number, k));
+    magnitudes.push_back(std::fabs(values.back()));
+  }
+  return period(magnitudes) < period(values);
+}
+
 // `are_units`: only products with 1 and -1, which nobody needs then; otherwise only others.
 void SignRelations::relate_product_with_numbers(SignedBody const &body, NodeId id, bool are_units) {
   std::optional<unsigned> const place = body.place_beside_number(id);
   if (!place) return;
   NodeId const number = body.node(id).operand[1 - *place], other = body.node(id).operand[*place];
   if (body.is_unit(number) != are_units) return;
-  Pattern const signs = body.signs_of_numbers(number);
+  Pattern const signs =
+      are_units || repeats_earlier_without_signs(body, number) ? body.signs_of_numbers(number) : body.plain();
   if (!relate(body, id, other, signs)) relate(body, id, other, signs, true);
 }
 
-// The sign of one operand must be known for that of the other to go into the product.
 void SignRelations::relate_product(SignedBody const &body, NodeId id) {
-  auto [a, b, none] = body.node(id).operand;
-  bool are_related = true;
-  for (std::uint32_t k = 0; k < body.count(); ++k)
-    are_related = are_related && signs_.root(body.value(k, a)).value == signs_.root(body.value(k, b)).value;
-  if (are_related) return fix(body, id, product(of(body, a), of(body, b)));
-  for (auto const &[one, other] : {std::pair(a, b), std::pair(b, a)})
-    if (is_uniform(body, one)) {
-      relate(body, id, other, body.plain());
+  NodeId const a = body.node(id).operand[0], b = body.node(id).operand[1];
+  for (bool const opposite : {false, true})
+    if (in_all_iterations(body, [&](std::uint32_t k) {
+          return signs_.relate({body.value(k, id), body.value(k, a), body.value(k, b)}, opposite);
+        }))
       return;
-    }
-  if (is_known(body, b)) std::swap(a, b);
-  for (std::uint32_t k = 0; k < body.count(); ++k)
-    if (!is_ground(body.value(k, a))) signs_.relate(body.value(k, a), ground, false);
-  relate(body, id, b, of(body, a));
 }
 
 } // namespace symreal::reroll

@@ -20,17 +20,12 @@ public:
   Pattern of_store(SignedBody const &body, std::size_t store) const;
 
 private:
-  bool is_ground(std::uint32_t value) const { return signs_.root(value).value == signs_.root(ground).value; }
-  bool is_negative(std::uint32_t value) const;
   bool is_known(SignedBody const &body, NodeId id) const;
   bool is_uniform(SignedBody const &body, NodeId id) const;
+  template <class Relate> bool in_all_iterations(SignedBody const &body, Relate const &relate);
   bool relate(SignedBody const &body, NodeId a, NodeId b, Pattern const &are_opposite, bool opposite = false);
-  void fix(SignedBody const &body, NodeId id, Pattern const &pattern);
-  template <class Other>
-  bool relate_to(SignedBody const &body, NodeId id, Other const &other, Pattern const &are_opposite, bool opposite);
+  void fix(SignedBody const &body, NodeId id);
   void relate_leaves(std::size_t memory);
-  static std::uint32_t source(SignedBody const &body, NodeId id, std::uint32_t k,
-                              std::vector<std::uint32_t> const &stored);
   void relate_operations(bool in_loops);
   void relate_numbers(bool in_loops);
   void relate_operation(SignedBody const &body, NodeId id);
@@ -38,10 +33,9 @@ private:
   void relate_product(SignedBody const &body, NodeId id);
   void relate_product_with_numbers(SignedBody const &body, NodeId id, bool are_units);
 
-  static constexpr std::uint32_t ground = 0; // stands for what is no negative
-
   std::vector<SignedBody> const &bodies_;
   RelativeSigns signs_;
+  std::vector<char> negative_; // per value
 };
 
 } // namespace symreal::reroll
