@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <iterator>
 #include <vector>
 
 extern "C" void straight_compute(double const *input, double const *constants, double *output);
@@ -39,9 +40,13 @@ static void prepare(int, char **) {}
 #include "programs/filter.cpp"
 static void original(double const *in, double *out) { filter(in, n, out); }
 static void prepare(int, char **) {}
-#else
+#elif KERNEL == 6
 #include "programs/covariance.cpp"
 static void original(double const *in, double *out) { predict(in, in + n * n, in + 2 * n * n, n, out); }
+static void prepare(int, char **) {}
+#else
+#include "programs/top.cpp"
+static void original(double const *in, double *out) { top(in, in + 7, in + 16, in[19], n, out); }
 static void prepare(int, char **) {}
 #endif
 
@@ -68,6 +73,9 @@ int main(int argc, char **argv) {
   int const size = KERNEL == 6 ? n * n : n;
   std::vector<double> in(3 * size + 3);
   for (std::size_t k = 0; k < in.size(); k++) in[k] = 0.3 + 0.001 * (k % 700);
+#if KERNEL == 7
+  std::copy_n(example, std::size(example), in.begin());
+#endif
   void (*const contenders[])(double const *, double *) = {original, straight, reroll, fast};
   std::vector<double> results[4];
   for (int k = 0; k < 4; k++) {

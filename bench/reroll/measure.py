@@ -27,7 +27,8 @@ KERNELS = {
     "rnea*": ("the same, other numbers in every link", 1, ["inputs/chain/rnea.cpp", *CHAIN]),
     "aba": ("forward dynamics (ABA) of N links", 2, ["inputs/chain/aba.cpp", *CHAIN]),
     "series": ("a series of N terms", 3, [HERE / "programs/series.cpp"]),
-    "swing": ("N steps of Runge and Kutta", 4, [HERE / "programs/swing.cpp"]),
+    "swing": ("N steps of Runge and Kutta, a pendulum", 4, [HERE / "programs/swing.cpp"]),
+    "top": ("N steps of Runge and Kutta, a spinning top", 7, [HERE / "programs/top.cpp"]),
     "filter": ("N samples of a filter", 5, [HERE / "programs/filter.cpp"]),
     "covariance": ("the covariance of N states one step on", 6, [HERE / "programs/covariance.cpp"]),
 }

@@ -96,7 +96,7 @@ bool SignRelations::is_uniform(SignedBody const &body, NodeId id) const {
   RelativeSigns::Sign const first = signs_.of({body.value(0, id)});
   for (std::uint32_t k = 1; k < body.count(); ++k)
     if (signs_.of({body.value(k, id)}) != first) return false;
-  return true;
+  return !first.is_too_far;
 }
 
 // In all iterations, or in none.
