@@ -123,7 +123,7 @@ def main():
     load = os.getloadavg()[0]
     text = ["# Loops in place of straight-line code", "",
             f"Written by bench/reroll/run on {processor[1] if processor else platform.machine()}, where {load:.1f} other processes ran when it began. "
-            f"All are compiled by gcc with `{' '.join(FLAGS[:2])}`, that of mode finite also with `{' '.join(KEPT)}`. A figure is the median of 41 "
+            f"All are compiled by gcc with `{' '.join(FLAGS[:2])}`, code of mode finite also with `{' '.join(KEPT)}`. A figure is the median of 41 "
             "turns, with quartiles. Each file was verified; in mode finite straight-line code and loops give the same bits."]
     for kernel in chosen:
         begin = len(text)
