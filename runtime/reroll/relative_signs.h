@@ -26,7 +26,7 @@ public:
     bool is_known() const { return free.empty() && !is_too_far; }
     friend bool operator==(Sign const &, Sign const &) = default;
   };
-  Sign of(std::initializer_list<std::uint32_t> factors) const;
+  Sign of(std::initializer_list<std::uint32_t> factors);
 
   // From now on the product of these has this sign. False where that contradicts what is known, or is too far.
   bool relate(std::initializer_list<std::uint32_t> factors, bool is_negative);
@@ -34,6 +34,8 @@ public:
   // A number of relations, to come back to: what later ones say is not known again.
   std::size_t mark() const { return related_.size(); }
   void undo_to(std::size_t mark);
+  // Nobody comes back to a mark before this.
+  void keep() { kept_ = related_.size(); }
 
   // Per value whether it is a negative, where those are none that nothing is known of.
   std::vector<char> negatives() const;
@@ -41,14 +43,20 @@ public:
 private:
   static constexpr std::uint32_t free_value = ~std::uint32_t{0};
 
-  // The value's root, and whether its sign is the opposite one.
-  std::pair<std::uint32_t, bool> root(std::uint32_t value) const;
+  // The value's root, and whether its sign is the opposite one; by relations before `end`.
+  std::pair<std::uint32_t, bool> root(std::uint32_t value, std::size_t end = free_value) const;
+  bool depends_for_good(std::uint32_t value) const { return relation_[root(value).first] < kept_; }
+  bool is_short(std::uint32_t relation) const;
+  void shorten(std::uint32_t relation);
+  void shorten_by_short_ones(Sign &sign) const;
 
   std::vector<std::uint32_t> parent_, size_;
   std::vector<char> is_opposite_;       // to the parent
-  std::vector<std::uint32_t> equation_; // per root, of `related_`, or it is free
-  std::vector<std::uint32_t> related_;  // roots no longer free, in the order of the relations
-  std::vector<Sign> depends_;           // as long: of a root, on others; of one with a parent nothing
+  std::vector<std::uint32_t> relation_; // per value: what gave it a parent or made it depend on others; or it is free
+  // Per relation the value that is no longer free, and on what it depends: on nothing if it has a parent.
+  std::vector<std::uint32_t> related_;
+  std::vector<Sign> depends_;
+  std::size_t kept_ = 0; // relations
 };
 
 } // namespace symreal::reroll

@@ -85,14 +85,14 @@ void SignRelations::relate_leaves(std::size_t memory) {
     }
 }
 
-bool SignRelations::is_known(SignedBody const &body, NodeId id) const {
+bool SignRelations::is_known(SignedBody const &body, NodeId id) {
   for (std::uint32_t k = 0; k < body.count(); ++k)
     if (!signs_.of({body.value(k, id)}).is_known()) return false;
   return true;
 }
 
 // Whether the sign, known or not, is the same in all iterations: that of what is set before a loop.
-bool SignRelations::is_uniform(SignedBody const &body, NodeId id) const {
+bool SignRelations::is_uniform(SignedBody const &body, NodeId id) {
   RelativeSigns::Sign const first = signs_.of({body.value(0, id)});
   for (std::uint32_t k = 1; k < body.count(); ++k)
     if (signs_.of({body.value(k, id)}) != first) return false;
@@ -121,6 +121,7 @@ void SignRelations::fix(SignedBody const &body, NodeId id) {
 }
 
 void SignRelations::relate_operation(SignedBody const &body, NodeId id) {
+  signs_.keep();
   Node const &node = body.node(id);
   switch (node.op) {
   case Op::add:

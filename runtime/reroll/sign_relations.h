@@ -20,8 +20,8 @@ public:
   Pattern of_store(SignedBody const &body, std::size_t store) const;
 
 private:
-  bool is_known(SignedBody const &body, NodeId id) const;
-  bool is_uniform(SignedBody const &body, NodeId id) const;
+  bool is_known(SignedBody const &body, NodeId id);
+  bool is_uniform(SignedBody const &body, NodeId id);
   template <class Relate> bool in_all_iterations(SignedBody const &body, Relate const &relate);
   bool relate(SignedBody const &body, NodeId a, NodeId b, Pattern const &are_opposite, bool opposite = false);
   void fix(SignedBody const &body, NodeId id);

@@ -61,8 +61,30 @@ TEST(RelativeSigns, OfLongProductsAreLeftAlone) {
   constexpr std::uint32_t length = 10000;
   RelativeSigns signs(2 * length);
   for (std::uint32_t k = 0; k + 1 < length; ++k) EXPECT_TRUE(signs.relate({k, k + 1, length + k}, false));
+  signs.keep();
   for (std::uint32_t k = 1; k < length; ++k) signs.relate({0, k}, false);
   EXPECT_FALSE(signs.of({0}).is_known());
+}
+
+// Each follows from the next: what is kept is looked through once, in whatever order one asks.
+TEST(RelativeSigns, OfLongChainsAreFound) {
+  constexpr std::uint32_t length = 100000;
+  RelativeSigns signs(length + 2);
+  for (std::uint32_t k = 0; k + 2 < length; ++k)
+    EXPECT_TRUE(signs.relate({k, k + 1 + k % 2, length, length + 1}, k % 3 == 0));
+  signs.keep();
+  EXPECT_EQ(signs.of({0}), signs.of({0}));
+  EXPECT_TRUE(signs.relate({length - 1}, false));
+  EXPECT_TRUE(signs.relate({length - 2}, true));
+  EXPECT_TRUE(signs.relate({length}, true));
+  EXPECT_TRUE(signs.relate({length + 1}, true));
+  signs.keep();
+  std::vector<char> const negatives = signs.negatives();
+  for (std::uint32_t k = 0; k < length; ++k) {
+    RelativeSigns::Sign const sign = signs.of({k});
+    EXPECT_TRUE(sign.is_known());
+    EXPECT_EQ(sign.negated, negatives[k] != 0);
+  }
 }
 
 // Whatever the equations are and where one comes back: as assignments tried one by one say.
@@ -83,6 +105,7 @@ TEST(RelativeSigns, OfRandomProductsAgreeWithAllAssignments) {
         for (unsigned const factor : factors) product ^= assignment >> factor & 1;
         if ((product != 0) == negative) kept.push_back(assignment);
       }
+      if (below(2) != 0) signs.keep();
       std::size_t const mark = signs.mark();
       EXPECT_EQ(signs.relate({factors[0], factors[1], factors[2]}, negative), !kept.empty());
       if (kept.empty()) continue;
