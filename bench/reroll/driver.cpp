@@ -14,7 +14,8 @@ extern "C" void fast_compute(double const *input, double const *constants, doubl
 
 static int n;
 
-#if KERNEL < 3
+#define IS_CHAIN (KERNEL < 3 || KERNEL == 8)
+#if IS_CHAIN
 #include "example.h"
 static chain::Model *model;
 static void original(double const *in, double *out) {
@@ -22,8 +23,10 @@ static void original(double const *in, double *out) {
   chain::forward_kinematics(*model, in, out);
 #elif KERNEL == 1
   chain::inverse_dynamics(*model, in, in + n, in + 2 * n, out);
-#else
+#elif KERNEL == 2
   chain::forward_dynamics(*model, in, in + n, in + 2 * n, out);
+#else
+  chain::mass_matrix(*model, in, out);
 #endif
 }
 static void prepare(int argc, char **argv) { model = new chain::Model(chain::example_model(argc, argv)); }
@@ -70,7 +73,7 @@ static bool agree(std::vector<double> const &x, std::vector<double> const &y, do
 int main(int argc, char **argv) {
   n = std::atoi(argv[1]);
   prepare(argc, argv);
-  int const size = KERNEL == 6 ? n * n : n;
+  int const size = KERNEL == 6 || KERNEL == 8 ? n * n : n;
   std::vector<double> in(3 * size + 3);
   for (std::size_t k = 0; k < in.size(); k++) in[k] = 0.3 + 0.001 * (k % 700);
 #if KERNEL == 7

@@ -26,6 +26,7 @@ KERNELS = {
     "rnea": ("inverse dynamics (RNEA) of N links", 1, ["inputs/chain/rnea.cpp", *CHAIN]),
     "rnea*": ("the same, other numbers in every link", 1, ["inputs/chain/rnea.cpp", *CHAIN]),
     "aba": ("forward dynamics (ABA) of N links", 2, ["inputs/chain/aba.cpp", *CHAIN]),
+    "crba": ("mass matrix (CRBA) of N links", 8, ["inputs/chain/crba.cpp", *CHAIN]),
     "series": ("a series of N terms", 3, [HERE / "programs/series.cpp"]),
     "swing": ("N steps of Runge and Kutta, a pendulum", 4, [HERE / "programs/swing.cpp"]),
     "top": ("N steps of Runge and Kutta, a spinning top", 7, [HERE / "programs/top.cpp"]),
@@ -34,8 +35,9 @@ KERNELS = {
 }
 FLAGS = ["-O3", "-march=native", "-w"]
 KEPT = ["-ffp-contract=off", "-fno-tree-slp-vectorize"]  # what generated code asks for; it says so itself, too
+LOAD = os.getloadavg()[0]
 WAYS = {"straight": [], "reroll": ["--reroll"], "fast": ["--reroll", "--fp=fast"]}
-MOST_SECONDS = 120  # for the compiler, of straight-line code
+MOST_SECONDS, MOST_MEGABYTES = 120, 50  # for the compiler, of straight-line code; longer code takes all memory
 
 
 def command(words, limit=None):
@@ -77,7 +79,8 @@ def size_of(path):
 def measure(kernel, size):
     _, number, sources = KERNELS[kernel]
     name = f"{kernel.replace('*', '_other')}{size}"
-    arguments = [str(size)] + ([str(write_model(kernel, size))] if number < 3 else [])
+    is_chain = set(CHAIN) <= set(sources)
+    arguments = [str(size)] + ([str(write_model(kernel, size))] if is_chain else [])
     given = ["--run-args", " ".join(arguments)]
     files, said = {}, ""
     for way, option in WAYS.items():
@@ -90,11 +93,13 @@ def measure(kernel, size):
     objects = {}
     for way, file in files.items():
         objects[way] = file.with_suffix(".o")
-        if command(["gcc", *FLAGS, *([] if way == "fast" else KEPT), "-c", file, "-o", objects[way]], MOST_SECONDS) is None:
+        flags = [*FLAGS, *([] if way == "fast" else KEPT)]
+        is_too_long = file.stat().st_size > MOST_MEGABYTES * 1e6
+        if is_too_long or command(["gcc", *flags, "-c", file, "-o", objects[way]], MOST_SECONDS) is None:
             del objects[way]
     words = [f"-DKERNEL={number}", f"-DSTRAIGHT={int('straight' in objects)}", "-DNO_MAIN", "-Iinputs/chain"]
     program = WORK / name
-    command(["g++", *FLAGS, *words, HERE / "driver.cpp", *(CHAIN if number < 3 else []), *objects.values(), "-lm", "-o", program])
+    command(["g++", *FLAGS, *words, HERE / "driver.cpp", *(CHAIN if is_chain else []), *objects.values(), "-lm", "-o", program])
     turns = [[float(word) for word in line.split()] for line in command([program, *arguments]).splitlines()]
     times = dict(zip(("original", *WAYS), zip(*turns)))
     if "straight" not in objects:
@@ -110,32 +115,38 @@ def cell(values):
 def row(result):
     times, files = result["times"], result["files"]
     gains = [statistics.median(a / b for a, b in zip(times["original"], times[way])) for way in ("reroll", "fast")]
-    straight = cell(times["straight"]) if "straight" in times else f"compiles in more than {MOST_SECONDS} s"
+    straight = cell(times["straight"]) if "straight" in times else f"more than {MOST_SECONDS} s or {MOST_MEGABYTES} MB to compile"
     return (f"| {result['size']} | {cell(times['original'])} | {straight} | {cell(times['reroll'])} | {gains[0]:.2g} | "
             f"{cell(times['fast'])} | {gains[1]:.2g} | {size_of(files['straight'])} | {size_of(files['reroll'])} | {size_of(files['fast'])} |")
+
+
+def section(kernel):
+    results = [measure(kernel, size) for size in OTHER_SIZES.get(kernel, SIZES)]
+    text = "\n".join([f"## {kernel}: {KERNELS[kernel][0]}", "",
+                      "| N | Original | Straight-line code | `--reroll` | Times as fast as the original | `--reroll --fp=fast` | Times as "
+                      "fast | File | with `--reroll` | and `--fp=fast` |", "|---:|" + 9 * "---:|", *map(row, results), "",
+                      f"N = {results[-1]['size']}: {results[-1]['loops']}. {LOAD:.1f} other processes ran when the run began, on {processor()}.", ""])
+    print(text, flush=True)
+    return text
+
+
+def processor():
+    found = re.search(r"model name\s*: (.*)", pathlib.Path("/proc/cpuinfo").read_text())
+    return found[1] if found else platform.machine()
 
 
 def main():
     shutil.rmtree(WORK, ignore_errors=True)
     WORK.mkdir(parents=True)
-    chosen = sys.argv[1:] or list(KERNELS)
-    processor = re.search(r"model name\s*: (.*)", pathlib.Path("/proc/cpuinfo").read_text())
-    load = os.getloadavg()[0]
-    text = ["# Loops in place of straight-line code", "",
-            f"Written by bench/reroll/run on {processor[1] if processor else platform.machine()}, where {load:.1f} other processes ran when it began. "
-            f"All are compiled by gcc with `{' '.join(FLAGS[:2])}`, code of mode finite also with `{' '.join(KEPT)}`. A figure is the median of 41 "
-            "turns, with quartiles. Each file was verified; in mode finite straight-line code and loops give the same bits."]
-    for kernel in chosen:
-        begin = len(text)
-        text += ["", f"## {kernel}: {KERNELS[kernel][0]}", "",
-                 "| N | Original | Straight-line code | `--reroll` | Times as fast as the original | `--reroll --fp=fast` | Times as fast | "
-                 "File | with `--reroll` | and `--fp=fast` |", "|---:|" + 9 * "---:|"]
-        results = [measure(kernel, size) for size in OTHER_SIZES.get(kernel, SIZES)]
-        text += [row(result) for result in results]
-        text += ["", f"N = {results[-1]['size']}: {results[-1]['loops']}."]
-        print("\n".join(text[begin:]), flush=True)
-    if not sys.argv[1:]:
-        (HERE / "results.md").write_text("\n".join(text) + "\n")
+    page = HERE / "results.md"
+    known = {text.split(":")[0]: "## " + text.rstrip() + "\n" for text in page.read_text().split("\n## ")[1:]}
+    for kernel in sys.argv[1:] or list(KERNELS):
+        known[kernel] = section(kernel)
+    head = ("# Loops in place of straight-line code\n\n"
+            f"Written by bench/reroll/run. All are compiled by gcc with `{' '.join(FLAGS[:2])}`, code of mode finite also with "
+            f"`{' '.join(KEPT)}`. A figure is the median of 41 turns, with quartiles. Each file was verified; in mode finite "
+            "straight-line code and loops give the same bits.\n")
+    page.write_text("\n".join([head, *(known[kernel] for kernel in KERNELS if kernel in known)]))
 
 
 main()
