@@ -3,7 +3,7 @@
 // Method: equations over the field of two elements, one after the other. What two values share is a forest (union-find)
 // in which every value knows its sign relative to its parent. An equation of more values makes one of them depend on
 // the others; these were free when it was stated, so later equations say what they depend on, and in the order of the
-// equations every value is replaced once.
+// equations every value is replaced once. What is never undone goes into earlier equations, so that chains stay short.
 #pragma once
 
 #include <cstdint>
