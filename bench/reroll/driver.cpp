@@ -14,8 +14,7 @@ extern "C" void fast_compute(double const *input, double const *constants, doubl
 
 static int n;
 
-#define IS_CHAIN (KERNEL < 3 || KERNEL == 8)
-#if IS_CHAIN
+#if KERNEL < 4
 #include "example.h"
 static chain::Model *model;
 static void original(double const *in, double *out) {
@@ -30,20 +29,20 @@ static void original(double const *in, double *out) {
 #endif
 }
 static void prepare(int argc, char **argv) { model = new chain::Model(chain::example_model(argc, argv)); }
-#elif KERNEL == 3
+#elif KERNEL == 4
 #include "programs/series.cpp"
 static std::vector<Term> terms;
 static void original(double const *in, double *out) { out[0] = series(terms, in[0]); }
 static void prepare(int, char **) { terms = example_terms(n); }
-#elif KERNEL == 4
+#elif KERNEL == 5
 #include "programs/swing.cpp"
 static void original(double const *in, double *out) { swing(in, in[2], n, out); }
 static void prepare(int, char **) {}
-#elif KERNEL == 5
+#elif KERNEL == 6
 #include "programs/filter.cpp"
 static void original(double const *in, double *out) { filter(in, n, out); }
 static void prepare(int, char **) {}
-#elif KERNEL == 6
+#elif KERNEL == 7
 #include "programs/covariance.cpp"
 static void original(double const *in, double *out) { predict(in, in + n * n, in + 2 * n * n, n, out); }
 static void prepare(int, char **) {}
@@ -73,10 +72,10 @@ static bool agree(std::vector<double> const &x, std::vector<double> const &y, do
 int main(int argc, char **argv) {
   n = std::atoi(argv[1]);
   prepare(argc, argv);
-  int const size = KERNEL == 6 || KERNEL == 8 ? n * n : n;
+  int const size = KERNEL == 3 || KERNEL == 7 ? n * n : n;
   std::vector<double> in(3 * size + 3);
   for (std::size_t k = 0; k < in.size(); k++) in[k] = 0.3 + 0.001 * (k % 700);
-#if KERNEL == 7
+#if KERNEL == 8
   std::copy_n(example, std::size(example), in.begin());
 #endif
   void (*const contenders[])(double const *, double *) = {original, straight, reroll, fast};

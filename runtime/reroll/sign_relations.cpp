@@ -155,18 +155,13 @@ void SignRelations::relate_sum(SignedBody const &body, NodeId id) {
   if (!relate_either(first)) relate_either(second);
 }
 
-static std::size_t period(std::vector<double> const &values) {
-  Role const role = role_of_values(values);
-  return role.constant ? 1 : role.values.size();
-}
-
 static bool repeats_earlier_without_signs(SignedBody const &body, NodeId number) {
-  std::vector<double> values, magnitudes;
-  for (std::uint32_t k = 0; k < body.count(); ++k) {
-    values.push_back(body.number(number, k));
-    magnitudes.push_back(std::fabs(values.back()));
-  }
-  return period(magnitudes) < period(values);
+  Leaf const *const table = body.leaf(number);
+  if (!table) return false;
+  std::vector<double> magnitudes; // of one period
+  for (double const value : table->values) magnitudes.push_back(std::fabs(value));
+  Role const role = role_of_values(magnitudes);
+  return (role.constant ? 1 : role.values.size()) < magnitudes.size();
 }
 
 // `are_units`: only products with 1 and -1, which nobody needs then; otherwise only others.
