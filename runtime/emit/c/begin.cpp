@@ -22,16 +22,20 @@ bool has_sine_and_cosine_of_one(Schedule const &plan) {
 } // namespace
 
 // Multiplications and additions are not to be fused, whatever the flags: gcc's vectoriser of straight-line code does it
-// even with -ffp-contract=off, where sums and differences alternate. In mode fast only exact operations mind.
+// even with -ffp-contract=off, where sums and differences alternate; that of loops only as reroll/side_by_side.h says.
 std::string c_no_fusion(Emission const &emission) {
-  if (emission.options.mode == FloatingPoint::fast && emission.graph().node_exact.empty()) return {};
-  return "#if defined(__clang__)\n"
-         "#pragma STDC FP_CONTRACT OFF\n"
-         "#elif defined(__GNUC__)\n"
-         "#pragma GCC optimize(\"fp-contract=off\", \"no-tree-slp-vectorize\"" +
-         std::string(emission.loops ? ", \"no-tree-vectorize\"" : "") +
-         ")\n"
-         "#endif\n";
+  if (!emission.forbids_fusion()) return {};
+  std::string text = "#if defined(__clang__)\n"
+                     "#pragma STDC FP_CONTRACT OFF\n"
+                     "#elif defined(__GNUC__)\n"
+                     "#pragma GCC optimize(\"fp-contract=off\", \"no-tree-slp-vectorize\"" +
+                     std::string(emission.loops ? ", \"no-tree-vectorize\"" : "") + ")\n";
+  if (!emission.uses.side_by_side) return text + "#endif\n";
+  return text + "#define SYMREAL_SIDE_BY_SIDE __attribute__((optimize(\"tree-loop-vectorize\")))\n"
+                "#endif\n"
+                "#ifndef SYMREAL_SIDE_BY_SIDE\n"
+                "#define SYMREAL_SIDE_BY_SIDE\n"
+                "#endif\n";
 }
 
 // Vectors, where the compiler has them and processors with them are asked for: otherwise numbers alone are faster.

@@ -77,12 +77,11 @@ struct StatementSyntax {
 };
 
 struct FunctionSyntax {
-  std::string_view
-      head = {},
-      local_head = {},
-      end = {}; // $result $name $parameters $target $pure $apart; of the interface; of this file; behind the last
+  // $result $name $parameters $target $pure $apart $beside: of the interface, of this file; behind the last
+  std::string_view head = {}, local_head = {}, end = {};
   std::string_view pure = {};                   // in heads, of functions that call nothing outside of the file
   std::string_view apart = {};                  // in heads of parts, which compilers must not join again
+  std::string_view beside = {};                 // of parts whose loops become vectors
   std::string_view no_result = {}, status = {}; // $result
   // $target: the array that a function fills. $name: a parameter that is an array of numbers; no output: the function
   // returns the array

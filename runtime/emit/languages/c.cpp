@@ -46,9 +46,10 @@ Language language_c() {
   };
   c.functions = {
       .head = "$result $name($parameters) {",
-      .local_head = "${apart}static $result $name($parameters) {",
+      .local_head = "${apart}${beside}static $result $name($parameters) {",
       .end = "}",
       .apart = "SYMREAL_APART ",
+      .beside = "SYMREAL_SIDE_BY_SIDE ",
       .no_result = "void",
       .status = "int",
       .input = "$real const *$name",

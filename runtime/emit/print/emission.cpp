@@ -16,6 +16,7 @@ void Uses::add(Uses const &other) {
   hidden = hidden || other.hidden;
   value_checks = value_checks || other.value_checks;
   apart = apart || other.apart;
+  side_by_side = side_by_side || other.side_by_side;
   not_finite = not_finite || other.not_finite;
 }
 

@@ -27,8 +27,9 @@ struct Uses {
   bool kept_integer = false, keep_integer = false; // integers of 64 bits that stand in arrays of numbers
   bool truths = false;                             // variables with truth values
   bool hidden = false, value_checks = false;
-  bool apart = false;      // parts of functions that must not be joined again
-  bool not_finite = false; // infinities and NaNs among the constants
+  bool apart = false;        // parts of functions that must not be joined again
+  bool side_by_side = false; // parts whose loops become vectors, whatever the rest of the file does
+  bool not_finite = false;   // infinities and NaNs among the constants
 
   void add(Uses const &other);
 };
@@ -45,6 +46,9 @@ struct Emission {
   Uses uses = {};
 
   Graph const &graph() const { return *plan.graph; }
+  // Whether compilers must not make one operation of a multiplication and an addition. In mode fast only exact
+  // operations mind.
+  bool forbids_fusion() const { return options.mode != FloatingPoint::fast || !graph().node_exact.empty(); }
   // The name of a function of the interface.
   std::string name(std::string const &function) const {
     return language.names.spelled(language.has_namespace ? function : prefixed(options, function));

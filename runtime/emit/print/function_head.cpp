@@ -12,6 +12,7 @@ std::string print_head(Language const &language, std::string_view pattern, Funct
       .set("target", head.target)
       .set("pure", std::string(head.is_pure ? syntax.pure : ""))
       .set("apart", std::string(head.is_apart ? syntax.apart : ""))
+      .set("beside", std::string(head.is_side_by_side ? syntax.beside : ""))
       .set("parameters", head.parameters)(with_words(language, pattern));
 }
 

@@ -9,9 +9,10 @@
 namespace symreal {
 
 struct FunctionHead {
-  std::string name, parameters;
-  std::string target; // the last parameter
-  bool may_fail = false, is_pure = false, is_apart = false;
+  std::string name;
+  std::string parameters = {};
+  std::string target = {}; // the last parameter
+  bool may_fail = false, is_pure = false, is_apart = false, is_side_by_side = false;
 };
 
 // `pattern`: that of the language for the function, or for a part of it.

@@ -6,6 +6,7 @@
 #include "emit/print/function_head.h"
 #include "emit/print/loop_indices.h"
 #include "emit/print/loop_step.h"
+#include "reroll/side_by_side.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -64,8 +65,8 @@ public:
     std::vector<Parameter> parameters;
     for (std::string const &input : plan_.inputs) parameters.push_back({syntax_.input, input});
     parameters.push_back({syntax_.output, arrays_.filled});
-    append(out, plan_.is_local ? syntax_.local_head : syntax_.head, !function_.checks.empty(), plan_.name, parameters,
-           used, std::move(last));
+    FunctionHead const head{.name = plan_.name, .may_fail = !function_.checks.empty()};
+    append(out, plan_.is_local ? syntax_.local_head : syntax_.head, head, parameters, used, std::move(last));
     return out;
   }
 
@@ -105,7 +106,10 @@ private:
       parameters.push_back({stores ? syntax_.local_output : syntax_.input, arrays_.memory});
     if (used.contains(arrays_.filled)) parameters.push_back({syntax_.local_output, arrays_.filled});
     std::string const name = language_.names.spelled(fmt::format("{}_{}", plan_.name, number + 1));
-    append(out, syntax_.local_head, false, name, parameters, used, std::move(text));
+    FunctionHead const head{.name = name,
+                            .is_side_by_side = emission_.forbids_fusion() && reroll::is_side_by_side(step)};
+    emission_.uses.side_by_side |= head.is_side_by_side;
+    append(out, syntax_.local_head, head, parameters, used, std::move(text));
     out.lines("\n");
     std::string const arguments =
         fmt::format("{}", fmt::join(parameters | std::views::transform(&Parameter::name), ", "));
@@ -114,8 +118,8 @@ private:
   }
 
   // A parameter that the text does not use is marked, or compilers warn.
-  void append(CodeText &out, std::string_view head, bool may_fail, std::string const &name,
-              std::vector<Parameter> const &parameters, std::set<std::string> const &used, CodeText &&text) const {
+  void append(CodeText &out, std::string_view pattern, FunctionHead head, std::vector<Parameter> const &parameters,
+              std::set<std::string> const &used, CodeText &&text) const {
     std::vector<std::string> words;
     std::string unused;
     for (Parameter const &parameter : parameters) {
@@ -123,14 +127,12 @@ private:
       if (!used.contains(parameter.name))
         unused += "  " + fill(language_, syntax_.unused, {{"name", parameter.name}}) + "\n";
     }
-    out.statement(0, print_head(language_, head,
-                                {.name = name,
-                                 .parameters = fmt::format("{}", fmt::join(words, ", ")),
-                                 .target = parameters.back().name,
-                                 .may_fail = may_fail}));
+    head.parameters = fmt::format("{}", fmt::join(words, ", "));
+    head.target = parameters.back().name;
+    out.statement(0, print_head(language_, pattern, head));
     out.lines(unused);
     out.append(std::move(text));
-    out.statement(0, Filling().set_name("name", name)(with_words(language_, syntax_.end)));
+    out.statement(0, Filling().set_name("name", head.name)(with_words(language_, syntax_.end)));
   }
 
   Emission &emission_;
