@@ -3,6 +3,7 @@
 #include "graph/evaluate.h"
 #include "graph/node_table.h"
 #include "reroll/body_builder.h"
+#include "reroll/nest.h"
 #include "reroll/recurrences.h"
 #include "reroll/roles.h"
 #include "reroll/signs.h"
@@ -105,7 +106,7 @@ public:
       NodeId const next = graph.results[result++];
       if (carried[k] != no_node) body.carry(carried[k], now[next]);
     }
-    return body.finish(step_.count);
+    return body.finish(step_.count, step_.nest);
   }
 
 private:
@@ -169,15 +170,15 @@ private:
   // Per node that comes from tables its value in each iteration.
   std::vector<std::vector<double>> table_rows(Graph const &graph, std::vector<char> const &needed) const {
     std::size_t count = 1; // of different rows
-    for (std::uint32_t const k : tables_) count = std::lcm(count, step_.leaves[k].values.size());
+    for (std::uint32_t const k : tables_)
+      count = step_.nest ? step_.count : std::lcm(count, step_.leaves[k].values.size());
     count = std::min<std::size_t>(count, step_.count);
     std::vector<std::vector<double>> columns(graph.nodes.size());
     std::vector<double> const inputs(graph.input_count(), 0.0);
     std::vector<double> parameters(tables_.size());
     for (std::size_t row = 0; row < count && !tables_.empty(); ++row) {
       for (std::size_t p = 0; p < tables_.size(); ++p) {
-        std::vector<double> const &values = step_.leaves[tables_[p]].values;
-        parameters[p] = values[row % values.size()];
+        parameters[p] = value_at(step_.leaves[tables_[p]], static_cast<std::uint32_t>(row), step_.nest);
       }
       std::vector<double> const values = evaluate(graph, inputs, parameters);
       for (NodeId id = 0; id < graph.nodes.size(); ++id)
@@ -188,9 +189,9 @@ private:
     return columns;
   }
 
-  static NodeId column(std::vector<std::vector<double>> const &columns, NodeId id, BodyBuilder &body) {
-    Role const role = role_of_values(columns[id]);
-    return role.constant ? body.constant(*role.constant) : body.leaf({role.kind, {}, role.values});
+  NodeId column(std::vector<std::vector<double>> const &columns, NodeId id, BodyBuilder &body) const {
+    Role const role = role_of_values(columns[id], step_.nest);
+    return role.constant ? body.constant(*role.constant) : body.leaf({role.kind, {}, role.values, role.by_turn});
   }
 
   Step const &step_;

@@ -9,8 +9,8 @@ NodeId BodyBuilder::operation(Op op, std::array<NodeId, 3> const &operands, Node
   return node;
 }
 
-Step BodyBuilder::finish(std::uint32_t count) {
-  Step step{{}, count, std::move(leaves_), std::move(stores_)};
+Step BodyBuilder::finish(std::uint32_t count, std::optional<Nest> const &nest) {
+  Step step{{}, count, std::move(leaves_), std::move(stores_), nest};
   Graph &body = step.body;
   body.kernel = graph_->kernel;
   body.tables = graph_->tables;

@@ -21,7 +21,8 @@ public:
   void carry(NodeId leaf, NodeId next) { leaves_[nodes_[leaf].slot()].next = next; }
   bool is_empty() const { return stores_.empty(); }
 
-  Step finish(std::uint32_t count);
+  // `nest`: whose iterations these are, where that is known.
+  Step finish(std::uint32_t count, std::optional<Nest> const &nest = {});
 
 private:
   Graph const *graph_;

@@ -1,6 +1,7 @@
 #include "reroll/check.h"
 
 #include "reroll/mirrors.h"
+#include "reroll/nest.h"
 #include "reroll/roles.h"
 #include "schedule/numbering.h"
 
@@ -52,7 +53,7 @@ private:
     for (std::size_t id = 0; id < body.nodes.size(); ++id) {
       Node const &node = body.nodes[id];
       if (node.op == Op::input)
-        values[id] = leaf(step.leaves[node.slot()], k, carried[node.slot()]);
+        values[id] = leaf(step, step.leaves[node.slot()], k, carried[node.slot()]);
       else if (node.is_constant())
         values[id] = numbering_.constant(node.value());
       else
@@ -68,7 +69,7 @@ private:
       if (step.leaves[slot].kind == Leaf::Kind::carried) carried[slot] = values[step.leaves[slot].next];
   }
 
-  Value leaf(Leaf const &leaf, std::uint32_t k, Value const &carried) {
+  Value leaf(Step const &step, Leaf const &leaf, std::uint32_t k, Value const &carried) {
     if (has_results_ && is_argument(leaf.kind)) difference_ = "an input is read after a result is stored";
     switch (leaf.kind) {
     case Leaf::Kind::given:
@@ -76,7 +77,7 @@ private:
     case Leaf::Kind::sine:
     case Leaf::Kind::cosine: return numbering_.element(static_cast<std::uint32_t>(leaf.kind), leaf.access.at(k));
     case Leaf::Kind::memory: return memory_.at(leaf.access.at(k));
-    case Leaf::Kind::values: return numbering_.constant(leaf.values[k % leaf.values.size()]);
+    case Leaf::Kind::values: return numbering_.constant(value_at(leaf, k, step.nest));
     case Leaf::Kind::carried: return k == 0 ? memory_.at(leaf.access.at(0)) : carried;
     }
     return {};

@@ -29,20 +29,20 @@ std::optional<Access> take_line(std::vector<Slots> &iterations) {
 }
 
 // Likewise, where they stand as the indices of two loops say.
-std::optional<Access> take_nest(std::vector<Slots> &iterations) {
+std::optional<Access> take_nest(std::vector<Slots> &iterations, std::optional<Nest> const &rows) {
   Access access;
   for (Slots const &slots : iterations) {
     if (slots.empty()) return {};
     access.elements.push_back(*slots.begin());
   }
-  if (!nest_of(static_cast<std::uint32_t>(iterations.size()), {&access})) return {};
+  if (rows ? !nested(access, *rows) : !nest_of(static_cast<std::uint32_t>(iterations.size()), {&access})) return {};
   for (Slots &slots : iterations) slots.erase(slots.begin());
   return access;
 }
 
-std::optional<Access> take(std::vector<Slots> &iterations) {
+std::optional<Access> take(std::vector<Slots> &iterations, std::optional<Nest> const &rows) {
   std::optional<Access> line = take_line(iterations);
-  return line ? line : take_nest(iterations);
+  return line ? line : take_nest(iterations, rows);
 }
 
 } // namespace
@@ -67,7 +67,7 @@ DirectResults direct_results(Sequence const &sequence, std::vector<LoopBody> con
     }
   }
   for (auto &[operation, iterations] : by_operation)
-    while (auto const found = take(iterations)) {
+    while (auto const found = take(iterations, loops[operation.first].repeat.rows)) {
       for (std::size_t k = 0; k < iterations.size(); ++k) results.is_stored[found->at(k)] = 1;
       results.of_loop[operation.first].push_back({operation.second, *found});
     }

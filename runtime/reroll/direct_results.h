@@ -2,7 +2,7 @@
 //
 // All inputs are read before a result is stored, since the arrays may overlap, and all checks are made. So it is what
 // steps compute behind the last one that reads an input, of a function without guards. The rest waits in memory until
-// the end (result_copies.h).
+// the end (copies.h).
 #pragma once
 
 #include "reroll/loop_program.h"

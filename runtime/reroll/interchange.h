@@ -5,6 +5,9 @@
 // outer loop, whose ends are alike: they compute the same with the same operands. They do not wait for each other. So
 // the last stage that all chains have is computed for all of them, side by side, and so is each stage before: what one
 // stage computes becomes a loop whose iterations compilers may carry out at the same time.
+//
+// Stages that are alike, each or every second or third one, become rows: a row computes so many stages of all chains
+// that have them, and all rows are one loop in another.
 #pragma once
 
 #include "reroll/repeats.h"
@@ -13,10 +16,10 @@ namespace symreal::reroll {
 
 struct Interchanged {
   Sequence sequence;
-  std::vector<Repeat> stages = {}; // that are worth a loop, in order
+  std::vector<Repeat> stages = {}; // that are worth a loop, in order, and rows
 };
 
-// Time is that of sorting the sequence.
-Interchanged interchanged(Sequence sequence);
+// Time is that of sorting the sequence. `in_rows`: whether stages may become rows.
+Interchanged interchanged(Sequence sequence, bool in_rows);
 
 } // namespace symreal::reroll

@@ -4,9 +4,18 @@
 #include "graph/graph.h"
 
 #include <algorithm>
+#include <optional>
 #include <vector>
 
 namespace symreal::reroll {
+
+// Iterations of two loops, one in the other: in turn i of the outer one the inner one goes round inner + growth * i
+// times.
+struct Nest {
+  std::uint32_t turns, inner;
+  std::int32_t growth;
+  auto operator<=>(Nest const &) const = default;
+};
 
 // An element of an array for each iteration.
 struct Access {
@@ -28,11 +37,12 @@ struct Leaf {
     sine,  // an element of the sines, or of the cosines, that the function begins with
     cosine,
     memory,  // an element of the function's own array
-    values,  // values[iteration % size]
+    values,  // values[iteration % size], or by turns of the outer of two loops: values[turn % size]
     carried, // in the first iteration that element of memory, then the value `next`, maybe a leaf, of the one before
   } kind;
   Access access = {};
   std::vector<double> values = {};
+  bool by_turn = false;
   NodeId next = no_node;
 };
 
@@ -48,6 +58,7 @@ struct Step {
   std::uint32_t count = 1;
   std::vector<Leaf> leaves = {};
   std::vector<Store> stores = {};
+  std::optional<Nest> nest = {}; // whose iterations these are, where that is known before
 };
 
 // When all steps are done: a symmetric matrix among what the function fills, row by row. What stands below its diagonal

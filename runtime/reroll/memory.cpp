@@ -1,5 +1,7 @@
 #include "reroll/memory.h"
 
+#include "reroll/nest.h"
+
 #include <algorithm>
 
 namespace symreal::reroll {
@@ -13,7 +15,7 @@ Memory::Memory(Sequence const &sequence, std::vector<LoopBody> const &loops, std
   for (std::uint32_t loop = 0; loop < loops.size(); ++loop) {
     Repeat const &repeat = loops[loop].repeat;
     std::fill(loop_of_.begin() + repeat.begin, loop_of_.begin() + repeat.end(), loop);
-    regions_[loop].last = repeat.count - 1;
+    regions_[loop].last = (repeat.rows ? length_of(*repeat.rows, repeat.rows->turns - 1) : repeat.count) - 1;
   }
 }
 
@@ -26,11 +28,31 @@ std::optional<Cell> Memory::cell(NodeId node) const {
 }
 
 void Memory::need(NodeId node, std::uint32_t step) {
+  is_overwritten_early_ = is_overwritten_early_ || is_overwritten(node);
   if (std::optional<Cell> const there = cell(node)) return need(*there, step);
   std::uint32_t const at = sequence_.position[node];
   // What no operation computes stands there for the results, and the step before their copies stores it.
   std::uint32_t const written = at == no_position ? step - 1 : step_of_[at];
   singles_.try_emplace(node, Place{{written, step}}).first->second.life.reach(step);
+}
+
+bool Memory::is_overwritten(NodeId node) const {
+  std::optional<Cell> const there = cell(node);
+  if (!there) return false;
+  std::optional<Nest> const &rows = loops_[there->loop].repeat.rows;
+  return rows && there->iteration < begin_of(*rows, rows->turns - 1);
+}
+
+void Memory::need_kept(NodeId node, std::uint32_t step) {
+  if (!is_overwritten(node)) return need(node, step);
+  std::optional<Cell> const there = cell(node);
+  std::uint32_t const written = step_of_loop(there->loop);
+  regions_[there->loop].kept.try_emplace(there->position, Place{{written, step}}).first->second.life.reach(step);
+}
+
+void Memory::need_in_chain(std::uint32_t loop, std::uint32_t position) {
+  std::uint32_t const step = step_of_loop(loop);
+  regions_[loop].fields.try_emplace(position, Place{{step, step}});
 }
 
 void Memory::need(Cell const &cell, std::uint32_t step) {
@@ -48,6 +70,7 @@ bool Memory::may_hold_copy(Cell const &cell, NodeId node) const {
   // Records that nobody needs otherwise are worth it at the ends alone.
   std::int64_t const count = loops_[cell.loop].repeat.count;
   if (is_real(cell) || cell.iteration < -count || cell.iteration >= 2 * count) return false;
+  if (loops_[cell.loop].repeat.rows && cell.iteration < 0) return false;
   auto const there = copies_.find(cell);
   return there == copies_.end() || there->second == node;
 }
@@ -58,8 +81,8 @@ bool Memory::hold_copy(Cell const &cell, NodeId node, std::uint32_t step) {
   Region &region = regions_[cell.loop];
   Life &life = region.fields.at(cell.position).life;
   life.first = std::min(life.first, step - 1);
-  region.first = std::min(region.first, cell.iteration);
-  region.last = std::max(region.last, cell.iteration);
+  region.first = std::min(region.first, record(cell));
+  region.last = std::max(region.last, record(cell));
   return copies_.try_emplace(cell, node).second;
 }
 
@@ -75,10 +98,11 @@ void Memory::lay_out(std::vector<char> const &spread) {
   for (std::uint32_t loop = 0; loop < regions_.size(); ++loop) {
     Region &region = regions_[loop];
     std::size_t const fields = region.fields.size(), records = static_cast<std::size_t>(region.last - region.first + 1);
-    region.stride = spread[loop] ? 1 : static_cast<std::int64_t>(fields);
+    bool const is_spread = spread[loop] || loops_[loop].repeat.rows;
+    region.stride = is_spread ? 1 : static_cast<std::int64_t>(fields);
     std::size_t field = 0;
     for (auto &[position, place] : region.fields) {
-      if (spread[loop]) {
+      if (is_spread) {
         blocks.push_back({records, place.life});
         elements.emplace_back(&place, 0);
       } else {
@@ -90,6 +114,13 @@ void Memory::lay_out(std::vector<char> const &spread) {
       }
       block_of.push_back(blocks.size() - 1);
     }
+    for (auto &[position, place] : region.kept) {
+      if (auto const other = region.fields.find(position); other != region.fields.end())
+        place.life.reach(other->second.life.last);
+      blocks.push_back({loops_[loop].repeat.count, place.life});
+      elements.emplace_back(&place, 0);
+      block_of.push_back(blocks.size() - 1);
+    }
   }
   Storage const storage = stored(blocks);
   for (std::size_t k = 0; k < elements.size(); ++k)
@@ -98,19 +129,53 @@ void Memory::lay_out(std::vector<char> const &spread) {
 }
 
 bool Memory::has_home(NodeId node) const {
-  if (std::optional<Cell> const there = cell(node)) return regions_[there->loop].fields.contains(there->position);
+  if (std::optional<Cell> const there = cell(node))
+    return regions_[there->loop].fields.contains(there->position) ||
+           regions_[there->loop].kept.contains(there->position);
   return singles_.contains(node);
 }
 
 std::uint32_t Memory::home(NodeId node) const {
   std::optional<Cell> const there = cell(node);
-  return there ? element(*there) : singles_.at(node).element;
+  if (!there) return singles_.at(node).element;
+  Region const &region = regions_[there->loop];
+  auto const kept = region.kept.find(there->position);
+  return kept == region.kept.end() ? element(*there)
+                                   : kept->second.element + static_cast<std::uint32_t>(there->iteration);
 }
 
 std::uint32_t Memory::element(Cell const &cell) const {
   Region const &region = regions_[cell.loop];
-  std::int64_t const record = cell.iteration - region.first;
+  std::int64_t const record = this->record(cell) - region.first;
   return static_cast<std::uint32_t>(region.fields.at(cell.position).element + record * region.stride);
+}
+
+// Chains that the last row has not yet follow on its last one.
+std::int64_t Memory::record(Cell const &cell) const {
+  Repeat const &repeat = loops_[cell.loop].repeat;
+  if (!repeat.rows) return cell.iteration;
+  if (is_real(cell)) return turn_of(*repeat.rows, static_cast<std::uint32_t>(cell.iteration)).inner;
+  return cell.iteration - begin_of(*repeat.rows, repeat.rows->turns - 1);
+}
+
+std::vector<std::pair<std::uint32_t, Access>> Memory::kept_positions(std::uint32_t loop) const {
+  std::vector<std::pair<std::uint32_t, Access>> result;
+  for (auto const &[position, place] : regions_[loop].kept) result.push_back({position, {place.element, 1}});
+  return result;
+}
+
+std::uint32_t Memory::first_chain(std::uint32_t loop, std::uint32_t position) const {
+  return element({loop, position, 0});
+}
+
+Access Memory::in_chain(std::uint32_t loop, std::uint32_t position) const {
+  Nest const &rows = *loops_[loop].repeat.rows;
+  std::uint32_t const first = first_chain(loop, position);
+  Access access;
+  for (std::uint32_t row = 0; row < rows.turns; ++row)
+    for (std::int64_t chain = 0; chain < length_of(rows, row); ++chain)
+      access.elements.push_back(first + static_cast<std::uint32_t>(chain));
+  return access;
 }
 
 } // namespace symreal::reroll

@@ -3,10 +3,12 @@
 // A loop has a record for each iteration with what it stores. Some records more lie around them: where a later loop
 // reads beyond the first or the last, copies of the values stand that it would have found elsewhere. Where iterations
 // do not wait for each other, a record is spread: its fields each stand beside those of the next record, as compilers
-// need it to carry out iterations at the same time. What nobody reads any more leaves its place to others.
+// need it to carry out iterations at the same time. Rows of chains (interchange.h) have a record for each chain, which
+// the next row overwrites. What nobody reads any more leaves its place to others.
 #pragma once
 
 #include "reroll/columns.h"
+#include "reroll/loop_program.h"
 #include "reroll/storage.h"
 
 #include <map>
@@ -33,10 +35,18 @@ public:
   bool is_real(Cell const &cell) const {
     return cell.iteration >= 0 && cell.iteration < static_cast<std::int64_t>(loops_[cell.loop].repeat.count);
   }
+  // Whether it is of rows of chains and not of the last row, whose values stay.
+  bool is_overwritten(NodeId node) const;
 
   // First what a step reads is said:
   void need(NodeId node, std::uint32_t step);
   void need(Cell const &cell, std::uint32_t step);
+  // Likewise; what is overwritten has a copy that is kept.
+  void need_kept(NodeId node, std::uint32_t step);
+  // By the next row of the same chains, which begins with what they have before the loop.
+  void need_in_chain(std::uint32_t loop, std::uint32_t position);
+  // Whether somebody needs what is overwritten: then the steps must be others.
+  bool is_overwritten_early() const { return is_overwritten_early_; }
   // Whether a copy of the node may stand at a cell that is not real. It does from then on.
   bool may_hold_copy(Cell const &cell, NodeId node) const;
   // The step before writes it. Whether this is the first time.
@@ -48,6 +58,12 @@ public:
   bool has_home(NodeId node) const;
   std::uint32_t element(Cell const &cell) const;
   std::int64_t stride(std::uint32_t loop) const { return regions_[loop].stride; }
+  // Of the operations of rows of chains whose values are kept, where each iteration stores the copy.
+  std::vector<std::pair<std::uint32_t, Access>> kept_positions(std::uint32_t loop) const;
+  // Of rows of chains: where each iteration finds and stores the value.
+  Access in_chain(std::uint32_t loop, std::uint32_t position) const;
+  // Where chain 0 has it; that of the next chain stands behind it.
+  std::uint32_t first_chain(std::uint32_t loop, std::uint32_t position) const;
   // Of the operations of a body that the loop stores.
   std::vector<std::uint32_t> stored_positions(std::uint32_t loop) const;
   std::size_t size() const { return size_; }
@@ -59,9 +75,12 @@ private:
   };
   struct Region {
     std::map<std::uint32_t, Place> fields; // by position
-    std::int64_t first = 0, last = 0;      // iterations with records
+    std::map<std::uint32_t, Place> kept;   // of rows of chains: with an element for each iteration
+    std::int64_t first = 0, last = 0;      // iterations with records; of rows of chains, chains
     std::int64_t stride = 0;               // from a record to the next
   };
+
+  std::int64_t record(Cell const &cell) const;
 
   Sequence const &sequence_;
   std::vector<LoopBody> const &loops_;
@@ -70,6 +89,7 @@ private:
   std::map<Cell, NodeId> copies_;
   std::map<NodeId, Place> singles_;
   std::size_t size_ = 0;
+  bool is_overwritten_early_ = false;
 };
 
 } // namespace symreal::reroll

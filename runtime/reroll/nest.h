@@ -6,16 +6,23 @@
 
 #include "reroll/loop_program.h"
 
-#include <optional>
-
 namespace symreal::reroll {
 
-// In turn i of the outer loop the inner one goes round inner + growth * i times.
-struct Nest {
-  std::uint32_t turns, inner;
-  std::int32_t growth;
-  auto operator<=>(Nest const &) const = default;
+// How many iterations lie before a turn of the outer loop, and in it; of `turns`, how many there are.
+std::int64_t begin_of(Nest const &nest, std::int64_t turn);
+std::int64_t length_of(Nest const &nest, std::int64_t turn);
+
+// The turns of the two loops that an iteration belongs to.
+struct Turn {
+  std::uint32_t outer, inner;
 };
+Turn turn_of(Nest const &nest, std::uint32_t iteration);
+
+// Of a leaf that stands for values, that of an iteration. `nest`: that of its step.
+double value_at(Leaf const &leaf, std::uint32_t iteration, std::optional<Nest> const &nest);
+
+// Of an element for each turn of the outer loop, the access for each iteration.
+Access in_turns(Access const &of_turns, Nest const &nest);
 
 // first + outer * i + inner * j in turn i of the outer loop and turn j of the inner one.
 struct NestedAccess {
@@ -27,6 +34,7 @@ std::optional<NestedAccess> nested(Access const &access, Nest const &nest);
 
 // The nest that fits most of those accesses that are listed. None where it fits none of them.
 std::optional<Nest> nest_of(std::uint32_t count, std::vector<Access const *> const &accesses);
+// The one that is known before, or likewise.
 std::optional<Nest> nest_of(Step const &step);
 
 } // namespace symreal::reroll

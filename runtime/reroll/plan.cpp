@@ -2,12 +2,12 @@
 
 #include "reroll/body_builder.h"
 #include "reroll/carried.h"
+#include "reroll/copies.h"
 #include "reroll/direct_results.h"
 #include "reroll/memory.h"
 #include "reroll/mirrors.h"
 #include "reroll/pieces.h"
-#include "reroll/result_copies.h"
-#include "reroll/roles.h"
+#include "reroll/row_roles.h"
 
 #include <algorithm>
 #include <set>
@@ -28,20 +28,22 @@ public:
         pieces_(pieces(sequence_, loops_)),
         memory_(sequence_, loops_, piece_of_operations()) {}
 
-  LoopFunction run() {
+  std::optional<LoopFunction> run() {
     for (std::uint32_t k = 0; k < pieces_.size(); ++k) {
       if (pieces_[k].loop == no_position)
         need_operands(k);
-      else
-        choose_roles(k);
+      else if (!choose_roles(k))
+        return {};
     }
     need_inputs_among_results();
     LoopFunction function;
     function.mirrors = mirrors(objects_, stored_, memory_);
     direct_ = direct_results(sequence_, loops_, stored_, function.mirrors, memory_, first_to_store_results());
     need_roots();
+    if (memory_.is_overwritten_early()) return {};
     memory_.lay_out(independent_loops());
     for (Piece const &piece : pieces_) {
+      if (piece.loop != no_position) enter_chains(piece.loop, function.steps);
       Step step = piece.loop == no_position ? straight_step(piece) : loop_step(piece.loop);
       if (!step.stores.empty()) function.steps.push_back(std::move(step));
     }
@@ -81,7 +83,8 @@ private:
       }
   }
 
-  void choose_roles(std::uint32_t number) {
+  // Whether all operands of the loop have one.
+  bool choose_roles(std::uint32_t number) {
     std::uint32_t const loop = pieces_[number].loop;
     Piece &before = pieces_[number - 1];
     auto const copy = [&](Cell const &cell, NodeId node) {
@@ -90,8 +93,26 @@ private:
       if (!before.computes(sequence_, node)) memory_.need(node, number - 1);
     };
     roles_.emplace_back();
-    for (Column const &column : loops_[loop].columns)
-      roles_.back().push_back(choose_role(sequence_, loops_, loop, column, memory_, copy));
+    entries_.emplace_back();
+    for (Column const &column : loops_[loop].columns) {
+      std::optional<Role> role = loops_[loop].repeat.rows ? choose_role_in_rows(sequence_, loops_, loop, column,
+                                                                                memory_, copy, entries_.back())
+                                                          : choose_role(sequence_, loops_, loop, column, memory_, copy);
+      if (!role) return false;
+      roles_.back().push_back(std::move(*role));
+    }
+    return true;
+  }
+
+  // What stands at the places of chains when their rows begin.
+  void enter_chains(std::uint32_t loop, std::vector<Step> &steps) const {
+    Copies copies{{}, {}, false};
+    for (auto const &[position, nodes] : entries_[loop])
+      for (std::uint32_t chain = 0; chain < nodes.size(); ++chain) {
+        copies.nodes.push_back(nodes[chain]);
+        copies.places.push_back(memory_.first_chain(loop, position) + chain);
+      }
+    add_copies(*sequence_.graph, copies, memory_, steps);
   }
 
   // Per loop whether its iterations do not wait for each other.
@@ -132,8 +153,9 @@ private:
   void need_roots() {
     auto const copied = static_cast<std::uint32_t>(pieces_.size()); // by the steps behind them all
     for (std::size_t k = 0; k < stored_.size(); ++k)
-      if (!direct_.is_stored[k] && sequence_.source(stored_[k]) != Source::constant) memory_.need(stored_[k], copied);
-    for (NodeId root : checked_) memory_.need(root, copied);
+      if (!direct_.is_stored[k] && sequence_.source(stored_[k]) != Source::constant)
+        memory_.need_kept(stored_[k], copied);
+    for (NodeId root : checked_) memory_.need_kept(root, copied);
   }
 
   Step straight_step(Piece const &piece) const {
@@ -184,8 +206,8 @@ private:
       if (role.constant)
         leaves[number] = body.constant(*role.constant);
       else
-        leaves[number] =
-            role.next != no_position ? carried.leaf(role.next, role.nodes) : body.leaf(leaf_of(role, memory_));
+        leaves[number] = role.next != no_position ? carried.leaf(role.next, role.nodes)
+                                                  : body.leaf(leaf_of(role, memory_, plan.repeat.rows));
       return leaves[number];
     };
     auto const value = [&](BodyOperand const &operand) {
@@ -203,9 +225,12 @@ private:
     }
     carried.carry(computed);
     for (std::uint32_t const position : memory_.stored_positions(loop))
-      body.store(computed[position], false, {memory_.element({loop, position, 0}), memory_.stride(loop)});
+      body.store(computed[position], false,
+                 plan.repeat.rows ? memory_.in_chain(loop, position)
+                                  : Access{memory_.element({loop, position, 0}), memory_.stride(loop)});
+    for (auto const &[position, access] : memory_.kept_positions(loop)) body.store(computed[position], false, access);
     for (LoopResult const &result : direct_.of_loop[loop]) body.store(computed[result.position], true, result.access);
-    return body.finish(plan.repeat.count);
+    return body.finish(plan.repeat.count, plan.repeat.rows);
   }
 
   Sequence sequence_;
@@ -214,14 +239,16 @@ private:
   std::vector<LoopBody> loops_;
   std::vector<Piece> pieces_;
   Memory memory_;
-  std::vector<std::vector<Role>> roles_; // per loop and column
+  std::vector<std::vector<Role>> roles_;    // per loop and column
+  std::vector<std::vector<Entry>> entries_; // per loop
   DirectResults direct_;
 };
 
 } // namespace
 
-LoopFunction plan(Sequence sequence, std::vector<Repeat> const &repeats, std::vector<NodeId> const &stored,
-                  std::vector<NodeId> const &checked, std::vector<Object> const &objects) {
+std::optional<LoopFunction> plan(Sequence sequence, std::vector<Repeat> const &repeats,
+                                 std::vector<NodeId> const &stored, std::vector<NodeId> const &checked,
+                                 std::vector<Object> const &objects) {
   return Planner(std::move(sequence), repeats, stored, checked, objects).run();
 }
 

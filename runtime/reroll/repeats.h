@@ -5,12 +5,14 @@
 // an iteration of a loop can compute either, whatever its operands are: what varies is a matter of tables.
 #pragma once
 
+#include "reroll/loop_program.h"
 #include "reroll/sequence.h"
 
 namespace symreal::reroll {
 
 struct Repeat {
   std::uint32_t begin, period, count;
+  std::optional<Nest> rows = {}; // of chains that are computed side by side: see interchange.h
   std::uint32_t end() const { return begin + period * count; }
 };
 

@@ -3,6 +3,7 @@
 #include "graph/statistics.h"
 #include "reroll/check.h"
 #include "reroll/interchange.h"
+#include "reroll/nest.h"
 #include "reroll/plan.h"
 #include "reroll/signs.h"
 #include "reroll/trim.h"
@@ -25,22 +26,47 @@ std::string obstacle(Graph const &graph) {
   return {};
 }
 
+// Whether rows of chains need no table with an entry for each of their iterations.
+bool is_short(reroll::Step const &step) {
+  using reroll::Access, reroll::Leaf, reroll::Store;
+  auto const fits = [&](Access const &access) { return !access.is_listed() || nested(access, *step.nest); };
+  auto const is_short_leaf = [&](Leaf const &leaf) {
+    return leaf.kind == Leaf::Kind::values ? leaf.by_turn : fits(leaf.access);
+  };
+  return !step.nest ||
+         (std::ranges::all_of(step.leaves, is_short_leaf) && std::ranges::all_of(step.stores, fits, &Store::access));
+}
+
+// Whether it is a loop as it was found.
+bool is_whole(reroll::Repeat const &stage, std::vector<reroll::Repeat> const &loops) {
+  return std::ranges::any_of(loops, [&](reroll::Repeat const &loop) {
+    return loop.begin == stage.begin && loop.period == stage.period && loop.count == stage.count;
+  });
+}
+
 std::optional<reroll::LoopFunction> loops_of(Schedule const &plan, bool in_compute, std::vector<NodeId> const &stored,
                                              std::vector<NodeId> const &checked, std::vector<Object> const &objects,
                                              FloatingPoint mode) {
   using namespace reroll;
   std::vector<NodeId> roots = stored;
   roots.insert(roots.end(), checked.begin(), checked.end());
-  auto [all, stages] = interchanged(sequence(plan, in_compute, roots));
-  std::vector<Repeat> repeats = find_repeats(all, stages);
-  align(all, repeats);
-  repeats = trimmed(all, repeats);
-  if (repeats.empty()) return {};
-  LoopFunction function = reroll::plan(all, repeats, stored, checked, objects);
-  bool const zeros_have_signs = mode == FloatingPoint::strict;
-  if (!zeros_have_signs) function = with_few_signs(std::move(function));
-  internal_check(find_difference(all, function, stored, checked, zeros_have_signs).empty());
-  return function;
+  for (bool const in_rows : {true, false}) {
+    auto [all, stages] = interchanged(sequence(plan, in_compute, roots), in_rows);
+    std::vector<Repeat> repeats = find_repeats(all, stages);
+    align(all, repeats);
+    repeats = trimmed(all, repeats);
+    if (repeats.empty()) return {};
+    if (!std::ranges::all_of(stages, [&](Repeat const &stage) { return !stage.rows || is_whole(stage, repeats); }))
+      continue;
+    std::optional<LoopFunction> function = reroll::plan(all, repeats, stored, checked, objects);
+    if (!function) continue;
+    bool const zeros_have_signs = mode == FloatingPoint::strict;
+    if (!zeros_have_signs) function = with_few_signs(std::move(*function));
+    if (in_rows && !std::ranges::all_of(function->steps, is_short)) continue;
+    internal_check(find_difference(all, *function, stored, checked, zeros_have_signs).empty());
+    return function;
+  }
+  internal_check(false);
 }
 
 } // namespace

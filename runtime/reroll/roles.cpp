@@ -1,5 +1,7 @@
 #include "reroll/roles.h"
 
+#include "reroll/nest.h"
+
 #include <algorithm>
 #include <bit>
 
@@ -17,6 +19,17 @@ std::vector<double> one_period(std::vector<double> values) {
   while (2 * period <= values.size() && !repeats()) ++period;
   if (2 * period <= values.size()) values.resize(period);
   return values;
+}
+
+// One number for each turn of the outer loop, if the inner one does not change it.
+std::optional<std::vector<double>> by_turns(std::vector<double> const &values, Nest const &nest) {
+  std::vector<double> result;
+  for (std::int64_t turn = 0; turn < nest.turns; ++turn) {
+    auto const begin = values.begin() + begin_of(nest, turn), end = values.begin() + begin_of(nest, turn + 1);
+    if (!std::all_of(begin, end, [&](double value) { return same_bits(value, *begin); })) return {};
+    result.push_back(*begin);
+  }
+  return result;
 }
 
 class MemoryRole {
@@ -66,6 +79,7 @@ private:
     std::size_t const middle = nodes_.size() / 2;
     std::optional<Cell> const a = memory_.cell(nodes_[middle]), b = memory_.cell(nodes_[middle - 1]);
     if (!a || !b || a->loop != b->loop || a->position != b->position) return false;
+    if (std::ranges::any_of(nodes_, [&](NodeId node) { return memory_.is_overwritten(node); })) return false;
     step_ = a->iteration - b->iteration;
     cell_ = {a->loop, a->position, a->iteration - step_ * static_cast<std::int64_t>(middle)};
     for (std::size_t k = 0; k < nodes_.size(); ++k) {
@@ -97,7 +111,14 @@ private:
 
 } // namespace
 
-Role role_of_values(std::vector<double> const &values) {
+Role role_of_values(std::vector<double> const &values, std::optional<Nest> const &nest) {
+  if (nest) {
+    if (std::optional<std::vector<double>> const of_turns = by_turns(values, *nest)) {
+      Role role = role_of_values(*of_turns);
+      role.by_turn = true;
+      return role;
+    }
+  }
   std::vector<double> period = one_period(values);
   if (period.size() == 1) return {.constant = period.front()};
   return {.values = std::move(period)};
@@ -130,9 +151,11 @@ Leaf::Kind array_of(Source source) {
   }
 }
 
-Leaf leaf_of(Role const &role, Memory const &memory) {
-  Leaf leaf{role.kind, role.access, role.values};
-  if (role.cell) {
+Leaf leaf_of(Role const &role, Memory const &memory, std::optional<Nest> const &nest) {
+  Leaf leaf{role.kind, role.access, role.values, role.by_turn};
+  if (role.in_chain) {
+    leaf.access = memory.in_chain(role.cell->loop, role.cell->position);
+  } else if (role.cell) {
     leaf.access = {memory.element(*role.cell), role.step * memory.stride(role.cell->loop)};
   } else if (role.node != no_node) {
     leaf.access = {memory.home(role.node), 0};
@@ -141,6 +164,7 @@ Leaf leaf_of(Role const &role, Memory const &memory) {
     for (NodeId node : role.nodes) elements.push_back(memory.home(node));
     leaf.access = access_of(std::move(elements));
   }
+  if (role.by_turn && role.kind != Leaf::Kind::values) leaf.access = in_turns(leaf.access, *nest);
   return leaf;
 }
 

@@ -37,21 +37,25 @@ Pattern SignRelations::of_store(SignedBody const &body, std::size_t store) const
   return pattern;
 }
 
-// Loops in which the most chains go on come last, and the signs of all of them must agree there: so the last loops
-// first. In a body first what leaves no choice, since the sign of a product with a known sign is that of the other
-// operand; and from what is stored down to what is read, since what is stored has its signs already.
+// Rows of chains hold most of what is computed, and the stages before and behind them go by them: so they are first.
+// Otherwise loops in which the most chains go on come last, and the signs of all of them must agree there: so the last
+// loops first. In a body first what leaves no choice, since the sign of a product with a known sign is that of the
+// other operand; and from what is stored down to what is read, since what is stored has its signs already.
 void SignRelations::relate_operations(bool in_loops) {
   auto const is_settled = [&](SignedBody const &body, NodeId id) { return is_known(body, id) || is_uniform(body, id); };
   auto const is_forced = [&](SignedBody const &body, Node const &node) {
     return node.op == Op::neg || ((node.op == Op::mul || node.op == Op::div) &&
                                   (is_settled(body, node.operand[0]) || is_settled(body, node.operand[1])));
   };
-  for (SignedBody const &body : std::views::reverse(bodies_))
-    for (bool const only_forced : {true, false})
-      for (NodeId id = body.size(); id-- > 0 && (body.count() > 1) == in_loops;) {
-        Node const &node = body.node(id);
-        if (!is_leaf(node.op) && (!only_forced || is_forced(body, node))) relate_operation(body, id);
-      }
+  for (bool const in_rows : {true, false})
+    for (SignedBody const &body : std::views::reverse(bodies_)) {
+      if ((body.count() > 1) != in_loops || body.step().nest.has_value() != in_rows) continue;
+      for (bool const only_forced : {true, false})
+        for (NodeId id = body.size(); id-- > 0;) {
+          Node const &node = body.node(id);
+          if (!is_leaf(node.op) && (!only_forced || is_forced(body, node))) relate_operation(body, id);
+        }
+    }
 }
 
 // What is free yet leaves the numbers of tables as they are, unless the table repeats earlier without their signs.

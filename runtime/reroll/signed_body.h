@@ -1,7 +1,7 @@
 // What the choice of signs (signs.h) knows of a body.
 #pragma once
 
-#include "reroll/loop_program.h"
+#include "reroll/nest.h"
 
 #include <algorithm>
 #include <cmath>
@@ -50,8 +50,7 @@ public:
   }
   double number(NodeId id, std::uint32_t iteration) const {
     if (node(id).is_constant()) return node(id).value();
-    std::vector<double> const &values = leaf(id)->values;
-    return values[iteration % values.size()];
+    return value_at(*leaf(id), iteration, step_->nest);
   }
   Pattern signs_of_numbers(NodeId id) const {
     Pattern pattern(count());

@@ -37,7 +37,7 @@ public:
     for (NodeId id = 0; id < body_.size(); ++id)
       if (Leaf const *const leaf = body_.leaf(id); leaf && leaf->kind == Leaf::Kind::carried)
         builder_.carry(now_[id].node, as_related(leaf->next));
-    return builder_.finish(body_.count());
+    return builder_.finish(body_.count(), body_.step().nest);
   }
 
 private:
@@ -48,6 +48,7 @@ private:
     case Op::add:
     case Op::sub: return sum(id, pattern);
     case Op::neg:
+      if (body_.is_number(node.operand[0])) return numbers(node.operand[0], product(pattern, minus()));
       return with_sign(now_[node.operand[0]].node, product(product(pattern, sign_of(node.operand[0])), minus()));
     case Op::mul:
     case Op::div: return product_of(id, pattern);
@@ -126,16 +127,16 @@ private:
 
   // A column or its negative, where that is there.
   Now column(std::vector<double> const &values) {
-    Role const role = role_of_values(values);
+    Role const role = role_of_values(values, body_.step().nest);
     if (role.constant) return {builder_.constant(*role.constant)};
-    std::vector<std::uint64_t> key, negative;
+    std::vector<std::uint64_t> key(1, role.by_turn ? 1 : 0), negative = key;
     for (double const value : role.values) {
       key.push_back(std::bit_cast<std::uint64_t>(value));
       negative.push_back(std::bit_cast<std::uint64_t>(-value));
     }
     if (auto const opposite = columns_.find(negative); opposite != columns_.end()) return {opposite->second, true};
     auto const [entry, is_new] = columns_.try_emplace(std::move(key), no_node);
-    if (is_new) entry->second = builder_.leaf({role.kind, {}, role.values});
+    if (is_new) entry->second = builder_.leaf({role.kind, {}, role.values, role.by_turn});
     return {entry->second};
   }
 

@@ -44,6 +44,8 @@ std::string LoopIndices::of_iteration() {
   return std::string(all);
 }
 
+std::string LoopIndices::of_turn() const { return std::string(outer); }
+
 std::optional<std::string> LoopIndices::of_element(reroll::Access const &access) {
   if (std::optional<reroll::NestedAccess> const place = nested(access))
     return index_text(place->first, {{place->outer, outer}, {place->inner, inner}});

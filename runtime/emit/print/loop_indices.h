@@ -23,8 +23,9 @@ public:
   bool is_loop() const { return count_ > 1; }
   std::set<std::string> const &names() const { return names_; }
 
-  // k.
+  // k, and i of two loops.
   std::string of_iteration();
+  std::string of_turn() const;
   // Of an element; none where only a table says it.
   std::optional<std::string> of_element(reroll::Access const &access);
   // Whether it stays the same in all iterations, and while the inner of two loops goes round.

@@ -36,7 +36,7 @@ public:
     std::vector<std::string> stores;
     for (Store const &store : step_.stores)
       stores.push_back(element(store.is_result ? arrays_.filled : arrays_.memory, store.access));
-    for (auto &[period, rows] : values_) print_values(period, rows);
+    for (auto &[shape, rows] : values_) print_values(shape, rows);
     std::vector<std::string> const rows = spell_rows();
     indent_ = indices_.begin(of_turn_, out_);
     for (std::string const &row : rows) out_.statement(indent_, row);
@@ -69,13 +69,13 @@ private:
     std::vector<std::size_t> column; // of a leaf in its table
     for (Leaf const &leaf : step_.leaves) {
       std::vector<std::vector<double> const *> *const columns =
-          leaf.kind == Leaf::Kind::values ? &values_[leaf.values.size()].columns : nullptr;
+          leaf.kind == Leaf::Kind::values ? &values_[shape_of(leaf)].columns : nullptr;
       column.push_back(columns ? columns->size() : 0);
       if (columns) columns->push_back(&leaf.values);
     }
     std::vector<std::string> leaves;
     for (std::size_t k = 0; k < step_.leaves.size(); ++k)
-      leaves.push_back(step_.leaves[k].kind == Leaf::Kind::values ? value(step_.leaves[k].values.size(), column[k])
+      leaves.push_back(step_.leaves[k].kind == Leaf::Kind::values ? value(shape_of(step_.leaves[k]), column[k])
                                                                   : spell(step_.leaves[k], k));
     return leaves;
   }
@@ -128,15 +128,21 @@ private:
     print_table(language_.loops.element_table, language_.loops.table_end, name, words);
   }
 
-  // Values of one period stand in one table, those of an iteration in a row.
-  std::string value(std::size_t period, std::size_t column) const {
-    return indexed(row_name(period), std::to_string(column));
-  }
-  static std::string values_name(std::size_t period) { return fmt::format("values_{}", period); }
-  static std::string row_name(std::size_t period) { return fmt::format("row_{}", period); }
-  static std::string rows_name(std::size_t period) { return fmt::format("rows_{}", period); }
+  // Values of one period stand in one table, those of an iteration, or of a turn of the outer of two loops, in a row.
+  struct Shape {
+    std::size_t period;
+    bool by_turn;
+    auto operator<=>(Shape const &) const = default;
+  };
+  static Shape shape_of(Leaf const &leaf) { return {leaf.values.size(), leaf.by_turn}; }
 
-  void print_values(std::size_t period, ValueRows &rows) {
+  std::string value(Shape shape, std::size_t column) const { return indexed(row_name(shape), std::to_string(column)); }
+  static std::string values_name(Shape shape) { return fmt::format("{}values_{}", turn_of(shape), shape.period); }
+  static std::string row_name(Shape shape) { return fmt::format("{}row_{}", turn_of(shape), shape.period); }
+  static std::string rows_name(Shape shape) { return fmt::format("{}rows_{}", turn_of(shape), shape.period); }
+  static std::string_view turn_of(Shape shape) { return shape.by_turn ? "turn_" : ""; }
+
+  void print_values(Shape shape, ValueRows &rows) {
     write_once(rows);
     std::vector<std::string> words;
     for (std::uint32_t const row : rows.written)
@@ -144,8 +150,8 @@ private:
         words.push_back(constant(language_, (*column)[row]));
         emission_.uses.not_finite = emission_.uses.not_finite || !std::isfinite((*column)[row]);
       }
-    print_table(language_.tables.begin, language_.tables.end, values_name(period), words);
-    if (rows.is_listed()) print_element_table(rows_name(period), rows.which);
+    print_table(language_.tables.begin, language_.tables.end, values_name(shape), words);
+    if (rows.is_listed()) print_element_table(rows_name(shape), rows.which);
   }
 
   void print_table(std::string_view begin, std::string_view end, std::string const &name,
@@ -156,23 +162,24 @@ private:
                fill(language_, end, {{"name", name}, {"count", count}}) + "\n");
   }
 
-  // Where the rows of tables begin, statements of the body.
+  // Where the rows of tables begin, statements of the body, or of the outer of two loops.
   std::vector<std::string> spell_rows() {
     std::vector<std::string> statements;
-    for (auto const &[period, rows] : values_) {
-      names_.insert(row_name(period));
-      statements.push_back(
-          fill(language_, language_.loops.row,
-               {{"name", row_name(period)}, {"table", values_name(period)}, {"index", begin_of_row(period, rows)}}));
+    for (auto const &[shape, rows] : values_) {
+      names_.insert(row_name(shape));
+      (shape.by_turn ? of_turn_ : statements)
+          .push_back(
+              fill(language_, language_.loops.row,
+                   {{"name", row_name(shape)}, {"table", values_name(shape)}, {"index", begin_of_row(shape, rows)}}));
     }
     return statements;
   }
 
-  std::string begin_of_row(std::size_t period, ValueRows const &rows) {
-    bool const is_in_turn = period == step_.count;
-    std::string const place =
-        is_in_turn ? indices_.of_iteration() : fmt::format("{} % {}", indices_.of_iteration(), period);
-    std::string row = rows.is_listed() ? indexed(rows_name(period), place) : place;
+  std::string begin_of_row(Shape shape, ValueRows const &rows) {
+    std::string const count = shape.by_turn ? indices_.of_turn() : indices_.of_iteration();
+    bool const is_in_turn = shape.period == (shape.by_turn ? step_.nest->turns : step_.count);
+    std::string const place = is_in_turn ? count : fmt::format("{} % {}", count, shape.period);
+    std::string row = rows.is_listed() ? indexed(rows_name(shape), place) : place;
     if (rows.columns.size() == 1) return row;
     return fmt::format("{}*{}", rows.columns.size(), is_in_turn || rows.is_listed() ? row : "(" + row + ")");
   }
@@ -189,8 +196,8 @@ private:
   LoopArrays const &arrays_;
   CodeText &out_;
   std::set<std::string> &used_;
-  std::map<std::size_t, ValueRows> values_; // by their periods
-  std::vector<std::string> of_turn_;        // statements of the outer of two loops
+  std::map<Shape, ValueRows> values_;
+  std::vector<std::string> of_turn_; // statements of the outer of two loops
   std::size_t element_tables_ = 0, indent_ = 2;
 };
 

@@ -24,9 +24,10 @@ constexpr std::uint32_t count = 40; // of chains
 
 // Chain i turns a vector by angle i, i - 1, ..., 0, of which the inputs are the cosine and the sine. Where it `flips`,
 // it computes with the negative of the second coordinate. `waits`: a chain begins with what the one before ends with.
-Graph turned_vectors(std::uint32_t flips, bool waits = false) {
+// `looks_back`: when all chains are done, second coordinates are read that angle 10 has turned.
+Graph turned_vectors(std::uint32_t flips, bool waits = false, bool looks_back = false) {
   Builder make;
-  std::vector<NodeId> results;
+  std::vector<NodeId> results, between;
   for (std::uint32_t i = 0; i < count; ++i) {
     bool const flipped = flips != 0 && i % flips == 1;
     NodeId x = make(Op::sqrt, make.input(2 * count + i)), y = make(Op::exp, make.input(2 * count + i));
@@ -38,8 +39,10 @@ Graph turned_vectors(std::uint32_t flips, bool waits = false) {
       x = make(flipped ? Op::add : Op::sub, xc, ys);
       y = flipped ? make(Op::sub, yc, xs) : make(Op::add, xs, yc);
       results.push_back(x);
+      if (looks_back && k == 10) between.push_back(y);
     }
   }
+  for (NodeId const y : between) results.push_back(make(Op::sqrt, y));
   return make.finish(results);
 }
 
@@ -55,8 +58,20 @@ bool any_leaf(LoopFunction const &function, Leaf::Kind kind) {
   });
 }
 
-TEST(Interchange, StagesOfAllChainsAreLoops) {
+TEST(Interchange, StagesOfAllChainsAreRows) {
   LoopFunction const function = compute_of(turned_vectors(0));
+  EXPECT_LE(function.loops, 3);
+  EXPECT_GT(function.in_loops, function.operations * 9 / 10);
+  EXPECT_FALSE(any_leaf(function, Leaf::Kind::carried));
+  EXPECT_FALSE(any_leaf(function, Leaf::Kind::values));
+  auto const rows = std::ranges::find_if(function.steps, [](Step const &step) { return step.nest.has_value(); });
+  ASSERT_NE(rows, function.steps.end());
+  EXPECT_EQ(rows->nest->growth, 1);
+  EXPECT_GE(rows->nest->turns, 35);
+}
+
+TEST(Interchange, WhereSomebodyLooksBackEachStageIsALoop) {
+  LoopFunction const function = compute_of(turned_vectors(0, false, true));
   EXPECT_GE(function.loops, 30);
   EXPECT_GT(function.in_loops, function.operations * 9 / 10);
   EXPECT_FALSE(any_leaf(function, Leaf::Kind::carried));

@@ -4,6 +4,7 @@
 #include "graph/evaluate.h"
 #include "reroll/loop_program.h"
 #include "reroll/mirrors.h"
+#include "reroll/nest.h"
 #include "schedule/schedule.h"
 
 #include <cmath>
@@ -34,7 +35,7 @@ inline std::vector<double> run(reroll::LoopFunction const &function, std::vector
         case reroll::Leaf::Kind::sine: leaves[i] = std::sin(angles[leaf.access.at(k)]); break;
         case reroll::Leaf::Kind::cosine: leaves[i] = std::cos(angles[leaf.access.at(k)]); break;
         case reroll::Leaf::Kind::memory: leaves[i] = memory[leaf.access.at(k)]; break;
-        case reroll::Leaf::Kind::values: leaves[i] = leaf.values[k % leaf.values.size()]; break;
+        case reroll::Leaf::Kind::values: leaves[i] = value_at(leaf, k, step.nest); break;
         case reroll::Leaf::Kind::carried:
           if (k == 0) leaves[i] = memory[leaf.access.at(0)];
           break;

@@ -15,7 +15,8 @@ Access listed(Nest const &nest, NestedAccess const &access) {
 }
 
 TEST(Nest, RowsColumnsAndTrianglesAreFound) {
-  for (Nest const nest : {Nest{5, 4, 0}, Nest{2, 30, 0}, Nest{7, 1, 1}, Nest{7, 3, 1}, Nest{6, 6, -1}, Nest{4, 9, -1}})
+  for (Nest const nest : {Nest{5, 4, 0}, Nest{2, 30, 0}, Nest{7, 1, 1}, Nest{7, 3, 1}, Nest{6, 6, -1}, Nest{4, 9, -1},
+                          Nest{5, 4, 3}, Nest{4, 9, -2}})
     for (NestedAccess const place :
          {NestedAccess{3, 40, 1}, NestedAccess{2000, -40, -2}, NestedAccess{5, 0, 3}, NestedAccess{9, 7, 0}}) {
       Access const access = listed(nest, place);
@@ -29,6 +30,29 @@ TEST(Nest, RowsColumnsAndTrianglesAreFound) {
       EXPECT_EQ(fits->outer, place.outer);
       EXPECT_EQ(fits->inner, place.inner);
     }
+}
+
+TEST(Nest, AnIterationIsOfATurnOfEachLoop) {
+  for (Nest const nest : {Nest{5, 4, 0}, Nest{7, 1, 1}, Nest{4, 9, -2}, Nest{5, 4, 3}}) {
+    std::uint32_t k = 0;
+    for (std::uint32_t i = 0; i < nest.turns; ++i) {
+      EXPECT_EQ(begin_of(nest, i), k);
+      for (std::uint32_t j = 0; j < length_of(nest, i); ++j, ++k) {
+        EXPECT_EQ(turn_of(nest, k).outer, i);
+        EXPECT_EQ(turn_of(nest, k).inner, j);
+      }
+    }
+  }
+}
+
+TEST(Nest, AValueMayStayTheSameInATurn) {
+  Nest const nest{3, 2, 1};
+  Leaf leaf{Leaf::Kind::values, {}, {5, 6}, true};
+  std::vector<double> values;
+  for (std::uint32_t k = 0; k < 9; ++k) values.push_back(value_at(leaf, k, nest));
+  EXPECT_EQ(values, (std::vector<double>{5, 5, 6, 6, 6, 5, 5, 5, 5}));
+  EXPECT_EQ(in_turns({7, -2}, nest).elements, (std::vector<std::uint32_t>{7, 7, 5, 5, 5, 3, 3, 3, 3}));
+  EXPECT_FALSE(in_turns({7}, nest).is_listed());
 }
 
 TEST(Nest, WhatFitsNoneStaysAList) {
