@@ -50,6 +50,8 @@ std::optional<reroll::LoopFunction> loops_of(Schedule const &plan, bool in_compu
   using namespace reroll;
   std::vector<NodeId> roots = stored;
   roots.insert(roots.end(), checked.begin(), checked.end());
+  // Rows of chains may turn out not to fit: where something else needs what they overwrite, or signs differ from chain
+  // to chain. Then each stage becomes a loop.
   for (bool const in_rows : {true, false}) {
     auto [all, stages] = interchanged(sequence(plan, in_compute, roots), in_rows);
     std::vector<Repeat> repeats = find_repeats(all, stages);
@@ -62,7 +64,7 @@ std::optional<reroll::LoopFunction> loops_of(Schedule const &plan, bool in_compu
     if (!function) continue;
     bool const zeros_have_signs = mode == FloatingPoint::strict;
     if (!zeros_have_signs) function = with_few_signs(std::move(*function));
-    if (in_rows && !std::ranges::all_of(function->steps, is_short)) continue;
+    if (!std::ranges::all_of(function->steps, is_short)) continue;
     internal_check(find_difference(all, *function, stored, checked, zeros_have_signs).empty());
     return function;
   }
