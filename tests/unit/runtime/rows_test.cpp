@@ -33,7 +33,8 @@ public:
     }
     for (std::size_t k = 0; looks_back_ && k < between_.size(); k += 17)
       results_.push_back(make_(Op::mul, between_[k], between_[k]));
-    return make_.finish(results_);
+    return make_.finish(results_,
+                        below(4) == 0 ? std::vector{between_[below(40)], between_.back()} : std::vector<NodeId>());
   }
 
 private:
