@@ -44,8 +44,8 @@ bool Memory::is_overwritten(NodeId node) const {
 }
 
 void Memory::need_kept(NodeId node, std::uint32_t step) {
-  if (!is_overwritten(node)) return need(node, step);
   std::optional<Cell> const there = cell(node);
+  if (!there || !is_overwritten(node)) return need(node, step);
   std::uint32_t const written = step_of_loop(there->loop);
   regions_[there->loop].kept.try_emplace(there->position, Place{{written, step}}).first->second.life.reach(step);
 }
@@ -169,11 +169,12 @@ std::uint32_t Memory::first_chain(std::uint32_t loop, std::uint32_t position) co
 }
 
 Access Memory::in_chain(std::uint32_t loop, std::uint32_t position) const {
-  Nest const &rows = *loops_[loop].repeat.rows;
+  std::optional<Nest> const &rows = loops_[loop].repeat.rows;
+  internal_check(rows.has_value());
   std::uint32_t const first = first_chain(loop, position);
   Access access;
-  for (std::uint32_t row = 0; row < rows.turns; ++row)
-    for (std::int64_t chain = 0; chain < length_of(rows, row); ++chain)
+  for (std::uint32_t row = 0; row < rows->turns; ++row)
+    for (std::int64_t chain = 0; chain < length_of(*rows, row); ++chain)
       access.elements.push_back(first + static_cast<std::uint32_t>(chain));
   return access;
 }

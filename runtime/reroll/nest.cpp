@@ -21,7 +21,7 @@ Turn turn_of(Nest const &nest, std::uint32_t iteration) {
 }
 
 double value_at(Leaf const &leaf, std::uint32_t iteration, std::optional<Nest> const &nest) {
-  return leaf.values[(leaf.by_turn ? turn_of(*nest, iteration).outer : iteration) % leaf.values.size()];
+  return leaf.values[(leaf.by_turn && nest ? turn_of(*nest, iteration).outer : iteration) % leaf.values.size()];
 }
 
 Access in_turns(Access const &of_turns, Nest const &nest) {

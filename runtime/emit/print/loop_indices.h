@@ -23,6 +23,8 @@ public:
   bool is_loop() const { return count_ > 1; }
   std::set<std::string> const &names() const { return names_; }
 
+  // How often the outer of two loops goes round, or the only one.
+  std::uint32_t turns() const { return nest_ ? nest_->turns : count_; }
   // k, and i of two loops.
   std::string of_iteration();
   std::string of_turn() const;

@@ -177,7 +177,7 @@ private:
 
   std::string begin_of_row(Shape shape, ValueRows const &rows) {
     std::string const count = shape.by_turn ? indices_.of_turn() : indices_.of_iteration();
-    bool const is_in_turn = shape.period == (shape.by_turn ? step_.nest->turns : step_.count);
+    bool const is_in_turn = shape.period == (shape.by_turn ? indices_.turns() : step_.count);
     std::string const place = is_in_turn ? count : fmt::format("{} % {}", count, shape.period);
     std::string row = rows.is_listed() ? indexed(rows_name(shape), place) : place;
     if (rows.columns.size() == 1) return row;
