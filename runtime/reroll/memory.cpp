@@ -164,14 +164,10 @@ std::vector<std::pair<std::uint32_t, Access>> Memory::kept_positions(std::uint32
   return result;
 }
 
-std::uint32_t Memory::first_chain(std::uint32_t loop, std::uint32_t position) const {
-  return element({loop, position, 0});
-}
-
-Access Memory::in_chain(std::uint32_t loop, std::uint32_t position) const {
+Access Memory::in_iterations(std::uint32_t loop, std::uint32_t position) const {
   std::optional<Nest> const &rows = loops_[loop].repeat.rows;
-  internal_check(rows.has_value());
-  std::uint32_t const first = first_chain(loop, position);
+  std::uint32_t const first = element({loop, position, 0});
+  if (!rows) return {first, stride(loop)};
   Access access;
   for (std::uint32_t row = 0; row < rows->turns; ++row)
     for (std::int64_t chain = 0; chain < length_of(*rows, row); ++chain)

@@ -60,10 +60,8 @@ public:
   std::int64_t stride(std::uint32_t loop) const { return regions_[loop].stride; }
   // Of the operations of rows of chains whose values are kept, where each iteration stores the copy.
   std::vector<std::pair<std::uint32_t, Access>> kept_positions(std::uint32_t loop) const;
-  // Of rows of chains: where each iteration finds and stores the value.
-  Access in_chain(std::uint32_t loop, std::uint32_t position) const;
-  // Where chain 0 has it; that of the next chain stands behind it.
-  std::uint32_t first_chain(std::uint32_t loop, std::uint32_t position) const;
+  // Where each iteration stores the value; of rows of chains also where it finds that of the row before.
+  Access in_iterations(std::uint32_t loop, std::uint32_t position) const;
   // Of the operations of a body that the loop stores.
   std::vector<std::uint32_t> stored_positions(std::uint32_t loop) const;
   std::size_t size() const { return size_; }

@@ -110,7 +110,7 @@ private:
     for (auto const &[position, nodes] : entries_[loop])
       for (std::uint32_t chain = 0; chain < nodes.size(); ++chain) {
         copies.nodes.push_back(nodes[chain]);
-        copies.places.push_back(memory_.first_chain(loop, position) + chain);
+        copies.places.push_back(memory_.element({loop, position, 0}) + chain);
       }
     add_copies(*sequence_.graph, copies, memory_, steps);
   }
@@ -225,9 +225,7 @@ private:
     }
     carried.carry(computed);
     for (std::uint32_t const position : memory_.stored_positions(loop))
-      body.store(computed[position], false,
-                 plan.repeat.rows ? memory_.in_chain(loop, position)
-                                  : Access{memory_.element({loop, position, 0}), memory_.stride(loop)});
+      body.store(computed[position], false, memory_.in_iterations(loop, position));
     for (auto const &[position, access] : memory_.kept_positions(loop)) body.store(computed[position], false, access);
     for (LoopResult const &result : direct_.of_loop[loop]) body.store(computed[result.position], true, result.access);
     return body.finish(plan.repeat.count, plan.repeat.rows);

@@ -154,7 +154,7 @@ Leaf::Kind array_of(Source source) {
 Leaf leaf_of(Role const &role, Memory const &memory, std::optional<Nest> const &nest) {
   Leaf leaf{role.kind, role.access, role.values, role.by_turn};
   if (role.in_chain && role.cell) {
-    leaf.access = memory.in_chain(role.cell->loop, role.cell->position);
+    leaf.access = memory.in_iterations(role.cell->loop, role.cell->position);
   } else if (role.cell) {
     leaf.access = {memory.element(*role.cell), role.step * memory.stride(role.cell->loop)};
   } else if (role.node != no_node) {

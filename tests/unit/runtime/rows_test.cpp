@@ -2,7 +2,6 @@
 // rows.
 #include "graph_builder.h"
 #include "loop_run.h"
-#include "reroll/nest.h"
 #include "reroll/reroll.h"
 
 #include <gtest/gtest.h>

@@ -5,9 +5,9 @@
 namespace symreal::reroll {
 namespace {
 
-Step storing(std::vector<Access> const &accesses, bool are_results = false) {
+Step storing(std::vector<Access> const &accesses) {
   Step step{{}, 20};
-  for (Access const &access : accesses) step.stores.push_back({0, are_results, access});
+  for (Access const &access : accesses) step.stores.push_back({0, false, access});
   return step;
 }
 
