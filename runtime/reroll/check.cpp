@@ -38,7 +38,8 @@ public:
                       std::vector<std::uint32_t> const &checks) {
     std::vector<Value> const values = values_of_graph();
     for (std::size_t slot = 0; slot < stored.size(); ++slot)
-      if (results_[slot] != values[stored[slot]]) return fmt::format("result {} is another value", slot);
+      if (!results_[slot].is_known() || results_[slot] != values[stored[slot]])
+        return fmt::format("result {} is another value", slot);
     if (checked.size() != checks.size()) return "a guard is not checked";
     for (std::size_t k = 0; k < checked.size(); ++k)
       if (memory_[checks[k]].number != values[checked[k]].number) // of which only matters whether it is 0

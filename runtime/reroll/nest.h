@@ -6,6 +6,9 @@
 
 #include "reroll/loop_program.h"
 
+#include <algorithm>
+#include <functional>
+
 namespace symreal::reroll {
 
 // How many iterations lie before a turn of the outer loop, and in it; of `turns`, how many there are.
@@ -17,6 +20,18 @@ struct Turn {
   std::uint32_t outer, inner;
 };
 Turn turn_of(Nest const &nest, std::uint32_t iteration);
+
+// Of a value for each iteration one for each turn of the outer loop, if the inner one does not change it.
+template <typename Value, typename Same = std::equal_to<>>
+std::optional<std::vector<Value>> by_turns(std::vector<Value> const &values, Nest const &nest, Same same = {}) {
+  std::vector<Value> result;
+  for (std::int64_t turn = 0; turn < nest.turns; ++turn) {
+    auto const begin = values.begin() + begin_of(nest, turn), end = values.begin() + begin_of(nest, turn + 1);
+    if (!std::all_of(begin, end, [&](Value const &value) { return same(value, *begin); })) return {};
+    result.push_back(*begin);
+  }
+  return result;
+}
 
 // Of a leaf that stands for values, that of an iteration. `nest`: that of its step.
 double value_at(Leaf const &leaf, std::uint32_t iteration, std::optional<Nest> const &nest);

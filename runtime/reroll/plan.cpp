@@ -1,13 +1,12 @@
 #include "reroll/plan.h"
 
-#include "reroll/body_builder.h"
-#include "reroll/carried.h"
 #include "reroll/copies.h"
 #include "reroll/direct_results.h"
 #include "reroll/memory.h"
 #include "reroll/mirrors.h"
 #include "reroll/pieces.h"
 #include "reroll/row_roles.h"
+#include "reroll/steps.h"
 
 #include <algorithm>
 #include <set>
@@ -44,7 +43,9 @@ public:
     memory_.lay_out(independent_loops());
     for (Piece const &piece : pieces_) {
       if (piece.loop != no_position) enter_chains(piece.loop, function.steps);
-      Step step = piece.loop == no_position ? straight_step(piece) : loop_step(piece.loop);
+      Step step = piece.loop == no_position ? straight_step(piece, sequence_, memory_, direct_.of_operation)
+                                            : loop_step(piece.loop, loops_[piece.loop], roles_[piece.loop],
+                                                        *sequence_.graph, memory_, direct_.of_loop[piece.loop]);
       if (!step.stores.empty()) function.steps.push_back(std::move(step));
     }
     add_result_copies(*sequence_.graph, stored_, direct_.is_stored, memory_, function.steps);
@@ -156,79 +157,6 @@ private:
       if (!direct_.is_stored[k] && sequence_.source(stored_[k]) != Source::constant)
         memory_.need_kept(stored_[k], copied);
     for (NodeId root : checked_) memory_.need_kept(root, copied);
-  }
-
-  Step straight_step(Piece const &piece) const {
-    BodyBuilder body(*sequence_.graph);
-    std::map<NodeId, NodeId> now;
-    auto const value = [&](NodeId node) {
-      auto const [entry, is_new] = now.try_emplace(node, no_node);
-      if (!is_new) return entry->second;
-      Node const &there = sequence_.graph->nodes[node];
-      switch (sequence_.source(node)) {
-      case Source::computed: entry->second = body.leaf({Leaf::Kind::memory, {memory_.home(node)}}); break;
-      case Source::constant: entry->second = body.constant(there.value()); break;
-      case Source::input:
-      case Source::read:
-      case Source::sine:
-      case Source::cosine: {
-        Leaf::Kind const array = array_of(sequence_.source(node));
-        entry->second = body.leaf({array, {sequence_.element(node)}});
-        break;
-      }
-      }
-      return entry->second;
-    };
-    auto const store = [&](NodeId node, std::uint32_t element) { body.store(value(node), false, {element}); };
-    for (std::uint32_t at = piece.begin; at < piece.end; ++at) {
-      NodeId const id = sequence_.operations[at].node;
-      Node const &node = sequence_.graph->nodes[id];
-      std::array<NodeId, 3> operands = {no_node, no_node, no_node};
-      for (unsigned i = 0; i < arity(node.op); ++i) operands[i] = value(node.operand[i]);
-      now[id] = body.operation(node.op, operands, id);
-      if (memory_.has_home(id)) store(id, memory_.home(id));
-      if (auto const found = direct_.of_operation.find(id); found != direct_.of_operation.end())
-        for (std::uint32_t const slot : found->second) body.store(now[id], true, {slot});
-    }
-    for (auto const &[cell, node] : piece.copies) store(node, memory_.element(cell));
-    for (NodeId node : piece.kept) store(node, memory_.home(node));
-    return body.finish(1);
-  }
-
-  Step loop_step(std::uint32_t loop) const {
-    LoopBody const &plan = loops_[loop];
-    BodyBuilder body(*sequence_.graph);
-    std::vector<NodeId> leaves(plan.columns.size(), no_node), computed;
-    Carried carried(body, memory_);
-    auto const column = [&](std::uint32_t number) {
-      if (leaves[number] != no_node) return leaves[number];
-      Role const &role = roles_[loop][number];
-      if (role.constant)
-        leaves[number] = body.constant(*role.constant);
-      else
-        leaves[number] = role.next != no_position ? carried.leaf(role.next, role.nodes)
-                                                  : body.leaf(leaf_of(role, memory_, plan.repeat.rows));
-      return leaves[number];
-    };
-    auto const value = [&](BodyOperand const &operand) {
-      NodeId const number = operand.position != no_position ? computed[operand.position] : column(operand.column);
-      if (operand.sign == no_column) return number;
-      return body.operation(Op::mul, {column(operand.sign), number, no_node}, no_node);
-    };
-    for (BodyOperation const &operation : plan.operations) {
-      std::array<NodeId, 3> operands = {no_node, no_node, no_node};
-      for (unsigned i = 0; i < operation.count; ++i) operands[i] = value(operation.operands[i]);
-      bool const first = operation.operands[0].negated, second = operation.operands[1].negated;
-      internal_check(!(first && second));
-      if (first) std::swap(operands[0], operands[1]);
-      computed.push_back(body.operation(first || second ? Op::sub : operation.op, operands, operation.first));
-    }
-    carried.carry(computed);
-    for (std::uint32_t const position : memory_.stored_positions(loop))
-      body.store(computed[position], false, memory_.in_iterations(loop, position));
-    for (auto const &[position, access] : memory_.kept_positions(loop)) body.store(computed[position], false, access);
-    for (LoopResult const &result : direct_.of_loop[loop]) body.store(computed[result.position], true, result.access);
-    return body.finish(plan.repeat.count, plan.repeat.rows);
   }
 
   Sequence sequence_;

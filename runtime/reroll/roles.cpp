@@ -21,17 +21,6 @@ std::vector<double> one_period(std::vector<double> values) {
   return values;
 }
 
-// One number for each turn of the outer loop, if the inner one does not change it.
-std::optional<std::vector<double>> by_turns(std::vector<double> const &values, Nest const &nest) {
-  std::vector<double> result;
-  for (std::int64_t turn = 0; turn < nest.turns; ++turn) {
-    auto const begin = values.begin() + begin_of(nest, turn), end = values.begin() + begin_of(nest, turn + 1);
-    if (!std::all_of(begin, end, [&](double value) { return same_bits(value, *begin); })) return {};
-    result.push_back(*begin);
-  }
-  return result;
-}
-
 class MemoryRole {
 public:
   MemoryRole(Sequence const &sequence, std::vector<LoopBody> const &loops, std::uint32_t loop,
@@ -113,7 +102,7 @@ private:
 
 Role role_of_values(std::vector<double> const &values, std::optional<Nest> const &nest) {
   if (nest) {
-    if (std::optional<std::vector<double>> const of_turns = by_turns(values, *nest)) {
+    if (std::optional<std::vector<double>> const of_turns = by_turns(values, *nest, same_bits)) {
       Role role = role_of_values(*of_turns);
       role.by_turn = true;
       return role;

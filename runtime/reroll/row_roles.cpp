@@ -6,17 +6,6 @@ namespace symreal::reroll {
 
 namespace {
 
-// The node of each row, where that is the same for all chains.
-std::optional<std::vector<NodeId>> nodes_of_rows(std::vector<NodeId> const &nodes, Nest const &rows) {
-  std::vector<NodeId> result;
-  for (std::uint32_t k = 0; k < nodes.size(); ++k) {
-    auto const [row, chain] = turn_of(rows, k);
-    if (chain == 0) result.push_back(nodes[k]);
-    if (nodes[k] != result.back()) return {};
-  }
-  return result;
-}
-
 // One operation of the body, whose value each chain has from the row before; in its first row from elsewhere.
 std::optional<Entry> entry_of(std::vector<NodeId> const &nodes, Nest const &rows, std::uint32_t loop,
                               Sequence const &sequence, std::vector<LoopBody> const &loops, Memory const &memory) {
@@ -47,7 +36,7 @@ std::optional<Role> choose_role_in_rows(Sequence const &sequence, std::vector<Lo
   Nest const &rows = *of_loop;
   // Signs may differ from chain to chain, until they are chosen.
   if (column.nodes.empty()) return role_of_values(column.values, rows);
-  if (std::optional<std::vector<NodeId>> const nodes = nodes_of_rows(column.nodes, rows)) {
+  if (std::optional<std::vector<NodeId>> const nodes = by_turns(column.nodes, rows)) {
     Role role = choose_role(sequence, loops, loop, {*nodes}, memory, copy);
     role.by_turn = true;
     return role;

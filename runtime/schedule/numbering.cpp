@@ -1,69 +1,71 @@
 #include "schedule/numbering.h"
 
-#include <bit>
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
 namespace symreal {
 
-static std::uint64_t word(Op op) { return static_cast<std::uint64_t>(op); }
-
-static void order(NumberedValue &x, NumberedValue &y) {
-  if (y.word() < x.word()) std::swap(x, y);
-}
+Numbering::Numbering(bool zeros_have_signs)
+    : zeros_have_signs_(zeros_have_signs),
+      zero_(constant(0)),
+      one_(constant(1)) {}
 
 NumberedValue Numbering::constant(double value) {
-  std::uint64_t const bits = std::bit_cast<std::uint64_t>(std::fabs(value));
   bool const has_sign = zeros_have_signs_ || value != 0;
-  return {number({word(Op::constant), bits, 0, 0}), has_sign && std::signbit(value)};
+  return {values_.constant(std::fabs(value)), has_sign && std::signbit(value)};
 }
 
 NumberedValue Numbering::element(std::uint32_t array, std::size_t index) {
-  return {number({word(Op::input), array, index, 0}), false};
+  return {number(Op::input, {array, static_cast<NodeId>(index), static_cast<NodeId>(index >> 32)}), false};
 }
 
 NumberedValue Numbering::operation(Op op, std::array<NumberedValue, 3> operands) {
+  auto const known = std::ranges::find_if_not(operands, &NumberedValue::is_known) - operands.begin();
+  if (static_cast<std::size_t>(known) < arity(op)) return {};
   auto const &[x, y, z] = operands;
   switch (op) {
-  case Op::neg: return !zeros_have_signs_ && x == constant(0) ? x : -x;
+  case Op::neg: return !zeros_have_signs_ && x == zero_ ? x : -x;
   case Op::sub: return sum(x, operation(Op::neg, {y, {}, {}}));
   case Op::add: return sum(x, y);
   case Op::mul:
   case Op::div: return product(op, x, y);
-  case Op::abs: return {number({word(op), x.number, 0, 0}), false};
-  default: return {number({word(op), x.word(), y.word(), z.word()}), false};
+  case Op::abs: return {number(op, {x.number, no_node, no_node}), false};
+  default: return {number(op, {with_sign(x), with_sign(y), with_sign(z)}), false};
   }
 }
 
 NumberedValue Numbering::sum(NumberedValue x, NumberedValue y) {
-  order(x, y);
-  if (zeros_have_signs_) return {number({word(Op::add), x.word(), y.word(), 0}), false};
-  if (x == -y) return constant(0);
-  if (x == constant(0)) return y;
-  if (y == constant(0)) return x;
-  bool const negated = x.negated;
-  if (negated) x = -x, y = -y;
-  return {number({word(Op::add), x.word(), y.word(), 0}), negated};
+  if (y.number < x.number || (x.number == y.number && x.negated)) std::swap(x, y);
+  bool negated = false;
+  if (!zeros_have_signs_) {
+    if (x == -y) return zero_;
+    if (x == zero_) return y;
+    if (y == zero_) return x;
+    negated = std::exchange(x.negated, false);
+    y.negated = y.negated != negated;
+  }
+  if (x.negated && !y.negated) std::swap(x, y);
+  if (y.negated && !x.negated) return {number(Op::sub, {x.number, y.number, no_node}), negated};
+  return {number(Op::add, {with_sign(x), with_sign(y), no_node}), negated};
 }
 
 NumberedValue Numbering::product(Op op, NumberedValue x, NumberedValue y) {
   bool const negated = x.negated != y.negated;
   x.negated = y.negated = false;
-  if (!zeros_have_signs_ && (x == constant(0) || (op == Op::mul && y == constant(0)))) return constant(0);
-  if (op == Op::mul && x == constant(1)) return {y.number, negated};
-  if (y == constant(1)) return {x.number, negated};
-  if (op == Op::mul) order(x, y);
-  return {number({word(op), x.word(), y.word(), 0}), negated};
+  if (!zeros_have_signs_ && (x == zero_ || (op == Op::mul && y == zero_))) return zero_;
+  if (op == Op::mul && x == one_) return {y.number, negated};
+  if (y == one_) return {x.number, negated};
+  if (op == Op::mul && y.number < x.number) std::swap(x, y);
+  return {number(op, {x.number, y.number, no_node}), negated};
 }
 
-std::size_t Numbering::Hash::operator()(Key const &key) const {
-  std::uint64_t hash = 0;
-  for (std::uint64_t part : key) hash = (std::rotl(hash, 23) ^ part) * 0x9E3779B97F4A7C15;
-  return hash ^ hash >> 32;
+NodeId Numbering::with_sign(NumberedValue value) {
+  return value.negated ? number(Op::neg, {value.number, no_node, no_node}) : value.number;
 }
 
-std::uint32_t Numbering::number(Key const &key) {
-  return numbers_.try_emplace(key, static_cast<std::uint32_t>(numbers_.size())).first->second;
+NodeId Numbering::number(Op op, std::array<NodeId, 3> operands) {
+  return values_.intern({op, Attribute::variable, operands});
 }
 
 } // namespace symreal
