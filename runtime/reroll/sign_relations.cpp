@@ -7,6 +7,10 @@
 
 namespace symreal::reroll {
 
+static bool passes_no_sign_on(Op op) {
+  return !is_leaf(op) && op != Op::add && op != Op::sub && op != Op::neg && op != Op::mul && op != Op::div;
+}
+
 SignRelations::SignRelations(std::vector<SignedBody> const &bodies, std::size_t memory)
     : bodies_(bodies),
       signs_(bodies.back().end()) {
@@ -14,6 +18,11 @@ SignRelations::SignRelations(std::vector<SignedBody> const &bodies, std::size_t 
   for (SignedBody const &body : bodies_)
     for (Store const &store : body.step().stores)
       if (store.is_result && !body.is_number(store.value)) fix(body, store.value);
+  // What functions take and give is as it is: said later, it would take factors, and links of a chain may all be turned
+  // by any signs before.
+  for (SignedBody const &body : bodies_)
+    for (NodeId id = 0; id < body.size(); ++id)
+      if (passes_no_sign_on(body.node(id).op)) relate_operation(body, id);
   // Signs that are the same in all iterations cost nothing: so loops choose before what is computed once.
   relate_operations(true);
   relate_numbers(true);
