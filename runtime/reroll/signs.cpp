@@ -5,7 +5,9 @@
 #include "reroll/roles.h"
 #include "reroll/sign_relations.h"
 
+#include <algorithm>
 #include <bit>
+#include <cmath>
 #include <map>
 
 namespace symreal::reroll {
@@ -20,12 +22,14 @@ struct Now {
 
 class Rewriter {
 public:
-  Rewriter(SignedBody const &body, SignRelations const &signs)
+  Rewriter(SignedBody const &body, SignRelations const &signs, std::vector<char> positive)
       : body_(body),
         signs_(signs),
+        positive_(std::move(positive)),
         builder_(body.step().body),
         now_(body.size()) {}
 
+  std::size_t columns() const { return columns_.size(); }
   Step step() {
     for (NodeId id = 0; id < body_.size(); ++id)
       if (!body_.is_number(id)) now_[id] = body_.leaf(id) ? Now{builder_.leaf(*body_.leaf(id))} : operation(id);
@@ -125,27 +129,57 @@ private:
     return column(values);
   }
 
-  // A column or its negative, where that is there.
+  // A column or its negative, of which one is in the body.
   Now column(std::vector<double> const &values) {
-    Role const role = role_of_values(values, body_.step().nest);
-    if (role.constant) return {builder_.constant(*role.constant)};
-    std::vector<std::uint64_t> key(1, role.by_turn ? 1 : 0), negative = key;
-    for (double const value : role.values) {
-      key.push_back(std::bit_cast<std::uint64_t>(value));
-      negative.push_back(std::bit_cast<std::uint64_t>(-value));
+    Role role = role_of_values(values, body_.step().nest);
+    if (role.constant) role.values = {*role.constant};
+    auto const magnitude = [](double value) { return std::fabs(value); };
+    bool const is_negative = *std::ranges::max_element(role.values, {}, magnitude) < 0;
+    std::vector<double> positive = role.values;
+    for (double &value : positive) value = is_negative ? -value : value;
+    std::vector<std::uint64_t> key(1, role.by_turn ? 1 : 0);
+    for (double const value : positive) key.push_back(std::bit_cast<std::uint64_t>(value));
+    auto const [entry, is_new] = columns_.try_emplace(std::move(key));
+    Now &there = entry->second;
+    if (is_new) {
+      std::size_t const number = columns_.size() - 1;
+      there.negated = is_negative && (number >= positive_.size() || !positive_[number]);
+      if (!there.negated) role.values = std::move(positive);
+      there.node = role.constant ? builder_.constant(role.values.front())
+                                 : builder_.leaf({role.kind, {}, role.values, role.by_turn});
     }
-    if (auto const opposite = columns_.find(negative); opposite != columns_.end()) return {opposite->second, true};
-    auto const [entry, is_new] = columns_.try_emplace(std::move(key), no_node);
-    if (is_new) entry->second = builder_.leaf({role.kind, {}, role.values, role.by_turn});
-    return {entry->second};
+    return {there.node, there.negated != is_negative};
   }
 
   SignedBody const &body_;
   SignRelations const &signs_;
+  std::vector<char> positive_; // columns, by the order in which they are met
   BodyBuilder builder_;
-  std::vector<Now> now_; // per node that is no number
-  std::map<std::vector<std::uint64_t>, NodeId> columns_;
+  std::vector<Now> now_;                              // per node that is no number
+  std::map<std::vector<std::uint64_t>, Now> columns_; // negated: the body has the one whose greatest number is negative
 };
+
+// Loops that go through the same numbers can share them if their signs are the same, too: so the greatest number of a
+// column is positive wherever that takes no operation more.
+Step with_positive_columns(SignedBody const &body, SignRelations const &signs) {
+  constexpr std::size_t most_work = 100'000'000; // columns times values
+  Rewriter plain(body, signs, {});
+  Step best = plain.step();
+  std::vector<char> positive(plain.columns(), 1);
+  Step all = Rewriter(body, signs, positive).step();
+  if (operations_of(all) <= operations_of(best)) return all;
+  if (positive.size() * body.size() * body.count() > most_work) return best;
+  std::ranges::fill(positive, 0);
+  for (char &column : positive) {
+    column = 1;
+    Step other = Rewriter(body, signs, positive).step();
+    if (operations_of(other) <= operations_of(best))
+      best = std::move(other);
+    else
+      column = 0;
+  }
+  return best;
+}
 
 std::size_t operations_in(std::vector<Step> const &steps) {
   std::size_t count = 0;
@@ -160,7 +194,7 @@ LoopFunction with_few_signs(LoopFunction function) {
   for (Step const &step : function.steps) bodies.emplace_back(step, bodies.empty() ? 1 : bodies.back().end());
   SignRelations const signs(bodies, function.memory);
   std::vector<Step> steps;
-  for (SignedBody const &body : bodies) steps.push_back(Rewriter(body, signs).step());
+  for (SignedBody const &body : bodies) steps.push_back(with_positive_columns(body, signs));
   if (operations_in(steps) <= operations_in(function.steps)) function.steps = std::move(steps);
   return function;
 }

@@ -78,6 +78,31 @@ TEST(Signs, GoThroughMemory) {
   EXPECT_EQ(operations, 5);
 }
 
+// Two loops over the same numbers, which one of them takes as negatives: both have the table with the positive ones.
+TEST(Signs, OfTablesAreThoseThatLoopsCanShare) {
+  Builder make;
+  auto const number = [](std::uint32_t k) { return std::sin(1.0 + 3 * k) - 0.25; };
+  std::vector<NodeId> stored;
+  NodeId y = make.input(0);
+  for (std::uint32_t k = 1; k <= 60; ++k) {
+    y = make(Op::sub, make(Op::mul, y, make.input(100)), make(Op::mul, make.input(k), make.number(number(k))));
+    stored.push_back(y);
+  }
+  NodeId z = make.input(101);
+  for (std::uint32_t k = 60; k > 0; --k)
+    z = make(Op::add, make(Op::mul, z, make.input(100)), make(Op::mul, stored[k - 1], make.number(-number(k))));
+  LoopFunction const function = with_few_signs(make.finish({z}));
+  EXPECT_EQ(function.loops, 2);
+  std::size_t tables = 0;
+  for (Step const &step : function.steps)
+    for (Leaf const &leaf : step.leaves) {
+      if (leaf.kind != Leaf::Kind::values) continue;
+      ++tables;
+      EXPECT_GT(*std::ranges::max_element(leaf.values, {}, [](double value) { return std::fabs(value); }), 0);
+    }
+  EXPECT_EQ(tables, 2);
+}
+
 // A body of random operations with random signs, over random periods.
 Graph random_chain(std::mt19937 &random) {
   auto const below = [&](unsigned count) { return std::uniform_int_distribution<unsigned>(0, count - 1)(random); };
