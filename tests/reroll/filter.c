@@ -6,10 +6,10 @@
    RUN: FileCheck %s --input-file=%t/long.c
    CHECK: "no-tree-vectorize"
    CHECK: static void compute_[[LOOP:[0-9]+]](double const *input, double *restrict v) {
-   CHECK: double c[[STATE:[0-9]+]] = v[{{[0-9]+}}];
    CHECK: static double const values_5[5] = {
+   CHECK: double c[[STATE:[0-9]+]] = v[{{[0-9]+}}];
    CHECK: for (int k = 0; k < {{19[0-9]}}; ++k) {
-   CHECK-NEXT: double const *const row_5 = values_5 + k % 5;
+   CHECK-NEXT: double const *const row = values_5 + k % 5;
    CHECK: input[k + {{[0-9]+}}]
    CHECK: v[{{.*}}k{{.*}}] =
    CHECK-NEXT: c[[STATE]] =

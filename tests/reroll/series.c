@@ -5,7 +5,7 @@
    CHECK: static double const values_[[ROWS:[0-9]+]][
    CHECK-NOT: values_
    CHECK: for (int k = 0; k < [[ROWS]]; ++k) {
-   CHECK-NEXT: row_[[ROWS]] = values_[[ROWS]] + 3*k;
+   CHECK-NEXT: row = values_[[ROWS]] + 3*k;
    CHECK-NEXT: sin(
    CHECK-NOT: for (
    CHECK: output[0] =

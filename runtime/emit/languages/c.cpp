@@ -76,6 +76,7 @@ Language language_c() {
       .counter = "int $index = 0;",
       .count = "++$index;",
       .row = "$real const *const $name = $table + $index;",
+      .stored_row = "$real *const $name = $table + $index;",
       .element_table = "static unsigned const $name[$count] = {",
       .table_end = "};",
       .below_diagonal = "  /* A symmetric matrix: one half is the other. */\n"

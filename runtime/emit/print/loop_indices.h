@@ -21,6 +21,7 @@ public:
   LoopIndices(Language const &language, reroll::Step const &step);
 
   bool is_loop() const { return count_ > 1; }
+  bool is_nested() const { return nest_.has_value(); }
   std::set<std::string> const &names() const { return names_; }
 
   // How often the outer of two loops goes round, or the only one.

@@ -2,12 +2,10 @@
 
 #include "emit/print/body.h"
 #include "emit/print/loop_indices.h"
-#include "emit/print/module.h"
-#include "emit/print/value_rows.h"
+#include "emit/print/loop_tables.h"
+#include "emit/print/records.h"
 
-#include <cmath>
 #include <fmt/format.h>
-#include <map>
 
 namespace symreal {
 
@@ -20,11 +18,13 @@ using reroll::Store;
 
 class StepPrinter {
 public:
-  StepPrinter(Emission &emission, Step const &step, LoopArrays const &arrays, CodeText &out,
-              std::set<std::string> &used)
+  StepPrinter(Emission &emission, Step const &step, StepNumbers const &numbers, LoopTables const &tables,
+              LoopArrays const &arrays, CodeText &out, std::set<std::string> &used)
       : emission_(emission),
         language_(emission.language),
         step_(step),
+        numbers_(numbers),
+        tables_(tables),
         indices_(emission.language, step),
         names_(indices_.names()),
         arrays_(arrays),
@@ -32,11 +32,10 @@ public:
         used_(used) {}
 
   void print() {
+    find_records();
     std::vector<std::string> const leaves = spell_leaves();
     std::vector<std::string> stores;
-    for (Store const &store : step_.stores)
-      stores.push_back(element(store.is_result ? arrays_.filled : arrays_.memory, store.access));
-    for (auto &[shape, rows] : values_) print_values(shape, rows);
+    for (Store const &store : step_.stores) stores.push_back(element(array_of(store), store.access, true));
     std::vector<std::string> const rows = spell_rows();
     indent_ = indices_.begin(of_turn_, out_);
     for (std::string const &row : rows) out_.statement(indent_, row);
@@ -65,19 +64,43 @@ private:
     return constant;
   }
 
+  void find_records() {
+    if (indices_.is_nested()) return;
+    for (Leaf const &leaf : step_.leaves)
+      if (leaf.kind != Leaf::Kind::values) records_.add(array_of(leaf.kind), leaf.access, false);
+    for (Store const &store : step_.stores) records_.add(array_of(store), store.access, true);
+    records_.choose();
+    std::size_t read = 0, stored = 0;
+    for (Record const &record : records_.chosen())
+      record_names_.push_back(own_name(record.is_stored ? fmt::format("w{}", ++stored) : fmt::format("r{}", ++read)));
+  }
+
   std::vector<std::string> spell_leaves() {
-    std::vector<std::size_t> column; // of a leaf in its table
-    for (Leaf const &leaf : step_.leaves) {
-      std::vector<std::vector<double> const *> *const columns =
-          leaf.kind == Leaf::Kind::values ? &values_[shape_of(leaf)].columns : nullptr;
-      column.push_back(columns ? columns->size() : 0);
-      if (columns) columns->push_back(&leaf.values);
+    for (TableWalk const &walk : numbers_.walks) {
+      NumberTable const &table = tables_.table(walk.table);
+      std::string name = tables_.name(walk.table);
+      if (tables_.is_shared(walk.table)) {
+        names_.insert(name);
+      } else {
+        name = own_name(name);
+        print_number_table(emission_, 2, name, table, out_);
+      }
+      table_names_.push_back(std::move(name));
+      rows_.push_back(own_name(walk.by_turn ? "turn_row" : "row"));
     }
     std::vector<std::string> leaves;
-    for (std::size_t k = 0; k < step_.leaves.size(); ++k)
-      leaves.push_back(step_.leaves[k].kind == Leaf::Kind::values ? value(shape_of(step_.leaves[k]), column[k])
+    for (std::size_t k = 0; k < step_.leaves.size(); ++k) {
+      auto const &[walk, column] = numbers_.places[k];
+      leaves.push_back(step_.leaves[k].kind == Leaf::Kind::values ? indexed(rows_[walk], std::to_string(column))
                                                                   : spell(step_.leaves[k], k));
+    }
     return leaves;
+  }
+  // A name that the step has given to nothing else yet.
+  std::string own_name(std::string const &wish) {
+    std::string name = wish;
+    for (std::size_t number = 2; !names_.insert(name).second; ++number) name = fmt::format("{}_{}", wish, number);
+    return name;
   }
 
   // What stays the same stands before the loop: compilers cannot know that no store changes it.
@@ -108,8 +131,12 @@ private:
     }
   }
 
-  std::string element(std::string const &array, Access const &access) {
+  std::string const &array_of(Store const &store) const { return store.is_result ? arrays_.filled : arrays_.memory; }
+
+  std::string element(std::string const &array, Access const &access, bool is_stored = false) {
     used_.insert(array);
+    if (std::optional<Records::Place> const place = records_.find(array, access, is_stored))
+      return indexed(record_names_[place->record], std::to_string(place->element));
     std::optional<std::string> const index = indices_.of_element(access);
     return indexed(array, index ? *index : indexed(element_table(access.elements), indices_.of_iteration()));
   }
@@ -117,71 +144,29 @@ private:
     return fill(language_, language_.expressions.element, {{"array", array}, {"index", index}});
   }
   std::string element_table(std::vector<std::uint32_t> const &elements) {
-    std::string const name = fmt::format("table_{}", ++element_tables_);
-    print_element_table(name, elements);
+    std::string name = own_name(fmt::format("table_{}", ++element_tables_));
+    print_element_table(language_, 2, name, elements, out_);
     return name;
   }
 
-  void print_element_table(std::string const &name, std::vector<std::uint32_t> const &elements) {
-    std::vector<std::string> words;
-    for (std::uint32_t element : elements) words.push_back(std::to_string(element));
-    print_table(language_.loops.element_table, language_.loops.table_end, name, words);
-  }
-
-  // Values of one period stand in one table, those of an iteration, or of a turn of the outer of two loops, in a row.
-  struct Shape {
-    std::size_t period;
-    bool by_turn;
-    auto operator<=>(Shape const &) const = default;
-  };
-  static Shape shape_of(Leaf const &leaf) { return {leaf.values.size(), leaf.by_turn}; }
-
-  std::string value(Shape shape, std::size_t column) const { return indexed(row_name(shape), std::to_string(column)); }
-  static std::string values_name(Shape shape) { return fmt::format("{}values_{}", turn_of(shape), shape.period); }
-  static std::string row_name(Shape shape) { return fmt::format("{}row_{}", turn_of(shape), shape.period); }
-  static std::string rows_name(Shape shape) { return fmt::format("{}rows_{}", turn_of(shape), shape.period); }
-  static std::string_view turn_of(Shape shape) { return shape.by_turn ? "turn_" : ""; }
-
-  void print_values(Shape shape, ValueRows &rows) {
-    write_once(rows);
-    std::vector<std::string> words;
-    for (std::uint32_t const row : rows.written)
-      for (auto const *column : rows.columns) {
-        words.push_back(constant(language_, (*column)[row]));
-        emission_.uses.not_finite = emission_.uses.not_finite || !std::isfinite((*column)[row]);
-      }
-    print_table(language_.tables.begin, language_.tables.end, values_name(shape), words);
-    if (rows.is_listed()) print_element_table(rows_name(shape), rows.which);
-  }
-
-  void print_table(std::string_view begin, std::string_view end, std::string const &name,
-                   std::vector<std::string> const &words) {
-    names_.insert(name);
-    std::string const count = std::to_string(words.size());
-    out_.lines("  " + fill(language_, begin, {{"name", name}, {"count", count}}) + lines_of(language_, words) +
-               fill(language_, end, {{"name", name}, {"count", count}}) + "\n");
-  }
-
-  // Where the rows of tables begin, statements of the body, or of the outer of two loops.
+  // Where records and the rows of tables begin, statements of the body, or of the outer of two loops.
   std::vector<std::string> spell_rows() {
     std::vector<std::string> statements;
-    for (auto const &[shape, rows] : values_) {
-      names_.insert(row_name(shape));
-      (shape.by_turn ? of_turn_ : statements)
+    for (std::size_t k = 0; k < record_names_.size(); ++k) {
+      Record const &record = records_.chosen()[k];
+      std::string const index = index_text(record.first, {{record.step, indices_.of_iteration()}});
+      statements.push_back(fill(language_, record.is_stored ? language_.loops.stored_row : language_.loops.row,
+                                {{"name", record_names_[k]}, {"table", record.array}, {"index", index}}));
+    }
+    for (std::size_t k = 0; k < rows_.size(); ++k) {
+      TableWalk const &walk = numbers_.walks[k];
+      std::string const count = walk.by_turn ? indices_.of_turn() : indices_.of_iteration();
+      std::string const index = begin_of_row(language_, walk, tables_.table(walk.table), table_names_[k], count);
+      (walk.by_turn ? of_turn_ : statements)
           .push_back(
-              fill(language_, language_.loops.row,
-                   {{"name", row_name(shape)}, {"table", values_name(shape)}, {"index", begin_of_row(shape, rows)}}));
+              fill(language_, language_.loops.row, {{"name", rows_[k]}, {"table", table_names_[k]}, {"index", index}}));
     }
     return statements;
-  }
-
-  std::string begin_of_row(Shape shape, ValueRows const &rows) {
-    std::string const count = shape.by_turn ? indices_.of_turn() : indices_.of_iteration();
-    bool const is_in_turn = shape.period == (shape.by_turn ? indices_.turns() : step_.count);
-    std::string const place = is_in_turn ? count : fmt::format("{} % {}", count, shape.period);
-    std::string row = rows.is_listed() ? indexed(rows_name(shape), place) : place;
-    if (rows.columns.size() == 1) return row;
-    return fmt::format("{}*{}", rows.columns.size(), is_in_turn || rows.is_listed() ? row : "(" + row + ")");
   }
 
   void set(std::string const &name, std::string const &value) {
@@ -191,21 +176,25 @@ private:
   Emission &emission_;
   Language const &language_;
   Step const &step_;
+  StepNumbers const &numbers_;
+  LoopTables const &tables_;
   LoopIndices indices_;
   std::set<std::string> names_; // that the body must not take
   LoopArrays const &arrays_;
   CodeText &out_;
   std::set<std::string> &used_;
-  std::map<Shape, ValueRows> values_;
+  std::vector<std::string> table_names_, rows_; // names, per walk through a table
+  Records records_;
+  std::vector<std::string> record_names_;
   std::vector<std::string> of_turn_; // statements of the outer of two loops
   std::size_t element_tables_ = 0, indent_ = 2;
 };
 
 } // namespace
 
-void print_step(Emission &emission, reroll::Step const &step, LoopArrays const &arrays, CodeText &out,
-                std::set<std::string> &used) {
-  StepPrinter(emission, step, arrays, out, used).print();
+void print_step(Emission &emission, reroll::Step const &step, StepNumbers const &numbers, LoopTables const &tables,
+                LoopArrays const &arrays, CodeText &out, std::set<std::string> &used) {
+  StepPrinter(emission, step, numbers, tables, arrays, out, used).print();
 }
 
 } // namespace symreal

@@ -3,6 +3,7 @@
 
 #include "emit/print/code_text.h"
 #include "emit/print/emission.h"
+#include "emit/print/loop_tables.h"
 
 #include <string>
 
@@ -14,8 +15,9 @@ struct LoopArrays {
   bool may_be_constant = false; // what stands in memory, on some path
 };
 
-// Prints into `out`; the names of the arrays that the text has are added to `used`.
-void print_step(Emission &emission, reroll::Step const &step, LoopArrays const &arrays, CodeText &out,
-                std::set<std::string> &used);
+// Prints into `out`, with the tables that no other step reads; the names of the arrays that the text has are added to
+// `used`.
+void print_step(Emission &emission, reroll::Step const &step, StepNumbers const &numbers, LoopTables const &tables,
+                LoopArrays const &arrays, CodeText &out, std::set<std::string> &used);
 
 } // namespace symreal

@@ -33,6 +33,7 @@ public:
         syntax_(emission.language.functions),
         function_(function),
         plan_(plan),
+        tables_(emission.language, plan.name, function.steps),
         arrays_{plan.inputs.front(),
                 plan.inputs.back(),
                 "v",
@@ -44,6 +45,7 @@ public:
   CodeText print() {
     CodeText out(language_), last(language_);
     std::set<std::string> used;
+    tables_.print_shared(emission_, out);
     if (plan_.has_angles()) {
       print_angles(emission_, last);
       used.insert(arrays_.given);
@@ -97,7 +99,7 @@ private:
     Step const &step = function_.steps[number];
     CodeText text(language_);
     std::set<std::string> used;
-    print_step(emission_, step, arrays_, text, used);
+    print_step(emission_, step, tables_.of_step(number), tables_, arrays_, text, used);
     std::vector<Parameter> parameters;
     for (std::string const &input : plan_.part_inputs)
       if (used.contains(input)) parameters.push_back({syntax_.input, input});
@@ -140,6 +142,7 @@ private:
   FunctionSyntax const &syntax_;
   reroll::LoopFunction const &function_;
   FunctionPlan const &plan_;
+  LoopTables tables_;
   LoopArrays arrays_;
 };
 
