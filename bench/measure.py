@@ -8,7 +8,6 @@ touches both. A figure is the median over the rounds, with the interquartile ran
 import json
 import os
 import pathlib
-import platform
 import random
 import re
 import statistics
@@ -16,6 +15,7 @@ import subprocess
 import sys
 from concurrent.futures import ThreadPoolExecutor
 
+from hardware import processor
 from kernels import KERNELS
 
 SYMREAL = os.environ.get("SYMREAL", "build/dev/tool/symreal")
@@ -195,8 +195,7 @@ def counts(operations):
 
 
 def machine():
-    model = re.search(r"^model name\s*:\s*(.*)$", pathlib.Path("/proc/cpuinfo").read_text(), re.MULTILINE)
-    return {"cpu": model.group(1) if model else platform.machine(),
+    return {"cpu": processor(),
             "compiler": command(["gcc", "--version"]).splitlines()[0], "rounds": ROUNDS,
             "block": f"{BLOCK_SECONDS * 1e3:g} ms"}
 

@@ -1,12 +1,16 @@
 """What was measured, as results.md and results.csv."""
 import csv
 import pathlib
+import sys
 
 import contenders
 import makers
 from problems import LENGTHS, PROBLEMS
 
 HERE = pathlib.Path(__file__).parent
+sys.path.append(str(HERE.parent))
+from hardware import processor  # noqa: E402
+
 HEAD = """# Derivatives
 
 Written by `bench/derivatives/run`, on {machine}; [results.csv](results.csv) has the same figures. Each row is a function
@@ -71,8 +75,7 @@ def growth(gradients):
 
 
 def write(table, gradients):
-    machine = next(line.split(":")[1].strip() for line in open("/proc/cpuinfo") if line.startswith("model name"))
-    head = HEAD.format(machine=machine, large=contenders.LARGE, generate=makers.GENERATE_SECONDS)
+    head = HEAD.format(machine=processor(), large=contenders.LARGE, generate=makers.GENERATE_SECONDS)
     versions = ", ".join(f"{name} {version}" for name, version in contenders.installed().items() if name in makers.PEERS)
     missing = [joints for joints in LENGTHS if f"rnea-{joints}" not in table]
     versions += f". Not measured: chains of {', '.join(map(str, missing))} joints" if missing else ""

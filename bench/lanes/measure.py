@@ -4,7 +4,6 @@
 """
 import os
 import pathlib
-import platform
 import re
 import shutil
 import statistics
@@ -12,6 +11,9 @@ import subprocess
 import sys
 
 HERE = pathlib.Path(__file__).parent
+sys.path.append(str(HERE.parent))
+from hardware import processor  # noqa: E402
+
 SYMREAL = pathlib.Path(os.environ["SYMREAL"]).resolve()
 WORK = pathlib.Path("build/bench-lanes").resolve()
 CHAIN = [f"inputs/chain/{name}.cpp" for name in ("algorithms", "example", "model", "spatial")]
@@ -91,9 +93,8 @@ def main():
     shutil.rmtree(WORK, ignore_errors=True)
     WORK.mkdir(parents=True)
     chosen = sys.argv[1:] or list(KERNELS)
-    processor = re.search(r"model name\s*: (.*)", pathlib.Path("/proc/cpuinfo").read_text())
     text = ["# Operations side by side", "",
-            f"Written by bench/lanes/run on {processor[1] if processor else platform.machine()}, where {os.getloadavg()[0]:.1f} other processes ran when it "
+            f"Written by bench/lanes/run on {processor()}, where {os.getloadavg()[0]:.1f} other processes ran when it "
             f"began. The original, scalar code and code of `--vector` are compiled by the same compiler with `{' '.join(FLAGS[:2])}`; the compiler "
             "may fuse and vectorise the original. *As fast as* is a median of 41 turns, with quartiles. Each file was verified, and scalar code and "
             "vectors give the same bits."]

@@ -10,7 +10,6 @@ import json
 import math
 import os
 import pathlib
-import platform
 import re
 import shutil
 import statistics
@@ -19,6 +18,9 @@ import sys
 import time
 
 HERE = pathlib.Path(__file__).parent
+sys.path.append(str(HERE.parent))
+from hardware import processor  # noqa: E402
+
 SYMREAL = pathlib.Path(os.environ["SYMREAL"]).resolve()
 WORK = pathlib.Path("build/bench-languages").resolve()
 CHAIN = [f"inputs/chain/{name}.cpp" for name in ("algorithms", "example", "model", "spatial")]
@@ -185,8 +187,7 @@ def main():
     shutil.rmtree(WORK / "go-cache", ignore_errors=True)
     if unknown := [kernel for kernel in kernels if kernel not in KERNELS]:
         sys.exit(f"bench: there is no kernel {unknown[0]}; there are {', '.join(KERNELS)}")
-    processor = re.search(r"^model name\s*: (.*)$", pathlib.Path("/proc/cpuinfo").read_text(), re.MULTILINE)
-    text = (f"# Languages side by side\n\nWritten by bench/languages/run. {processor.group(1) if processor else platform.machine()}; "
+    text = (f"# Languages side by side\n\nWritten by bench/languages/run. {processor()}; "
             f"each language as its compiler optimises by default for speed (-O2, without fused operations). A figure is the "
             f"median of {ROUNDS} turns, of the ratio to C in the same turn; in a batch {BATCH} samples are one call.\n\n")
     text += "\n".join(table(kernel, *measure(kernel)) for kernel in kernels)

@@ -1,7 +1,5 @@
 """docs/benchmarks.md with its plots and CSV, bench/peers/results.md and the README's table, from what was measured."""
 import pathlib
-import platform
-import re
 import subprocess
 import sys
 
@@ -11,8 +9,9 @@ import generate
 import goals
 import tables
 
-sys.path.append("bench/multibody")
+sys.path += ["bench", "bench/multibody"]
 from gnuplot import draw  # noqa: E402
+from hardware import processor  # noqa: E402
 
 DOCS, HERE = pathlib.Path("docs"), contenders.HERE
 GENERATORS = [*contenders.MODES, *contenders.PYTHON, "CppADCodeGen"]
@@ -23,9 +22,8 @@ DASHED = contenders.FURTHER
 
 
 def machine():
-    cpu = re.search(r"^model name\s*:\s*(.*)$", pathlib.Path("/proc/cpuinfo").read_text(), re.MULTILINE)
     versions = [subprocess.run([name, "--version"], capture_output=True, text=True).stdout.splitlines()[0] for name in ("gcc", "clang-19")]
-    return {"cpu": cpu.group(1) if cpu else platform.machine(), "compilers": versions,
+    return {"cpu": processor(), "compilers": versions,
             "versions": contenders.installed()}
 
 

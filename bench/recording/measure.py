@@ -7,7 +7,11 @@ import re
 import shutil
 import statistics
 import subprocess
+import sys
 import time
+
+sys.path.append(str(pathlib.Path(__file__).parents[1]))
+from hardware import processor  # noqa: E402
 
 SOURCES = [f"inputs/chain/{source}.cpp" for source in ("algorithms", "example", "model", "spatial")]
 COLUMNS = {"no columns": ("0", "0"), "values": ("1", "0"), "values and places": ("1", "1")}
@@ -114,8 +118,7 @@ def main():
                           f"{executed / 1e6 / statistics.median(run_stage):.1f}"])
             print(recording[-1], whole[-1], flush=True)
     columns = subprocess.run([work / "columns"], check=True, capture_output=True, text=True).stdout
-    cpu = re.search(r"^model name\s*:\s*(.*)$", pathlib.Path("/proc/cpuinfo").read_text(), re.MULTILINE)
-    text = HEAD.format(cpu=cpu.group(1) if cpu else "an unknown processor", count=os.cpu_count())
+    text = HEAD.format(cpu=processor(), count=os.cpu_count())
     text += "## Recording\n\nThe whole program: it starts, records, hands the graph over. Rates are of executed operations.\n\n"
     text += table(["kernel", "joints", "executed", "nodes", *COLUMNS, "MB"], recording)
     text += ("Products and sums of 6x6 matrices alone, without start and end; nanoseconds an operation, each of which becomes "

@@ -6,7 +6,6 @@ A chain longer than the model of inputs/chain repeats its first 63 links; `rnea*
 """
 import os
 import pathlib
-import platform
 import random
 import re
 import shutil
@@ -15,6 +14,9 @@ import subprocess
 import sys
 
 HERE = pathlib.Path(__file__).parent
+sys.path.append(str(HERE.parent))
+from hardware import processor  # noqa: E402
+
 SYMREAL = pathlib.Path(os.environ["SYMREAL"]).resolve()
 WORK = pathlib.Path("build/bench-reroll").resolve()
 CHAIN = [f"inputs/chain/{name}.cpp" for name in ("algorithms", "example", "model", "spatial")]
@@ -128,11 +130,6 @@ def section(kernel):
                       f"N = {results[-1]['size']}: {results[-1]['loops']}. {LOAD:.1f} other processes ran when the run began, on {processor()}.", ""])
     print(text, flush=True)
     return text
-
-
-def processor():
-    found = re.search(r"model name\s*: (.*)", pathlib.Path("/proc/cpuinfo").read_text())
-    return found[1] if found else platform.machine()
 
 
 def main():

@@ -15,6 +15,9 @@ import subprocess
 import sys
 
 HERE = pathlib.Path(__file__).parent
+sys.path.append(str(HERE.parent))
+from hardware import processor  # noqa: E402
+
 SYMREAL = pathlib.Path(os.environ["SYMREAL"]).resolve()
 WORK = pathlib.Path("build/bench-threads").resolve()
 CHAIN = [f"inputs/chain/{name}.cpp" for name in ("algorithms", "example", "model", "spatial")]
@@ -159,9 +162,8 @@ def main():
     costs = WORK / "costs.json"
     command([SYMREAL, "measure-costs", "-o", costs])
     machine = json.loads(costs.read_text())["threads"]
-    processor = re.search(r"^model name\s*: (.*)$", pathlib.Path("/proc/cpuinfo").read_text(), re.MULTILINE)
     barriers = ", ".join(f"{one['nanoseconds']:.0f} ns for {one['threads']} threads" for one in machine["barriers"])
-    text = (f"# Threads\n\nWritten by bench/threads/run. {processor.group(1) if processor else 'A processor'}, {machine['processors']} "
+    text = (f"# Threads\n\nWritten by bench/threads/run. {processor()}, {machine['processors']} "
             f"processors on {machine['cores']} cores. A figure is the median of {ROUNDS} turns; "
             f"{load} other processes ran on average when it began, and where they take a processor away, turns are slow. "
             f"`symreal measure-costs` finds: a barrier "
