@@ -67,8 +67,10 @@ private:
   void find_records() {
     if (indices_.is_nested()) return;
     for (Leaf const &leaf : step_.leaves)
-      if (leaf.kind != Leaf::Kind::values) records_.add(array_of(leaf.kind), leaf.access, false);
-    for (Store const &store : step_.stores) records_.add(array_of(store), store.access, true);
+      if (leaf.kind == Leaf::Kind::memory || (indices_.is_loop() && leaf.kind != Leaf::Kind::values))
+        records_.add(array_of(leaf.kind), leaf.access, false);
+    for (Store const &store : step_.stores)
+      if (!store.is_result || indices_.is_loop()) records_.add(array_of(store), store.access, true);
     records_.choose();
     std::size_t read = 0, stored = 0;
     for (Record const &record : records_.chosen())
@@ -184,7 +186,7 @@ private:
   CodeText &out_;
   std::set<std::string> &used_;
   std::vector<std::string> table_names_, rows_; // names, per walk through a table
-  Records records_;
+  Records records_{indices_.is_loop()};
   std::vector<std::string> record_names_;
   std::vector<std::string> of_turn_; // statements of the outer of two loops
   std::size_t element_tables_ = 0, indent_ = 2;

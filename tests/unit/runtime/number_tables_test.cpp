@@ -134,7 +134,7 @@ TEST(NumberTables, HoldTheNumbersOfAnySteps) {
 
 TEST(Records, AreElementsOfOneStepBesideEachOther) {
   using reroll::Access;
-  Records records;
+  Records records(true);
   for (std::int64_t const first : {5, 7, 9, 12, 14, 104, 105}) records.add("v", {first, 8}, false);
   for (std::int64_t const first : {1, 2, 3}) records.add("v", {first, 1}, false);
   records.add("v", {0, 0, {1, 2, 4}}, false);
@@ -149,6 +149,20 @@ TEST(Records, AreElementsOfOneStepBesideEachOther) {
   EXPECT_FALSE(records.find("v", {9, 8}, true));
   EXPECT_FALSE(records.find("v", {9, -8}, false));
   EXPECT_FALSE(records.find("w", {9, 8}, false));
+}
+
+TEST(Records, AreManyElementsWithoutALoop) {
+  using reroll::Access;
+  Records records(false);
+  for (std::int64_t first = 1100; first < 1132; first += 2) records.add("v", {first, 0}, false);
+  for (std::int64_t first = 2000; first < 2015; ++first) records.add("v", {first, 0}, false);
+  for (std::int64_t first = 0; first < 40; ++first) records.add("v", {first, 0}, false);
+  records.choose();
+  ASSERT_EQ(records.chosen().size(), 1);
+  std::optional<Records::Place> const place = records.find("v", {1130, 0}, false);
+  ASSERT_TRUE(place);
+  EXPECT_EQ(place->element, 30);
+  EXPECT_FALSE(records.find("v", {2000, 0}, false));
 }
 
 } // namespace
