@@ -81,12 +81,11 @@ private:
     for (TableWalk const &walk : numbers_.walks) {
       NumberTable const &table = tables_.table(walk.table);
       std::string name = tables_.name(walk.table);
-      if (tables_.is_shared(walk.table)) {
-        names_.insert(name);
-      } else {
+      if (!tables_.is_shared(walk.table)) {
         name = own_name(name);
         print_number_table(emission_, 2, name, table, out_);
       }
+      names_.insert({name, rows_name(name)});
       table_names_.push_back(std::move(name));
       rows_.push_back(own_name(walk.by_turn ? "turn_row" : "row"));
     }
