@@ -1,21 +1,17 @@
 #include "program/path_tree.h"
 
 #include "graph/guard_words.h"
+#include "support/same_bits.h"
 
 #include <algorithm>
 #include <bit>
-#include <cstring>
 #include <set>
 
 namespace symreal::program {
 namespace {
 
-bool same_bits(std::vector<double> const &a, std::vector<double> const &b) {
-  return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0);
-}
-
 bool is_same(Table const &a, Table const &b) {
-  return a.name == b.name && a.extents == b.extents && same_bits(a.values, b.values);
+  return a.name == b.name && a.extents == b.extents && all_same_bits(a.values, b.values);
 }
 
 bool is_same(External const &a, External const &b) {
@@ -24,7 +20,7 @@ bool is_same(External const &a, External const &b) {
 }
 
 bool is_same(Frozen const &a, Frozen const &b) {
-  return a.name == b.name && to_string(a.place) == to_string(b.place) && same_bits(a.values, b.values);
+  return a.name == b.name && to_string(a.place) == to_string(b.place) && all_same_bits(a.values, b.values);
 }
 
 // Adds what is not there yet. Returns the index that each has now.

@@ -23,8 +23,7 @@ DASHED = contenders.FURTHER
 
 def machine():
     versions = [subprocess.run([name, "--version"], capture_output=True, text=True).stdout.splitlines()[0] for name in ("gcc", "clang-19")]
-    return {"cpu": processor(), "compilers": versions,
-            "versions": contenders.installed()}
+    return {"cpu": processor(), "compilers": versions, "versions": contenders.installed()}
 
 
 def summary(data):

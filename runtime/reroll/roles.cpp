@@ -1,15 +1,13 @@
 #include "reroll/roles.h"
 
 #include "reroll/nest.h"
+#include "support/same_bits.h"
 
 #include <algorithm>
-#include <bit>
 
 namespace symreal::reroll {
 
 namespace {
-
-bool same_bits(double a, double b) { return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b); }
 
 std::vector<double> one_period(std::vector<double> values) {
   std::size_t period = 1;

@@ -23,13 +23,13 @@ void print_table(Language const &language, std::size_t indent, std::string_view 
 LoopTables::LoopTables(Language const &language, std::string_view function, std::vector<reroll::Step> const &steps)
     : numbers_(steps) {
   std::map<std::size_t, std::size_t> shared; // by their rows
-  for (NumberTable const &table : numbers_.tables()) {
-    std::string const name = fmt::format("values_{}", table.rows);
-    if (table.loops == 1) {
+  for (std::size_t k = 0; k < numbers_.tables().size(); ++k) {
+    std::string const name = fmt::format("values_{}", table(k).rows);
+    if (!is_shared(k)) {
       names_.push_back(name);
       continue;
     }
-    std::size_t const number = ++shared[table.rows];
+    std::size_t const number = ++shared[table(k).rows];
     std::string const end = number == 1 ? "" : fmt::format("_{}", number);
     names_.push_back(language.names.spelled(fmt::format("{}_{}{}", function, name, end)));
   }

@@ -21,7 +21,7 @@ public:
   // Of one that several loops go through, which stands before the function; of another, which stands in front of its
   // loop, what it may be called.
   std::string const &name(std::size_t table) const { return names_[table]; }
-  bool is_shared(std::size_t table) const { return this->table(table).loops > 1; }
+  bool is_shared(std::size_t table) const { return this->table(table).walks > 1; }
   void print_shared(Emission &emission, CodeText &out) const;
 
 private:

@@ -1,6 +1,6 @@
 #include "emit/print/number_tables.h"
 
-#include "reroll/nest.h"
+#include "support/same_bits.h"
 
 #include <algorithm>
 #include <bit>
@@ -18,8 +18,6 @@ using reroll::Step;
 namespace {
 
 using Column = std::vector<double>;
-
-bool same_bits(double a, double b) { return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b); }
 
 bool is_at(Column const &column, TableWalk const &walk, NumberTable const &table, Column const &there) {
   for (std::size_t k = 0; k < column.size(); ++k)
@@ -146,7 +144,7 @@ void NumberTables::place(Columns rest) {
   std::size_t filled = none; // the walk through a table that new columns can fill
   auto const add_walk = [&](TableWalk const &walk) {
     numbers.walks.push_back(walk);
-    ++tables_[walk.table].loops;
+    ++tables_[walk.table].walks;
     if (filled == none && tables_[walk.table].rows == rest.size()) filled = numbers.walks.size() - 1;
     return numbers.walks.size() - 1;
   };

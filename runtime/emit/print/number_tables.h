@@ -15,7 +15,7 @@ struct NumberTable {
   std::size_t rows;
   bool is_cyclic; // behind the last row comes the first one
   std::vector<std::vector<double>> columns = {};
-  std::size_t loops = 0;                   // that go through it
+  std::size_t walks = 0;                   // of loops, through it
   std::vector<std::uint32_t> written = {}; // rows, in order: those that are alike are written once,
   std::vector<std::uint32_t> which = {};   // and this says per row where; empty where most rows differ
 

@@ -1,10 +1,10 @@
 #include "trace/nodes/externals.h"
 
 #include "memory/heap_blocks.h"
+#include "support/same_bits.h"
 #include "trace/nodes/pool.h"
 
 #include <algorithm>
-#include <cstring>
 
 namespace symreal::trace {
 
@@ -21,13 +21,9 @@ void Externals::begin() {
   last_effect_ = 0.0;
 }
 
-static bool same_bits(std::vector<double> const &a, std::vector<double> const &b) {
-  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
-}
-
 std::size_t Externals::number(Table table) {
   auto found = std::find_if(tables_.begin(), tables_.end(), [&](Table const &known) {
-    return known.name == table.name && known.extents == table.extents && same_bits(known.values, table.values);
+    return known.name == table.name && known.extents == table.extents && all_same_bits(known.values, table.values);
   });
   if (found != tables_.end()) return static_cast<std::size_t>(found - tables_.begin());
   memory::OwnWork const own;

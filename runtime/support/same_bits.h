@@ -1,0 +1,17 @@
+// Numbers compared bit by bit: 0 is not -0, and a NaN is itself.
+#pragma once
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+#include <vector>
+
+namespace symreal {
+
+inline bool same_bits(double a, double b) { return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b); }
+
+inline bool all_same_bits(std::vector<double> const &a, std::vector<double> const &b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), same_bits);
+}
+
+} // namespace symreal
