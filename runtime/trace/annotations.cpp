@@ -26,6 +26,11 @@ void detail::end_object(std::size_t const *extents, std::size_t rank) noexcept {
   Kernel::current().sink().end_object({extents, extents + rank});
 }
 
+void detail::constant_counts(Extents const &shape) noexcept {
+  for (IntegerObject const *variable = shape.begin_variables(); variable != shape.end_variables(); ++variable)
+    constant_bytes(variable->address, variable->size);
+}
+
 bool detail::begin_implicit(char const *label, SourcePlace place) noexcept {
   return Kernel::current().begin_implicit(label, {place.file, place.line, place.column});
 }

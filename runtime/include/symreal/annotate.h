@@ -3,12 +3,12 @@
 // kernel.
 #pragma once
 
+#include <symreal/extents.h>
 #include <symreal/numbers.h>
 
 #include <cstddef>
 #include <initializer_list>
 #include <type_traits>
-#include <vector>
 
 namespace symreal {
 
@@ -33,6 +33,8 @@ void element(void *number, bool is_temporary) noexcept;
 void end_object(std::size_t const *extents, std::size_t rank) noexcept;
 // These bytes are known to be baked in.
 void constant_bytes(void const *object, std::size_t size) noexcept;
+// Counts are fixed in the result, so a variable that is one need not be declared constant as well.
+void constant_counts(Extents const &shape) noexcept;
 void note_read(RealNumber const *number, char const *name, char const *place) noexcept;
 void note_integer_read(IntegerObject integer, char const *name, char const *place) noexcept;
 using Visit = void (*)(void const *object, Numbers &numbers);
@@ -79,23 +81,10 @@ template <class T, class Value> ProgramNumber integer_number(Value const &value)
     return SymbolicInt<T>(value).number();
 }
 
-// Calls `visit` with the indices of each element of an array, row by row.
-template <class Visit> void each_index(std::vector<std::size_t> const &shape, Visit visit) {
-  std::vector<std::size_t> index(shape.size(), 0);
-  std::size_t count = 1;
-  for (std::size_t extent : shape) count *= extent;
-  for (std::size_t k = 0; k < count; ++k) {
-    std::size_t rest = k;
-    for (std::size_t dimension = shape.size(); dimension-- > 0; rest /= shape[dimension])
-      index[dimension] = rest % shape[dimension];
-    visit(index.data());
-  }
-}
-
 // Visits the numbers of an object; the extents of the outermost visit are appended to `extents`.
-template <class T> void walk(T &object, bool is_temporary, std::vector<std::size_t> *extents) {
+template <class T> void walk(T &object, bool is_temporary, Extents *extents) {
   using Plain = std::remove_cv_t<T>;
-  std::vector<std::size_t> *inner = extents;
+  Extents *inner = extents;
   auto visit = [&](auto &&part) {
     walk(part, is_temporary || !std::is_lvalue_reference_v<decltype(part)>, inner);
     inner = nullptr; // the first part tells the shape of all
@@ -126,27 +115,6 @@ template <class T> void walk(T &object, bool is_temporary, std::vector<std::size
 
 } // namespace detail
 
-// How many elements a section has in each dimension. They are fixed in the result, so a variable that is one need not
-// be declared constant as well.
-struct Extents : std::vector<std::size_t> {
-  std::vector<IntegerObject> variables;
-
-  template <class T> void add(T &&count) {
-    push_back(static_cast<std::size_t>(count));
-    if constexpr (std::is_lvalue_reference_v<T> && detail::is_integer<std::remove_cvref_t<T>>)
-      variables.push_back(IntegerObject::of(count));
-  }
-  void declare() const {
-    for (IntegerObject const &variable : variables) detail::constant_bytes(variable.address, variable.size);
-  }
-};
-
-template <class... Count> Extents symreal_extents(Count &&...count) {
-  Extents result;
-  (result.add(std::forward<Count>(count)), ...);
-  return result;
-}
-
 template <class T> void symreal_annotate(Kind kind, char const *label, SourcePlace place, T &&object) {
   if (!detail::begin_object(detail::compiled_as, kind, label, place)) return;
   Extents shape;
@@ -158,14 +126,14 @@ template <class T> void symreal_annotate(Kind kind, char const *label, SourcePla
 template <class Element>
 void symreal_annotate_section(Kind kind, char const *label, SourcePlace place, Extents shape, Element element) {
   if (!detail::begin_object(detail::compiled_as, kind, label, place)) return;
-  if constexpr (detail::compiled_as == detail::CompiledAs::symbolic) shape.declare();
+  if constexpr (detail::compiled_as == detail::CompiledAs::symbolic) detail::constant_counts(shape);
   Extents inner, *wanted = &inner;
-  detail::each_index(shape, [&](std::size_t const *index) {
+  shape.each_index([&](std::size_t const *index) {
     decltype(auto) part = element(index);
     detail::walk(part, !std::is_lvalue_reference_v<decltype(element(index))>, wanted);
     wanted = nullptr;
   });
-  shape.insert(shape.end(), inner.begin(), inner.end());
+  shape.append(inner);
   detail::end_object(shape.data(), shape.size());
 }
 
@@ -178,8 +146,8 @@ template <class T> void symreal_implicit(char const *label, SourcePlace place, T
 template <class Element>
 void symreal_implicit_section(char const *label, SourcePlace place, Extents const &shape, Element element) {
   if (!detail::begin_implicit(label, place)) return;
-  shape.declare();
-  detail::each_index(shape, [&](std::size_t const *index) {
+  detail::constant_counts(shape);
+  shape.each_index([&](std::size_t const *index) {
     decltype(auto) part = element(index);
     detail::walk(part, !std::is_lvalue_reference_v<decltype(element(index))>, nullptr);
   });
@@ -217,8 +185,8 @@ template <Kind kind, class Element>
 void symreal_declare_section(char const *label, SourcePlace place, Extents const &shape, Element element) {
   if (!detail::begin_object(detail::compiled_as, kind, label, place)) return;
   if constexpr (detail::compiled_as == detail::CompiledAs::symbolic) {
-    shape.declare();
-    detail::each_index(shape, [&](std::size_t const *index) { declare_object<kind>(element(index)); });
+    detail::constant_counts(shape);
+    shape.each_index([&](std::size_t const *index) { declare_object<kind>(element(index)); });
   }
   detail::end_object(nullptr, 0);
 }

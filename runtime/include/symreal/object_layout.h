@@ -58,13 +58,13 @@ template <class... Containers, class Address>
 void symreal_annotate_layout_section(Kind kind, char const *label, SourcePlace place, Extents shape, char const *layout,
                                      Address address) {
   if (!begin_object(compiled_as, kind, label, place)) return;
-  if constexpr (compiled_as == CompiledAs::symbolic) shape.declare();
+  if constexpr (compiled_as == CompiledAs::symbolic) constant_counts(shape);
   Extents inner, *wanted = &inner;
-  each_index(shape, [&](std::size_t const *index) {
+  shape.each_index([&](std::size_t const *index) {
     walk_layout(address(index), layout, containers<Containers...>, false, wanted);
     wanted = nullptr;
   });
-  shape.insert(shape.end(), inner.begin(), inner.end());
+  shape.append(inner);
   end_object(shape.data(), shape.size());
 }
 
