@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""examples_in.py SYMREAL INPUTS DIR [--only NAME,...] LANGUAGE...: generates every example program of INPUTS, or those of these
-names, in C and the languages, into DIR, runs each with its recorded inputs, and compares with C as same_in.py does. What calls
-a library of its own is left out."""
+"""examples_in.py SYMREAL INPUTS DIR [--few | --only NAME,...] LANGUAGE...: generates every example program of INPUTS, or a few that
+differ in kind, or those of these names, in C and the languages, into DIR, runs each with its recorded inputs, and compares with C
+as same_in.py does. What calls a library of its own is left out."""
 import os
 import subprocess
 import sys
@@ -33,12 +33,16 @@ EXAMPLES = {
     "fk": (f"chain/fk.cpp {CHAIN}", ""),
     "rnea": (f"chain/rnea_parameters.cpp {CHAIN}", ""),
 }
+# Matrices, guards, selects, structures, loops until something converges, parameters; no second one of a kind, and no large one.
+FEW = ["arm", "charger", "controller", "rate", "kalman", "kepler", "decomposition", "pendulum", "rotation", "vehicle", "rnea"]
 
 
 def main():
     symreal, inputs, directory, *languages = sys.argv[1:]
     failed, names = False, list(EXAMPLES)
-    if languages[0] == "--only":
+    if languages[0] == "--few":
+        names, languages = FEW, languages[1:]
+    elif languages[0] == "--only":
         names, languages = languages[1].split(","), languages[2:]
     for name in names:
         sources, options = EXAMPLES[name]
