@@ -51,6 +51,12 @@ class Row:
     def operations(self, name):
         return self.contenders[name].get("operations") if name in self.contenders else None
 
+    def difference(self, name):
+        """By how much the results are not the original's, relative to the largest output, where no operations are fused."""
+        variants = self.contenders[name].get("variants", {})
+        compared = variants.get("reference") or variants.get("gcc -O2")
+        return compared.get("difference") if compared else None
+
     @property
     def title(self):
         return f"{TITLES[self.kernel]}, N = {self.joints}"

@@ -18,19 +18,25 @@ def least(title, ratio, goal):
 
 
 def operations(rows):
-    """Where mode finite leaves more operations than a peer that reads the same source."""
+    """Where mode finite leaves more operations than a peer that reads the same source: the peers with fewer, the fewest first."""
     peers = [name for name in contenders.PEERS if name in contenders.PYTHON or name == "CppADCodeGen"]
     more, count = [], 0
     for row in rows:
         own = row.operations("Symreal finite")
-        known = {name: row.operations(name) for name in peers if row.operations(name) is not None}
+        known = [name for name in peers if row.operations(name) is not None]
         if own is None or not known:
             continue
         count += 1
-        name = min(known, key=known.get)
-        if own > known[name]:
-            more.append((row, own, name, known[name]))
+        fewer = sorted((name for name in known if row.operations(name) < own), key=row.operations)
+        if fewer:
+            more.append((row, own, fewer))
     return more, count
+
+
+def operations_with_same_results(rows):
+    """Those of them in which a peer with fewer operations gives the original's results, or was not compared: what mode finite could do."""
+    more, count = operations(rows)
+    return [(row, own, fewer) for row, own, fewer in more if any(not row.difference(name) for name in fewer)], count
 
 
 def slower(rows, other, level=None):
@@ -64,7 +70,8 @@ def of_six(rows):
 
 def everywhere(rows):
     table = []
-    for title, found, count in (("mode finite leaves no more operations than any peer from the same source", *operations(rows)),
+    for title, found, count in (("mode finite leaves no more operations than any peer that gives the original's results",
+                                 *operations_with_same_results(rows)),
                                 ("Symreal is at least as fast as the original at gcc -O3 -march=native",
                                  *slower(rows, lambda row: "original", figures.ORIGINAL)),
                                 ("Symreal is at least as fast as the best peer", *slower(rows, figures.peer))):

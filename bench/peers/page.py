@@ -98,18 +98,18 @@ def put_between(path, begin, end, text):
 
 
 def more_operations(rows):
-    more, _ = goals.operations(rows)
+    more, count = goals.operations(rows)
     if not more:
         return "On no row does a peer that reads the same source leave fewer operations than mode `finite`."
-    said = tables.table(["Row", "`finite`", "fewest by a peer", "peer", "its results differ from the original's by"],
-                        [[row.title, own, fewest, name, difference(row, name)] for row, own, name, fewest in more])
-    return ("Rows in which a peer leaves fewer operations than mode `finite`. The last column is the largest difference, relative to the largest\n"
-            "output, where no fused operations are possible (gcc -O2): what is not 0 is what mode `finite` may not do.\n\n" + said)
-
-
-def difference(row, name):
-    variant = row.contenders[name].get("variants", {}).get("gcc -O2")
-    return f"{variant['difference']:.1e}" if variant else ""
+    lines = []
+    for row, own, fewer in more:
+        differences = [row.difference(name) for name in fewer]
+        known = [difference for difference in differences if difference is not None]
+        least = "not compared" if len(known) < len(differences) else f"{min(known):.1e}"
+        lines.append([row.title, own, row.operations(fewer[0]), ", ".join(fewer), least])
+    said = tables.table(["Row", "`finite`", "fewest by a peer", "peers with fewer", "their results differ from the original's by at least"], lines)
+    return (f"In {len(more)} of {count} rows a peer leaves fewer operations than mode `finite`. The last column is the least of these peers' largest\n"
+            "differences, relative to the largest output, where no operations are fused: what is not 0 is what mode `finite` may not do.\n\n" + said)
 
 
 def lost(rows):

@@ -48,7 +48,7 @@ def prepare(kernel, joints, smaller, names):
 
 
 def variants(row):
-    return [(name, level) for name, contender in row.items() if "missing" not in contender for level in contender["variants"]]
+    return [(name, level) for name, contender in row.items() for level in contender.get("variants", {})]
 
 
 def values_of(kernel, joints, path):
