@@ -11,7 +11,7 @@ namespace symreal {
 
 class Extents {
 public:
-  Extents() noexcept;
+  Extents();
   Extents(Extents &&other) noexcept : parts_(other.parts_) { other.parts_ = nullptr; }
   Extents &operator=(Extents &&) = delete;
   ~Extents();

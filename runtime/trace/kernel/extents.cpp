@@ -9,7 +9,7 @@ struct Extents::Parts {
   std::vector<IntegerObject> variables; // that are among them
 };
 
-Extents::Extents() noexcept : parts_(new Parts) {}
+Extents::Extents() : parts_(new Parts) {}
 Extents::~Extents() { delete parts_; }
 
 void Extents::push_back(std::size_t extent) noexcept { parts_->extents.push_back(extent); }
