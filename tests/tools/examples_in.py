@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""examples_in.py SYMREAL INPUTS DIR [--few | --only NAME,...] LANGUAGE...: generates every example program of INPUTS, or a few that
-differ in kind, or those of these names, in C and the languages, into DIR, runs each with its recorded inputs, and compares with C
+"""examples_in.py SYMREAL INPUTS DIR [--few | --only NAME,...] LANGUAGE...: generates every example program of INPUTS, or a few with
+all that these have, or those of these names, in C and the languages, into DIR, runs each with its recorded inputs, and compares with C
 as same_in.py does. What calls a library of its own is left out."""
 import os
 import subprocess
@@ -33,8 +33,8 @@ EXAMPLES = {
     "fk": (f"chain/fk.cpp {CHAIN}", ""),
     "rnea": (f"chain/rnea_parameters.cpp {CHAIN}", ""),
 }
-# Matrices, guards, selects, structures, loops until something converges, parameters; no second one of a kind, and no large one.
-FEW = ["arm", "charger", "controller", "rate", "kalman", "kepler", "decomposition", "pendulum", "rotation", "vehicle", "rnea"]
+# Together they have every operation and every kind of line of a graph that the others have.
+FEW = ["arm", "charger", "controller", "rate", "kalman", "kepler", "decomposition", "oscillator", "pendulum", "rotation", "vehicle", "rnea"]
 
 
 def main():
