@@ -150,7 +150,8 @@ void detail::walk_layout(void const volatile *object, char const *layout, VisitE
   trace::ToSink visitor(trace::Kernel::current().sink(), is_temporary);
   std::vector<std::size_t> found;
   trace::visit_layout(object, layout, containers, visitor, extents ? &found : nullptr);
-  for (std::size_t extent : found) extents->push_back(extent);
+  if (extents)
+    for (std::size_t extent : found) extents->push_back(extent);
 }
 
 } // namespace symreal
