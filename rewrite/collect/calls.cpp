@@ -152,10 +152,10 @@ void Collector::arguments(SourceLocation call, FunctionDecl const *function, Arg
 }
 
 void Collector::literal_argument(FunctionDecl const *function, unsigned index, Expr const *argument, bool overloaded,
-                                 unsigned count) {
+                                 unsigned count, Use use) {
   if (index >= function->getNumParams()) {
     auto const *primary = function->getPrimaryTemplate();
-    if (primary && !function->isVariadic()) wrap(argument, Use::literal); // an element of a parameter pack
+    if (primary && !function->isVariadic()) wrap(argument, use); // an element of a parameter pack
     return;
   }
   if (auto const *method = dyn_cast<CXXMethodDecl>(function); method && Reals::is_passive_template(method->getParent()))
@@ -163,13 +163,12 @@ void Collector::literal_argument(FunctionDecl const *function, unsigned index, E
   if (FunctionTemplateDecl const *primary = function->getPrimaryTemplate()) {
     FunctionDecl const *pattern = primary->getTemplatedDecl();
     unsigned const at = std::min(index, pattern->getNumParams() - 1);
-    if (pattern->getParamDecl(at)->getType()->isDependentType()) wrap(argument, Use::literal);
+    if (pattern->getParamDecl(at)->getType()->isDependentType()) wrap(argument, use);
     return;
   }
   bool const rewritten = reals_.in_roots(function);
   bool const is_double_parameter = Reals::is_double(function->getParamDecl(index)->getType());
-  if (rewritten && overloaded && is_double_parameter && overload_competes(function, index, count))
-    wrap(argument, Use::literal);
+  if (rewritten && overloaded && is_double_parameter && overload_competes(function, index, count)) wrap(argument, use);
 }
 
 // A function that neither returns nor keeps doubles: what it takes leaves the program.

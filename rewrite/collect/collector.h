@@ -173,7 +173,7 @@ private:
   // `call`: where the call is written.
   void arguments(clang::SourceLocation call, clang::FunctionDecl const *function, Arguments arguments, bool overloaded);
   void literal_argument(clang::FunctionDecl const *function, unsigned index, clang::Expr const *argument,
-                        bool overloaded, unsigned count);
+                        bool overloaded, unsigned count, Use use = Use::literal);
   void outside_argument(clang::SourceLocation call, clang::FunctionDecl const *function, unsigned index,
                         clang::Expr const *argument);
   bool takes_only(clang::FunctionDecl const *function) const;

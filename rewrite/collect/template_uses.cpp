@@ -65,10 +65,12 @@ void Collector::instantiated_arguments(FunctionDecl const *function, Arguments a
       // Where the template tells it, too, it is converted already.
       bool const known = span && has_wrap(facts_, *span, Use::conversion);
       if (!known && reals_.is_real(from)) wrap(from, Use::argument, spelled(cast->getType()));
-    } else if (is_plain_double(argument))
-      literal_argument(function, i, argument, true, static_cast<unsigned>(arguments.size()));
-    else
+    } else if (is_plain_double(argument)) {
+      Use const use = isa<FloatingLiteral>(argument->IgnoreParenImpCasts()) ? Use::literal : Use::deduced;
+      literal_argument(function, i, argument, true, static_cast<unsigned>(arguments.size()), use);
+    } else {
       truth_argument(function, i, argument, true);
+    }
   }
 }
 

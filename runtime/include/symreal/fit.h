@@ -39,6 +39,14 @@ template <class To, class From>
     return static_cast<From &&>(value);
 }
 
+// What a template of the program deduces a type from: a REAL where it was a double; other types pass.
+template <class From> [[gnu::always_inline]] constexpr decltype(auto) symreal_deduced(From &&value) noexcept {
+  if constexpr (std::is_same_v<std::remove_cvref_t<From>, double>)
+    return RealNumber(value);
+  else
+    return static_cast<From &&>(value);
+}
+
 // A truth value of C counts: ++ leaves true, -- the other one.
 class CountedTruth {
 public:

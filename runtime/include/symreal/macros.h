@@ -17,6 +17,7 @@
 
 #define SYMREAL_REAL double
 #define SYMREAL_REAL_C(...) __VA_ARGS__
+#define SYMREAL_REAL_DEDUCED(...) __VA_ARGS__
 #define SYMREAL_REAL_VALUE(...) __VA_ARGS__
 #define SYMREAL_REAL_TO(type, ...) __VA_ARGS__
 #define SYMREAL_REAL_FIT(...) __VA_ARGS__
@@ -110,6 +111,7 @@
 #ifdef MBD_SYMBOLIC
 #define SYMREAL_REAL ::symreal::SymrealReal
 #define SYMREAL_REAL_C(...) (static_cast<::symreal::SymrealReal>(__VA_ARGS__)) /* T(A(b)) may be a type */
+#define SYMREAL_REAL_DEDUCED(...) (::symreal::symreal_deduced(__VA_ARGS__))
 #define SYMREAL_REAL_VALUE(...) (::symreal::symreal_value(__VA_ARGS__))
 #define SYMREAL_REAL_TO(type, ...) (static_cast<type>(__VA_ARGS__))
 /* In a template: as a double converts to the parameter's type, of a call that was chosen for a double. */
@@ -184,6 +186,7 @@ public:                                                                         
 #else
 #define SYMREAL_REAL double
 #define SYMREAL_REAL_C(...) (__VA_ARGS__)
+#define SYMREAL_REAL_DEDUCED(...) (__VA_ARGS__)
 #define SYMREAL_REAL_VALUE(...) (__VA_ARGS__)
 #define SYMREAL_REAL_TO(type, ...) (static_cast<type>(__VA_ARGS__))
 #define SYMREAL_REAL_ARGUMENT(type, ...) __VA_ARGS__
