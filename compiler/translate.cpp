@@ -45,6 +45,7 @@ std::optional<rewrite::Result> rewritten(Translation const &translation, Command
   request.roots = translation.roots;
   request.exclude = translation.exclude;
   request.compilations = {compilation(translation, line)};
+  request.defines = program::reference_defines();
   rewrite::Result result = rewrite::run(request);
   bool failed = false;
   for (Diagnostic const &diagnostic : result.diagnostics) {

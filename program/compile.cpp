@@ -37,14 +37,15 @@ using Words = std::vector<std::string>;
 void append(Words &words, Words const &more) { words.insert(words.end(), more.begin(), more.end()); }
 
 // The reference build of docs/floating-point.md, with debug information for places: lines and inlined calls.
-Words const reference_flags = {"-O1",
-                               "-g1",
-                               "-ffp-contract=off",
-                               "-fno-tree-vectorize",
-                               "-fno-tree-slp-vectorize",
-                               "-fno-builtin",
-                               "-fno-fast-math",
-                               "-DEIGEN_DONT_VECTORIZE"};
+Words const reference_flags = {
+    "-O1",          "-g1",           "-ffp-contract=off", "-fno-tree-vectorize", "-fno-tree-slp-vectorize",
+    "-fno-builtin", "-fno-fast-math"};
+Words const defines = {"-DEIGEN_DONT_VECTORIZE"};
+
+void append_reference(Words &words) {
+  append(words, reference_flags);
+  append(words, defines);
+}
 
 // An operation on a node raises FE_INVALID, which is how leaks are found: none may be executed before it is known that
 // its operands are ordinary. gcc does as much by default, clang when told.
@@ -102,9 +103,11 @@ Words language_flags(Words const &flags, bool is_c, std::string const &compiler)
   return words;
 }
 
+Words const &reference_defines() { return defines; }
+
 Words variant_flags(Words const &flags, Variant variant) {
   Words words = adapted_flags(flags);
-  append(words, reference_flags);
+  append_reference(words);
   if (variant == Variant::symbolic) words.emplace_back(no_speculation);
   words.push_back("-w");
   words.emplace_back(variant == Variant::symbolic ? "-DMBD_SYMBOLIC" : "-DMBD_REPLAY");
@@ -113,7 +116,7 @@ Words variant_flags(Words const &flags, Variant variant) {
 
 Words c_flags(Words const &flags) {
   Words words = original_flags(flags, Variant::original);
-  append(words, reference_flags);
+  append_reference(words);
   return words;
 }
 
@@ -152,7 +155,7 @@ Words original_command(BuildRequest const &request, Variant variant, Overlay con
   append(words, {"-include", runtime_include() + "/symreal/original.h"});
   if (is_recorded) append(words, {"-fpass-plugin=" + recording_plugin(), "-fno-discard-value-names"});
   Words flags = original_flags(source.flags, variant);
-  if (variant != Variant::own_flags) append(flags, reference_flags);
+  if (variant != Variant::own_flags) append_reference(flags);
   if (is_covered) append(flags, coverage_flags);
   append(words, overlay.search_flags(flags, source.directory));
   if (c) append(words, {"-Dregister="}); // annotations take addresses

@@ -56,6 +56,9 @@ std::vector<std::string> variant_flags(std::vector<std::string> const &flags, Va
 // u8"text" is of plain characters, and char8_t a name like others.
 std::vector<std::string> language_flags(std::vector<std::string> const &flags, bool is_c, std::string const &compiler);
 
+// What of that is a macro that decides what a source is, so that the rewriter must know it, too.
+std::vector<std::string> const &reference_defines();
+
 // The same for a source in C that is compiled as one, in its own standard.
 std::vector<std::string> c_flags(std::vector<std::string> const &flags);
 

@@ -15,9 +15,10 @@ std::string real_path(std::string const &name) {
 }
 
 std::vector<Compilation> compilations_of(Request const &request) {
-  if (!request.compilations.empty()) return request.compilations;
-  std::vector<Compilation> result;
-  for (std::string const &source : request.sources) result.push_back({source, {}, request.flags});
+  std::vector<Compilation> result = request.compilations;
+  if (result.empty())
+    for (std::string const &source : request.sources) result.push_back({source, {}, request.flags});
+  for (Compilation &one : result) one.defines = request.defines;
   return result;
 }
 

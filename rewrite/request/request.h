@@ -15,7 +15,8 @@ struct Compilation {
   std::string source;
   std::string directory; // in which the compiler runs; empty: that of this process
   std::vector<std::string> flags;
-  std::string compiler = {}; // the build's own; empty: not known
+  std::string compiler = {};             // the build's own; empty: not known
+  std::vector<std::string> defines = {}; // what else is told to the compiler of the rewritten source: -DNAME
 };
 
 // What compile_commands.json in the directory says about these sources, or about all of C and C++ if none are named;
@@ -74,9 +75,11 @@ public:
 };
 
 struct Request {
-  std::vector<std::string> sources;           // as the user named them; a name ending in .c is parsed as C
-  std::vector<std::string> roots;             // what may be rewritten besides the directories of the sources
-  std::vector<std::string> flags;             // the compiler flags of every source
+  std::vector<std::string> sources; // as the user named them; a name ending in .c is parsed as C
+  std::vector<std::string> roots;   // what may be rewritten besides the directories of the sources
+  std::vector<std::string> flags;   // the compiler flags of every source
+  // What the build of the rewritten sources defines besides: -DNAME. A macro may decide what the sources are.
+  std::vector<std::string> defines = {};
   bool leave_out_broken = false;              // go on without the sources that do not compile
   std::vector<Compilation> compilations = {}; // if any, instead of sources and flags
   unsigned jobs = 0;                          // sources that are read at once, 0: one; the result does not depend on it
@@ -97,7 +100,7 @@ struct Request {
 // What a compiler must be told so that it knows the number under this name, besides where Symreal's headers are.
 std::vector<std::string> type_name_flags(std::string const &type_name);
 
-// The request's compilations, or its sources with its flags.
+// The request's compilations, or its sources with its flags; with what its build defines.
 std::vector<Compilation> compilations_of(Request const &request);
 
 // The real path of a compilation's source.

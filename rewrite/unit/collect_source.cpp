@@ -192,6 +192,7 @@ std::vector<std::string> command_line(Compilation const &compilation) {
   for (std::string const &flag :
        without(compilation.flags, {About::output, About::action, About::dependencies, About::question}))
     words.push_back(flag);
+  words.insert(words.end(), compilation.defines.begin(), compilation.defines.end());
   read_serially(words);
   words.emplace_back("-Wno-everything"); // some are errors to Clang alone: -Wimplicit-int, -Wenum-constexpr-conversion
   words.push_back("--");

@@ -86,6 +86,7 @@ std::string KeptFacts::key(Compilation const &source) const {
   key.add(runtime_include());
   key.add({source.source, source.directory});
   key.add(source.flags);
+  key.add(source.defines);
   llvm::SmallString<256> here;
   if (!llvm::sys::fs::current_path(here)) key.add(here.str().str());
   for (char const *name : variables) {

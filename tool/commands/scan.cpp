@@ -34,6 +34,7 @@ void run(CLI::App &command, Options &options, Session &session) {
     fail(DiagnosticId::bad_option, {}, "choose only one of --list, --json, --sarif and --kernel");
   rewrite::Request request = only_rewritten(options.project.complete(session.flags));
   request.leave_out_broken = true;
+  if (options.compile) request.defines = program::reference_defines();
   rewrite::Result result = rewrite::run(request);
   std::size_t const found = result.diagnostics.size();
   if (options.compile) compile(request, options, result);

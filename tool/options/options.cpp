@@ -34,6 +34,7 @@ void SourceOptions::add_to(CLI::App &app) {
 program::FrontRequest SourceOptions::request(CompilerFlags const &flags) const {
   program::FrontRequest request = front;
   request.source = project.complete(flags);
+  request.source.defines = program::reference_defines();
   request.build.link = program::split_words(link);
   request.build.cache = std::make_shared<program::ObjectCache>(project.cache());
   request.run.arguments = program::split_words(run_arguments);
