@@ -29,7 +29,11 @@ std::optional<Cell> Memory::cell(NodeId node) const {
 
 void Memory::need(NodeId node, std::uint32_t step) {
   is_overwritten_early_ = is_overwritten_early_ || is_overwritten(node);
-  if (std::optional<Cell> const there = cell(node)) return need(*there, step);
+  if (std::optional<Cell> const there = cell(node)) {
+    if (!is_last(*there)) return need(*there, step);
+    field(there->loop, there->position, step);
+    return;
+  }
   std::uint32_t const at = sequence_.position[node];
   // What no operation computes stands there for the results, and the step before their copies stores it.
   std::uint32_t const written = at == no_position ? step - 1 : step_of_[at];
@@ -51,13 +55,21 @@ void Memory::need_kept(NodeId node, std::uint32_t step) {
 }
 
 void Memory::need_in_chain(std::uint32_t loop, std::uint32_t position) {
-  std::uint32_t const step = step_of_loop(loop);
-  regions_[loop].fields.try_emplace(position, Place{{step, step}});
+  need({loop, position, 0}, step_of_loop(loop));
 }
 
-void Memory::need(Cell const &cell, std::uint32_t step) {
-  std::uint32_t const written = step_of_loop(cell.loop);
-  regions_[cell.loop].fields.try_emplace(cell.position, Place{{written, step}}).first->second.life.reach(step);
+void Memory::need(Cell const &cell, std::uint32_t step) { field(cell.loop, cell.position, step).of_last = false; }
+
+// Which is needed by this step.
+Memory::Place &Memory::field(std::uint32_t loop, std::uint32_t position, std::uint32_t step) {
+  Place &place = regions_[loop].fields.try_emplace(position, Place{{step_of_loop(loop), step}}).first->second;
+  place.life.reach(step);
+  return place;
+}
+
+bool Memory::is_last(Cell const &cell) const {
+  Repeat const &repeat = loops_[cell.loop].repeat;
+  return !repeat.rows && cell.iteration + 1 == static_cast<std::int64_t>(repeat.count);
 }
 
 std::vector<std::uint32_t> Memory::stored_positions(std::uint32_t loop) const {
@@ -97,22 +109,30 @@ void Memory::lay_out(std::vector<char> const &spread) {
   for (std::size_t k = 0; k < blocks.size(); ++k) block_of.push_back(k);
   for (std::uint32_t loop = 0; loop < regions_.size(); ++loop) {
     Region &region = regions_[loop];
-    std::size_t const fields = region.fields.size(), records = static_cast<std::size_t>(region.last - region.first + 1);
     bool const is_spread = spread[loop] || loops_[loop].repeat.rows;
+    // Compilers carry out iterations at the same time only if each stores to a place of its own.
+    for (auto &[position, place] : region.fields) place.of_last = place.of_last && !is_spread;
+    auto const fields = static_cast<std::size_t>(
+        std::ranges::count_if(region.fields, [](auto const &entry) { return !entry.second.of_last; }));
+    auto const records = static_cast<std::size_t>(region.last - region.first + 1);
     region.stride = is_spread ? 1 : static_cast<std::int64_t>(fields);
-    std::size_t field = 0;
+    std::size_t field = 0, shared = 0; // of the block of records that are not spread
     for (auto &[position, place] : region.fields) {
-      if (is_spread) {
-        blocks.push_back({records, place.life});
+      if (is_spread || place.of_last) {
+        blocks.push_back({place.of_last ? 1 : records, place.life});
         elements.emplace_back(&place, 0);
-      } else {
-        if (field == 0) blocks.push_back({fields * records, place.life});
-        Life &life = blocks.back().life;
-        life.first = std::min(life.first, place.life.first);
-        life.reach(place.life.last);
-        elements.emplace_back(&place, field++);
+        block_of.push_back(blocks.size() - 1);
+        continue;
       }
-      block_of.push_back(blocks.size() - 1);
+      if (field == 0) {
+        shared = blocks.size();
+        blocks.push_back({fields * records, place.life});
+      }
+      Life &life = blocks[shared].life;
+      life.first = std::min(life.first, place.life.first);
+      life.reach(place.life.last);
+      elements.emplace_back(&place, field++);
+      block_of.push_back(shared);
     }
     for (auto &[position, place] : region.kept) {
       if (auto const other = region.fields.find(position); other != region.fields.end())
@@ -146,8 +166,10 @@ std::uint32_t Memory::home(NodeId node) const {
 
 std::uint32_t Memory::element(Cell const &cell) const {
   Region const &region = regions_[cell.loop];
+  Place const &place = region.fields.at(cell.position);
+  if (place.of_last) return place.element;
   std::int64_t const record = this->record(cell) - region.first;
-  return static_cast<std::uint32_t>(region.fields.at(cell.position).element + record * region.stride);
+  return static_cast<std::uint32_t>(place.element + record * region.stride);
 }
 
 // Chains that the last row has not yet follow on its last one.
@@ -167,7 +189,7 @@ std::vector<std::pair<std::uint32_t, Access>> Memory::kept_positions(std::uint32
 Access Memory::in_iterations(std::uint32_t loop, std::uint32_t position) const {
   std::optional<Nest> const &rows = loops_[loop].repeat.rows;
   std::uint32_t const first = element({loop, position, 0});
-  if (!rows) return {first, stride(loop)};
+  if (!rows) return {first, regions_[loop].fields.at(position).of_last ? 0 : stride(loop)};
   Access access;
   for (std::uint32_t row = 0; row < rows->turns; ++row)
     for (std::int64_t chain = 0; chain < length_of(*rows, row); ++chain)

@@ -4,7 +4,8 @@
 // reads beyond the first or the last, copies of the values stand that it would have found elsewhere. Where iterations
 // do not wait for each other, a record is spread: its fields each stand beside those of the next record, as compilers
 // need it to carry out iterations at the same time. Rows of chains (interchange.h) have a record for each chain, which
-// the next row overwrites. What nobody reads any more leaves its place to others.
+// the next row overwrites. Where only the last iteration's value is read, as of a sum, each overwrites that of the one
+// before. What nobody reads any more leaves its place to others.
 #pragma once
 
 #include "reroll/columns.h"
@@ -70,6 +71,7 @@ private:
   struct Place {
     Life life;
     std::uint32_t element = 0; // of a field, in the first record
+    bool of_last = true;       // of a field: nobody reads another record than that of the last iteration
   };
   struct Region {
     std::map<std::uint32_t, Place> fields; // by position
@@ -78,6 +80,8 @@ private:
     std::int64_t stride = 0;               // from a record to the next
   };
 
+  Place &field(std::uint32_t loop, std::uint32_t position, std::uint32_t step);
+  bool is_last(Cell const &cell) const;
   std::int64_t record(Cell const &cell) const;
 
   Sequence const &sequence_;

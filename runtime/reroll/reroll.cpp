@@ -4,12 +4,14 @@
 #include "reroll/check.h"
 #include "reroll/interchange.h"
 #include "reroll/nest.h"
+#include "reroll/own_products.h"
 #include "reroll/plan.h"
 #include "reroll/signs.h"
 #include "reroll/trim.h"
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <functional>
 
 namespace symreal {
 
@@ -44,31 +46,62 @@ bool is_whole(reroll::Repeat const &stage, std::vector<reroll::Repeat> const &lo
   });
 }
 
-std::optional<reroll::LoopFunction> loops_of(Schedule const &plan, bool in_compute, std::vector<NodeId> const &stored,
-                                             std::vector<NodeId> const &checked, std::vector<Object> const &objects,
-                                             FloatingPoint mode) {
+// What a function stores, what its guards check, and how it computes.
+struct Wanted {
+  std::vector<NodeId> const &stored, &checked;
+  std::vector<Object> const &objects;
+  FloatingPoint mode;
+};
+
+// `original`: a sequence that computes the same, for the proof; null: this one.
+std::optional<reroll::LoopFunction> loops_of(std::function<reroll::Sequence()> const &make_sequence,
+                                             reroll::Sequence const *original, Wanted const &wanted) {
   using namespace reroll;
-  std::vector<NodeId> roots = stored;
-  roots.insert(roots.end(), checked.begin(), checked.end());
   // Rows of chains may turn out not to fit: where something else needs what they overwrite, or signs differ from chain
   // to chain. Then each stage becomes a loop.
   for (bool const in_rows : {true, false}) {
-    auto [all, stages] = interchanged(sequence(plan, in_compute, roots), in_rows);
+    auto [all, stages] = interchanged(make_sequence(), in_rows);
     std::vector<Repeat> repeats = find_repeats(all, stages);
     align(all, repeats);
     repeats = trimmed(all, repeats);
     if (repeats.empty()) return {};
     if (!std::ranges::all_of(stages, [&](Repeat const &stage) { return !stage.rows || is_whole(stage, repeats); }))
       continue;
-    std::optional<LoopFunction> function = reroll::plan(all, repeats, stored, checked, objects);
+    std::optional<LoopFunction> function = reroll::plan(all, repeats, wanted.stored, wanted.checked, wanted.objects);
     if (!function) continue;
-    bool const zeros_have_signs = mode == FloatingPoint::strict;
+    bool const zeros_have_signs = wanted.mode == FloatingPoint::strict;
     if (!zeros_have_signs) function = with_few_signs(std::move(*function));
     if (!std::ranges::all_of(function->steps, is_short)) continue;
-    internal_check(find_difference(all, *function, stored, checked, zeros_have_signs).empty());
+    Sequence const &proved = original ? *original : all;
+    internal_check(find_difference(proved, *function, wanted.stored, wanted.checked, zeros_have_signs).empty());
     return function;
   }
   internal_check(false);
+}
+
+// How many operations its text has.
+std::size_t text_of(reroll::LoopFunction const &function) {
+  std::size_t size = 0;
+  for (reroll::Step const &step : function.steps) {
+    OperationCounts const counts = live_operations(step.body);
+    size += counts.arithmetic() + counts.calls();
+  }
+  return size;
+}
+
+std::optional<reroll::LoopFunction> loops_of(Schedule const &plan, bool in_compute, Wanted const &wanted) {
+  using namespace reroll;
+  std::vector<NodeId> roots = wanted.stored;
+  roots.insert(roots.end(), wanted.checked.begin(), wanted.checked.end());
+  auto const make = [&] { return sequence(plan, in_compute, roots); };
+  std::optional<OwnProducts> const own = with_own_products(make());
+  std::optional<LoopFunction> loops = loops_of(make, nullptr, wanted);
+  if (!own) return loops;
+  Sequence const original = make();
+  std::optional<LoopFunction> other = loops_of([&] { return own->sequence; }, &original, wanted);
+  // More operations are executed, so the text must become much shorter.
+  bool const is_better = other && text_of(*other) * 4 < (loops ? text_of(*loops) : original.size()) * 3;
+  return is_better ? std::move(other) : std::move(loops);
 }
 
 } // namespace
@@ -77,9 +110,9 @@ Rerolled rerolled(Schedule const &plan, FloatingPoint mode) {
   if (std::string why = obstacle(*plan.graph); !why.empty()) return {{}, {}, {}, std::move(why)};
   std::vector<NodeId> conditions;
   for (Guard const &guard : plan.graph->guards) conditions.push_back(guard.condition);
-  Rerolled loops{loops_of(plan, false, plan.preprocess.results, {}, {}, mode),
-                 loops_of(plan, true, plan.compute.results, conditions, plan.graph->outputs, mode),
-                 loops_of(plan, true, plan.angles.computed.results, {}, {}, mode)};
+  Rerolled loops{loops_of(plan, false, {plan.preprocess.results, {}, {}, mode}),
+                 loops_of(plan, true, {plan.compute.results, conditions, plan.graph->outputs, mode}),
+                 loops_of(plan, true, {plan.angles.computed.results, {}, {}, mode})};
   if (!loops.has_loops()) loops.why_not = "no operations repeat often enough";
   return loops;
 }

@@ -68,6 +68,39 @@ TEST(Reroll, AFilterOfSecondOrderReadsNoStateFromMemory) {
   EXPECT_EQ(loop.stores[0].access.step, 1);
 }
 
+// Two sums of a*cos(b + c*t). Every now and then the second has a factor c that the first has, too.
+Graph two_series(std::uint32_t terms) {
+  Builder make;
+  NodeId const t = make(Op::mul, make.input(0), make.input(0));
+  auto const sum = [&](double first, auto const &factor_of) {
+    NodeId result = make.input(1);
+    for (std::uint32_t k = 0; k < terms; ++k) {
+      NodeId const phase = make(Op::add, make.number(first + 0.25 * k), make(Op::mul, t, make.number(factor_of(k))));
+      result = make(Op::add, result, make(Op::mul, make.number(first - 0.125 * k), make(Op::cos, phase)));
+    }
+    return result;
+  };
+  auto const own = [](std::uint32_t k) { return 3.0 + 0.0625 * k; };
+  NodeId const one = sum(100.0, own);
+  NodeId const other = sum(200.0, [&](std::uint32_t k) { return k * k % 7 < 3 ? own(k) : 1000.0 + k; });
+  return make.finish({one, other});
+}
+
+TEST(Reroll, TermsComputeWhatTheyShare) {
+  LoopFunction const function = compute_of(two_series(100));
+  EXPECT_EQ(function.loops, 2);
+  EXPECT_GE(function.in_loops + 15, function.operations); // the first terms of each are apart
+  EXPECT_GT(function.operations, 950);                    // 5 of each term, and the square
+}
+
+TEST(Reroll, ASumOverwritesTheOneBefore) {
+  LoopFunction const function = compute_of(two_series(100));
+  Step const &loop = longest(function);
+  ASSERT_EQ(loop.stores.size(), 1);
+  EXPECT_EQ(loop.stores[0].access.step, 0);
+  EXPECT_LT(function.memory, 10);
+}
+
 TEST(Reroll, TheStepsDoNotGrowWithTheSamples) {
   LoopFunction const few = compute_of(filter(100)), many = compute_of(filter(1000));
   EXPECT_EQ(few.steps.size(), many.steps.size());
