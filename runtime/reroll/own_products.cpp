@@ -1,5 +1,8 @@
 #include "reroll/own_products.h"
 
+#include <algorithm>
+#include <utility>
+
 namespace symreal::reroll {
 
 namespace {
@@ -92,7 +95,9 @@ private:
 } // namespace
 
 std::optional<OwnProducts> with_own_products(Sequence const &sequence) {
-  Copier copier(sequence, families(sequence));
+  std::vector<char> is_member = families(sequence);
+  if (std::ranges::find(is_member, char{1}) == is_member.end()) return {};
+  Copier copier(sequence, std::move(is_member));
   if (!copier.copies_enough()) return {};
   return std::move(copier).result();
 }
