@@ -50,16 +50,16 @@ std::vector<std::string> original_flags(std::vector<std::string> const &flags, V
 // How a rewritten source is compiled in the variant, with the user's flags in it; needs the runtime's headers besides.
 std::vector<std::string> variant_flags(std::vector<std::string> const &flags, Variant variant);
 
+// The macros among these flags. They decide what a source is, so the rewriter reads it with them.
+std::vector<std::string> const &reference_defines();
+
 // What a compiler of C++20 must be told besides, so that it takes a source of C or of older C++ as theirs does.
 // C++17 says that the right side of an assignment is evaluated before the left one, and an index after what it is of. C
 // and older C++ leave it open, and gcc goes the other way there; clang has one order for all. And before C++20,
 // u8"text" is of plain characters, and char8_t a name like others.
 std::vector<std::string> language_flags(std::vector<std::string> const &flags, bool is_c, std::string const &compiler);
 
-// What of that is a macro that decides what a source is, so that the rewriter must know it, too.
-std::vector<std::string> const &reference_defines();
-
-// The same for a source in C that is compiled as one, in its own standard.
+// How a source in C that stays one is compiled, in its own standard.
 std::vector<std::string> c_flags(std::vector<std::string> const &flags);
 
 // The command that makes the object of a rewritten source in one of the first two variants.
