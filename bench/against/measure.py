@@ -42,33 +42,35 @@ class Generated:
         self.path = pathlib.Path(path).resolve()
         header = self.path.with_suffix(".h")
         self.facts = json.loads(re.search(r"/\* symreal (\{.*\})", header.read_text())[1])
-        self.is_fast = self.facts["mode"] == "fast"
         self.objects = {}
         if len(parameters) != self.facts.get("parameters", 0):
             sys.exit(f"bench: {path} has {self.facts.get('parameters', 0)} parameters: name their values with --parameters")
         adapter = work / f"{self.path.stem}-adapter.c"
         adapter.write_text(ADAPTER.format(header=header, prefix=self.facts["prefix"], constants=self.facts.get("constants", 0),
                                           parameters=", ".join(map(repr, parameters)) or "0"))
-        contract = "fast" if self.is_fast else "off"
+        contract = "fast" if self.facts["mode"] == "fast" else "off"
         for compiler in COMPILERS:
             self.objects[compiler] = work / f"{self.path.stem}-{compiler}.so"
             flags = ["-O3", "-march=native", f"-ffp-contract={contract}", "-fno-builtin-pow", "-fPIC", "-shared", "-w", "-I", PEERS]
             flags += ["-fno-tree-slp-vectorize"] if compiler == "gcc" else []
             command([compiler, *flags, adapter, self.path, "-lm", "-o", self.objects[compiler]])
 
-    def computes(self, vector, parameters):
-        """Whether the guards hold."""
-        if not self.facts.get("guards"):
-            return True
         library = ctypes.CDLL(str(self.objects["gcc"]))
-        doubles = lambda count: (ctypes.c_double * (count + 1))()
-        constants, outputs = doubles(self.facts.get("constants", 0)), doubles(self.facts["outputs"])
-        getattr(library, self.facts["prefix"] + "preprocess")((ctypes.c_double * len(parameters))(*parameters), constants)
-        inputs = (ctypes.c_double * len(vector))(*vector)
-        return getattr(library, self.facts["prefix"] + "compute")(inputs, constants, outputs) == 0
+        self.compute = getattr(library, self.facts["prefix"] + "compute")
+        self.constants = doubles([0.0] * self.facts.get("constants", 0))
+        getattr(library, self.facts["prefix"] + "preprocess")(doubles(parameters), self.constants)
+
+    def computes(self, vector):
+        """Whether the guards hold."""
+        outputs = doubles([0.0] * self.facts["outputs"])
+        return not self.facts.get("guards") or self.compute(doubles(vector), self.constants, outputs) == 0
 
 
-def draw(kernels, ranges, parameters):
+def doubles(values):
+    return (ctypes.c_double * len(values))(*values)
+
+
+def draw(kernels, ranges):
     count = kernels[0].facts["inputs"]
     if len(ranges) not in (1, count):
         sys.exit(f"bench: there are {count} inputs: name one range for all, or one for each")
@@ -76,7 +78,7 @@ def draw(kernels, ranges, parameters):
     chance, vectors = random.Random(1), []
     for _ in range(TRIES):
         vector = [chance.uniform(low, high) for low, high in ranges]
-        if all(kernel.computes(vector, parameters) for kernel in kernels):
+        if all(kernel.computes(vector) for kernel in kernels):
             vectors.append(vector)
         if len(vectors) == VECTORS:
             return vectors
@@ -108,7 +110,7 @@ def main():
     with tempfile.TemporaryDirectory(prefix="bench-against-") as name:
         work = pathlib.Path(name)
         kernels = [Generated(path, parameters, work) for path in given.generated]
-        (work / "vectors").write_bytes(array.array("d", sum(draw(kernels, list(map(numbers, given.range)), parameters), [])))
+        (work / "vectors").write_bytes(array.array("d", sum(draw(kernels, list(map(numbers, given.range))), [])))
         turns = work / "turns"
         command(["cc", "-O2", "-I", PEERS, PEERS / "turns.c", "-ldl", "-o", turns])
         objects = [pathlib.Path(given.original).resolve()] + [kernel.objects[one] for kernel in kernels for one in COMPILERS]
@@ -131,4 +133,5 @@ def main():
     print(f"| {given.name or facts['kernel']} | {time(statistics.median(times[0]))} | {' | '.join(cells)} |")
 
 
-main()
+if __name__ == "__main__":
+    main()
