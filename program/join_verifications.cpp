@@ -79,6 +79,7 @@ void join(Verification &verification, Verification const &other) {
   join(verification.outputs, other.outputs);
   join(verification.rewritten, other.rewritten);
   join(verification.called_again, other.called_again);
+  join(verification.called_beyond, other.called_beyond);
   join(verification.wrapped, other.wrapped);
   keep_larger(verification.own_flags_ulp, other.own_flags_ulp);
   keep_larger(verification.own_code_ulp, other.own_code_ulp);
@@ -91,6 +92,8 @@ void join(Verification &verification, Verification const &other) {
   if (verification.branches && other.branches) join(*verification.branches, *other.branches);
   if (verification.errors && other.errors) join(*verification.errors, *other.errors);
   add(verification.left, other.left);
+  add(verification.changes_outside, other.changes_outside);
+  add(verification.outside, other.outside);
   add(verification.left_by_wrapper, other.left_by_wrapper);
   for (std::size_t k = 0; k < verification.guards.size(); ++k) verification.guards[k].failed += other.guards[k].failed;
   if (other.guard_mismatch &&

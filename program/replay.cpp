@@ -23,6 +23,7 @@ namespace symreal::program {
 struct Replay::Server {
   replay::Head *head = nullptr;
   std::size_t size = 0;
+  std::uint32_t seconds = 0;       // after which a sample is given up, unless another limit is asked for
   int commands = -1, answers = -1; // our ends
   std::jthread process;
   Outcome outcome{Ending::exited}; // once the process has ended
@@ -34,10 +35,10 @@ struct Replay::Server {
     if (head) munmap(head, size);
   }
 
-  void share(std::string const &file, Graph const &graph, double seconds, GeneratedCode const *code,
-             std::uint32_t calls_in_a_row) {
+  void share(std::string const &file, Graph const &graph, double time_limit, GeneratedCode const *code,
+             std::uint32_t most_calls) {
     replay::Head shape{};
-    shape.calls_wanted = calls_in_a_row;
+    shape.most_calls = most_calls;
     if (code) {
       shape.constant_count = static_cast<std::uint32_t>(code->banner().constants);
       shape.guard_count = static_cast<std::uint32_t>(code->banner().guards);
@@ -51,7 +52,7 @@ struct Replay::Server {
     shape.input_count = static_cast<std::uint32_t>(graph.input_count());
     shape.parameter_count = static_cast<std::uint32_t>(graph.parameter_count());
     shape.output_count = static_cast<std::uint32_t>(graph.output_count());
-    shape.seconds = static_cast<std::uint32_t>(std::ceil(seconds));
+    shape.seconds = seconds = static_cast<std::uint32_t>(std::ceil(time_limit));
     size = replay::shared_size(shape);
     int descriptor = open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
     bool made = descriptor >= 0 && ftruncate(descriptor, static_cast<off_t>(size)) == 0;
@@ -86,7 +87,7 @@ Replay::Replay(std::string what, std::string const &executable, RunOptions const
   std::signal(SIGPIPE, SIG_IGN); // the program may end at any moment
   if (!graph.inputs.empty()) place_ = graph.inputs.front().place;
   std::string file = workspace.file(std::filesystem::path(executable).parent_path().filename().string() + "-samples");
-  server_->share(file, graph, options.time_limit, code, profile.empty() ? 3 : 1);
+  server_->share(file, graph, options.time_limit, code, profile.empty() ? 1 + most_later : 1);
   Command command{.arguments = {executable},
                   .directory = options.directory,
                   .environment = {},
@@ -129,13 +130,19 @@ void Replay::call(std::size_t function, std::span<double const> arguments, std::
   std::copy_n(replay::shared_results(head), results.size(), results.begin());
 }
 
-void Replay::ask(replay::Command command, Sample const &sample) {
+void Replay::ask(replay::Command command, Sample const &sample, std::span<Sample const> later, unsigned seconds) {
   end_calls();
   Server &server = *server_;
   replay::Head *head = server.head;
-  auto const own = std::span<double const>(sample.inputs).first(head->input_count); // seeds may follow
-  std::ranges::copy(own, replay::shared_inputs(head));
-  std::copy(sample.parameters.begin(), sample.parameters.end(), replay::shared_parameters(head));
+  head->calls_wanted = static_cast<std::uint32_t>(1 + later.size());
+  internal_check(head->calls_wanted <= head->most_calls);
+  head->seconds = seconds != 0 ? seconds : server.seconds;
+  for (std::size_t call = 0; call <= later.size(); ++call) {
+    Sample const &one = call == 0 ? sample : later[call - 1];
+    auto const own = std::span<double const>(one.inputs).first(head->input_count); // seeds may follow
+    std::ranges::copy(own, replay::shared_inputs(head, call));
+    std::ranges::copy(one.parameters, replay::shared_parameters(head, call));
+  }
 
   send(&command, sizeof command);
   wait_for_answer();
@@ -170,11 +177,11 @@ std::vector<std::uint64_t> Replay::stack() const {
 
 std::vector<double> Replay::outputs_of(std::size_t call) const {
   replay::Head *head = server_->head;
-  double const *outputs = replay::shared_outputs(head) + call * head->output_count;
+  double const *outputs = replay::shared_outputs(head, call);
   return {outputs, outputs + head->output_count};
 }
 
-std::vector<double> Replay::next_inputs(Sample const &sample, std::vector<double> const &outputs) const {
+std::vector<double> Replay::next_inputs(Sample const &sample, std::span<double const> outputs) const {
   std::vector<double> inputs = sample.inputs;
   double const *links = replay::shared_links(server_->head);
   for (std::size_t k = 0; k < inputs.size(); ++k)
@@ -182,13 +189,20 @@ std::vector<double> Replay::next_inputs(Sample const &sample, std::vector<double
   return inputs;
 }
 
-std::vector<double> Replay::run(Sample const &sample) {
-  ask(replay::Command::original, sample);
+std::vector<double> Replay::run(Sample const &sample, std::span<Sample const> later, unsigned seconds) {
+  server_->head->watches_world = watched_ < most_watched;
+  ++watched_;
+  ask(replay::Command::original, sample, later, seconds);
+  has_run_ = true;
   return outputs_of(0);
 }
 
 std::vector<replay::LeftBehind> Replay::left_behind() const {
   return {server_->head->left, server_->head->left + server_->head->left_count};
+}
+
+std::vector<replay::OutsideEffect> Replay::effects() const {
+  return {server_->head->effects, server_->head->effects + server_->head->effect_count};
 }
 
 GeneratedCode::Result Replay::run_generated(Sample const &sample, std::span<double const> inputs) {

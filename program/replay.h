@@ -26,16 +26,21 @@ public:
   Replay &operator=(Replay const &) = delete;
 
   // The outputs of the kernel. Throws replay_failed when the kernel does not end on this sample.
-  std::vector<double> run(Sample const &sample);
-  // Later calls of the kernel in a row, on the sample that it ran on last: each finds the state that the one before it
-  // has left, and all other inputs as in the first. What another machine or kind of kernel cannot repeat has one call.
+  // `later`: further calls of the kernel in a row, at most `most_later`. Each finds the state that the one before it
+  // has left, and its own sample in all other inputs. A machine or kind of kernel that cannot repeat a call has the
+  // first. `seconds`: a shorter time limit than the program's; 0: that one. The first few runs of the original also
+  // tell what it does outside of the program.
+  static constexpr std::size_t most_later = 2;
+  std::vector<double> run(Sample const &sample, std::span<Sample const> later = {}, unsigned seconds = 0);
   std::size_t calls() const;
   std::vector<double> outputs_of(std::size_t call) const;
-  // The inputs of the next call of code that gave these outputs.
-  std::vector<double> next_inputs(Sample const &sample, std::vector<double> const &outputs) const;
+  // The inputs of a later call on `sample`, after a call of code that gave these outputs. Known once a sample has run.
+  std::vector<double> next_inputs(Sample const &sample, std::span<double const> outputs) const;
+  bool has_run() const { return has_run_; }
   // What the kernel left, on the last sample that it ran on, in memory that outlives it and is no output; of the
   // original only.
   std::vector<replay::LeftBehind> left_behind() const;
+  std::vector<replay::OutsideEffect> effects() const;
   // `inputs`: all that the generated code has, also those that derivatives add.
   GeneratedCode::Result run_generated(Sample const &sample, std::span<double const> inputs);
   Evaluation run_graph(Sample const &sample);
@@ -48,11 +53,13 @@ public:
 
 private:
   struct Server;
-  void ask(replay::Command command, Sample const &sample);
+  void ask(replay::Command command, Sample const &sample, std::span<Sample const> later = {}, unsigned seconds = 0);
   void send(void const *bytes, std::size_t size);
   void wait_for_answer();
   void end_calls();
-  bool is_calling_ = false;
+  static constexpr unsigned most_watched = 3; // runs
+  unsigned watched_ = 0;
+  bool is_calling_ = false, has_run_ = false;
   std::string what_;
   std::unique_ptr<Server> server_;
   Place place_; // of the kernel, for diagnostics

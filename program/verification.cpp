@@ -6,6 +6,7 @@
 #include "graph/evaluate.h"
 #include "graph/implicit.h"
 #include "program/guard_verification.h"
+#include "program/later_calls.h"
 #include "program/replay.h"
 #include "program/single_runs.h"
 #include "program/wrapped_original.h"
@@ -79,6 +80,8 @@ public:
         banner_(banner),
         code_(path, banner, graph_, {}, *front.workspace),
         source_(graph_, options.seed),
+        later_calls_(graph_, banner.mode, options.seed,
+                     [this](Sample const &sample) { return code_.run(with_seeds(sample.inputs), sample.parameters); }),
         exact_(graph_),
         decisions_(counts_decisions() ? decisions_of(graph_) : std::vector<symreal::Decision>()) {
     bool const by_hand = front.original_program.empty();
@@ -119,6 +122,7 @@ public:
     result_.outputs.resize(graph_.output_count());
     result_.rewritten.resize(graph_.output_count());
     result_.called_again.resize(graph_.output_count());
+    result_.called_beyond.resize(graph_.output_count());
     for (std::size_t number = 1; number <= banner.guards; ++number)
       result_.guards.push_back({code_.guard_text(number)});
     if (own_flags_) result_.own_flags_ulp.resize(graph_.output_count());
@@ -213,7 +217,8 @@ private:
     auto const keep = [&](std::size_t k) {
       if (auto const found = result_.named.find(k); found != result_.named.end()) kept.insert(*found);
     };
-    for (auto const *outputs : {&result_.outputs, &result_.rewritten, &result_.called_again, &result_.wrapped})
+    for (auto const *outputs :
+         {&result_.outputs, &result_.rewritten, &result_.called_again, &result_.called_beyond, &result_.wrapped})
       for (OutputComparison const &output : *outputs)
         if (output.has_worst()) keep(output.worst_sample);
     if (errors_)
@@ -263,7 +268,10 @@ private:
     }
     // Beyond a guard the original goes where the recording has not been, and nothing is promised.
     if (evaluated.failing_guard < graph_.guards.size() || computed.failed != 0 || !premises.defined) return;
-    std::vector<double> const original = original_->run(sample);
+    bool const is_called_again = inside && !in_program && !single_ && banner_.has_values;
+    std::vector<LaterCall> const later =
+        is_called_again ? plan_later(sample, computed.outputs) : std::vector<LaterCall>();
+    std::vector<double> const original = run_original(sample, later);
     // Code of derivatives alone has no values that could differ.
     std::size_t const values = banner_.has_values ? original.size() : 0;
     std::vector<double> const generated =
@@ -271,7 +279,7 @@ private:
             ? std::vector(computed.outputs.begin(), computed.outputs.begin() + static_cast<std::ptrdiff_t>(values))
             : original;
     if (inside)
-      compare_inside(k, sample, original, generated, evaluated.outputs);
+      compare_inside(k, sample, original, generated, evaluated.outputs, later);
     else
       result_.outside_different += !(banner_.is_single ? all_near(original, generated) : all_same(original, generated));
     if (inside && errors_) is_named_ |= errors_->compare(k, sample, values_, original, generated);
@@ -300,9 +308,13 @@ private:
   }
 
   void compare_inside(std::size_t k, Sample const &sample, std::vector<double> const &original,
-                      std::vector<double> const &generated, std::vector<double> const &recorded) {
+                      std::vector<double> const &generated, std::vector<double> const &recorded,
+                      std::vector<LaterCall> const &later) {
     for (replay::LeftBehind const &left : original_->left_behind())
       if (!is_left_by_generated(left) && !is_scratch(left)) add_left(result_.left, describe(left));
+    if (!code_.needs_program())
+      for (replay::OutsideEffect const &effect : original_->effects())
+        add_left(effect.changes ? result_.changes_outside : result_.outside, effect.what);
     exact_.begin(sample.inputs, sample.parameters);
     for (std::size_t slot = 0; slot < original.size(); ++slot) {
       if (!single_)
@@ -312,7 +324,8 @@ private:
       else
         is_named_ |= result_.outputs[slot].add_single(k, original[slot], generated[slot], options_.tolerance);
     }
-    if (!code_.needs_program() && !single_ && banner_.has_values) compare_calls(k, sample, generated);
+    compare_later(k, later);
+    if (!later.empty() && tried_beyond_ < most_beyond) compare_beyond(k, sample, generated);
     result_.graph_different += !all_same(original, recorded);
     if (rewritten_) {
       std::vector<double> const rewritten = rewritten_->run(sample);
@@ -325,21 +338,52 @@ private:
       keep_worst(result_.own_code_ulp, original, own_code_->run(with_seeds(sample.inputs), sample.parameters).outputs);
   }
 
-  // Called again and again on the state that it leaves, the generated code must stay with the original. It stops where
-  // the next call would leave the premises or the guards.
-  void compare_calls(std::size_t k, Sample const &sample, std::vector<double> generated) {
+  std::vector<LaterCall> plan_later(Sample const &sample, std::vector<double> const &generated) {
+    if (!original_->has_run()) (void)original_->run(sample); // which tells what is state
+    return later_calls_.inside(*original_, sample, generated);
+  }
+
+  std::vector<double> run_original(Sample const &sample, std::vector<LaterCall> const &later) {
+    std::vector<Sample> samples;
+    for (LaterCall const &call : later) samples.push_back(call.sample);
+    return original_->run(sample, samples);
+  }
+
+  // Called again and again on the state that the original leaves, the generated code must stay with it. Rounding of
+  // mode fast is a matter of first calls: there only that counts which the original would not give as a first call.
+  void compare_later(std::size_t k, std::vector<LaterCall> const &planned) {
+    std::vector<std::pair<LaterCall, std::vector<double>>> calls; // and what the original gives
     for (std::size_t call = 1; call < original_->calls(); ++call) {
-      std::vector<double> const inputs = original_->next_inputs(sample, generated);
-      Evaluation const evaluated = evaluate_sample(graph_, inputs, sample.parameters);
-      bool const inside = evaluated.premises.hold_in(banner_.mode) && evaluated.failing_guard >= graph_.guards.size();
-      GeneratedCode::Result const computed =
-          inside ? code_.run(with_seeds(inputs), sample.parameters) : GeneratedCode::Result{1, {}};
-      if (computed.failed != 0) return;
-      generated = computed.outputs;
-      std::vector<double> const original = original_->outputs_of(call);
-      exact_.begin(inputs, sample.parameters);
+      std::optional<LaterCall> now =
+          later_calls_.after(*original_, planned[call - 1].sample, original_->outputs_of(call - 1));
+      if (!now) break;
+      calls.emplace_back(std::move(*now), original_->outputs_of(call));
+    }
+    for (auto const &[call, original] : calls) {
+      bool const may_round = banner_.mode == FloatingPoint::fast && !all_near(original, call.outputs);
+      if (may_round && all_same(original_->run(call.sample), original)) continue;
       for (std::size_t slot = 0; slot < original.size(); ++slot)
-        add(result_.called_again[slot], k, slot, original[slot], generated[slot]);
+        is_named_ |=
+            result_.called_again[slot].add(k, original[slot], call.outputs[slot], banner_.mode, options_.tolerance);
+    }
+  }
+
+  // Where a guard fails the user calls the original, which has not seen the calls of the generated code: it must not
+  // need anything that they would have left. Beyond the guards the original may fail or not end, which says nothing.
+  void compare_beyond(std::size_t k, Sample const &sample, std::vector<double> const &generated) {
+    std::optional<Sample> const beyond = later_calls_.beyond_guards(*original_, sample, generated);
+    if (!beyond) return;
+    ++tried_beyond_;
+    try {
+      std::vector<double> const alone = original_->run(*beyond, {}, seconds_beyond);
+      (void)original_->run(sample, {&*beyond, 1}, seconds_beyond);
+      if (original_->calls() < 2) return;
+      std::vector<double> const after = original_->outputs_of(1);
+      for (std::size_t slot = 0; slot < alone.size(); ++slot)
+        if (after[slot] != replay::spoilt_output) // else it is not written there
+          is_named_ |= result_.called_beyond[slot].add(k, after[slot], alone[slot], FloatingPoint::strict, 0);
+    } catch (DiagnosticError const &) {
+      tried_beyond_ = most_beyond;
     }
   }
 
@@ -403,6 +447,7 @@ private:
   GeneratedCode code_;
   std::optional<GeneratedCode> own_code_;
   SampleSource source_;
+  LaterCalls later_calls_;
   ExactValues exact_;
   std::optional<ExactErrors> errors_;
   std::optional<ThreadVerification> threads_;
@@ -411,6 +456,9 @@ private:
   std::optional<SingleRuns> single_; // of the sample that is tried, where the code is in single precision
   std::unique_ptr<Replay> original_, rewritten_, own_flags_, wrapped_, covered_;
   CoveredRun covered_run_;
+  static constexpr std::size_t most_beyond = 100; // samples that are followed by one beyond the guards
+  static constexpr unsigned seconds_beyond = 1;
+  std::size_t tried_beyond_ = 0;
   std::vector<replay::LeftBehind> left_by_generated_;
   std::vector<symreal::Decision> decisions_;
   std::vector<double> values_; // of the recorded graph, at the sample that is tried

@@ -87,8 +87,12 @@ struct Verification {
   std::optional<BranchResult> branches;    // of the original, where they were asked for
   std::vector<OutputComparison> rewritten; // per slot, the rewritten text against the original: equal to the last bit
   std::vector<OutputComparison> called_again; // per slot, over the second and third of three calls in a row
+  // Per slot, of the original on samples that a guard refuses: behind a call within the guards against alone.
+  std::vector<OutputComparison> called_beyond;
   std::vector<OutputComparison> wrapped; // per slot, the generated code behind its wrapper against itself; or empty
   std::vector<LeftState> left, left_by_wrapper;
+  // What the original does outside of the program, in words: that lasts, and else. Of a few samples.
+  std::vector<LeftState> changes_outside, outside;
 
   std::vector<GuardCheck> guards;              // of the generated code, in order
   std::size_t refused = 0;                     // samples within the premises on which one does not hold

@@ -7,6 +7,7 @@
 #include "rewrite/model/reals.h"
 #include "rewrite/model/storage.h"
 #include "rewrite/model/surroundings.h"
+#include "rewrite/model/written_first.h"
 #include "rewrite/source/clang.h"
 #include "rewrite/source/source_map.h"
 
@@ -231,6 +232,7 @@ private:
   SourceMap const &map_;
   Reals const &reals_;
   IntegerState const &integers_;
+  WrittenFirst written_first_;
   Surroundings const &surroundings_;
   Storage const storage_;
   NamedVariableAnalysis named_variables_;

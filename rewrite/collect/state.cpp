@@ -179,8 +179,10 @@ void Collector::state(VarDecl const *variable, Expr const *reference, bool is_de
   if (context_.getBaseElementType(variable->getType()).isConstQualified()) return;
   bool const of_numbers = reals_.carries_real(variable->getType());
   if (!of_numbers && integers_.is_fixed(variable)) return;
-  wrap(reference, variable->isStaticLocal() && !of_numbers ? Use::local_state : Use::state,
-       to_string(map_.place(variable->getCanonicalDecl()->getLocation())));
+  Use use = Use::state;
+  if (variable->isStaticLocal() && !of_numbers)
+    use = written_first_.holds(variable) ? Use::scratch_state : Use::local_state;
+  wrap(reference, use, to_string(map_.place(variable->getCanonicalDecl()->getLocation())));
   // Where types are not known yet, every mention counts as a use.
   if (is_dependent)
     later([this, reference] {

@@ -1,5 +1,7 @@
 #include "rewrite/model/object_layout.h"
 
+#include "rewrite/model/plain_declaration.h"
+
 #include "rewrite/model/integer_state.h"
 
 #include <clang/AST/QualTypeNames.h>
@@ -129,10 +131,7 @@ private:
     if (!any) return false;
     text += "@" + number(static_cast<std::int64_t>(result_.layout.containers.size())) + "," + number(size(type)) + ":" +
             inner;
-    PrintingPolicy policy(context_.getLangOpts());
-    policy.SuppressUnwrittenScope = true;
-    policy.SuppressTagKeyword = true;
-    result_.layout.containers.push_back(TypeName::getFullyQualifiedName(type, context_, policy));
+    result_.layout.containers.push_back(type_text(type, context_));
     return true;
   }
 

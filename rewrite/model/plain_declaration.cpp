@@ -6,6 +6,13 @@ namespace symreal::rewrite {
 
 using namespace clang;
 
+std::string type_text(QualType type, ASTContext const &context) {
+  PrintingPolicy policy(context.getLangOpts());
+  policy.SuppressUnwrittenScope = true;
+  policy.SuppressTagKeyword = true;
+  return TypeName::getFullyQualifiedName(type, context, policy);
+}
+
 std::string declared(QualType type, std::string name, ASTContext const &context) {
   TypeName::getFullyQualifiedType(type, context).getAsStringInternal(name, PrintingPolicy(context.getLangOpts()));
   return name;

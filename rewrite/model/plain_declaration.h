@@ -13,6 +13,9 @@ std::optional<Signature> plain_declaration(clang::FunctionDecl const *function, 
 
 // The type and the name that it declares, whatever stands around it: double (*name)(double), double name[3]. Types have
 // all their scopes.
+// The type in words that are right in any scope.
+std::string type_text(clang::QualType type, clang::ASTContext const &context);
+
 std::string declared(clang::QualType type, std::string name, clang::ASTContext const &context);
 
 // The name of a parameter in what is declared here.

@@ -205,9 +205,11 @@ private:
                                          (parameter->isReferenced() && integers_.holds(parameter->getType()))))
         fact.values.push_back({parameter->getName().str(), map_.place(parameter->getLocation())});
     constexpr unsigned in_registers = 6; // at least, of the calling conventions in use
+    auto const *method = dyn_cast<CXXMethodDecl>(function);
+    unsigned const passed = function->getNumParams() + (method && method->isInstance() ? 1 : 0);
     for (ParmVarDecl const *parameter : function->parameters())
       if (parameter->getIdentifier() && !parameter->getType()->isReferenceType() &&
-          (function->getNumParams() > in_registers || parameter->getType()->isRecordType()))
+          (passed > in_registers || parameter->getType()->isRecordType()))
         fact.parameters.push_back({parameter->getName().str(), map_.place(parameter->getLocation())});
     pragma.function = {fact};
   }
@@ -293,28 +295,45 @@ private:
           returned = &item;
           note_layout(clause, item, {function->getReturnType(), false}, function->getASTContext(), reals_, facts_);
         }
-    if (!returned) return;
-    std::string const place = place_arguments("return", returned->place);
     QualType const type = function->getReturnType();
+    bool const is_object = type->isRecordType() || type->isDependentType();
+    if (!returned && !is_object) return;
+    std::string const place = returned ? place_arguments("return", returned->place) : "";
     bool const is_integer = type->isIntegralOrEnumerationType();
     if (is_integer && function->getASTContext().getTypeSize(type) > 32)
       return facts_.diagnostics.push_back(
           {DiagnosticId::pragma_item, returned->place,
            "'" + pragma.function[0].name + "' returns an integer of more than 32 bits, which no output holds"});
-    std::string const macro = is_integer ? "_INTEGER(" + place + ", (" + integer_words(type) + ")"
-                              : returned->layout.text.empty()
-                                  ? "(" + place
-                                  : "_LAYOUT(" + place + ", " + layout_arguments(returned->layout);
+    bool const has_layout = returned && !returned->layout.text.empty();
+    std::string const as = type_in_words(function);
     Returns returns;
     returns.TraverseStmt(function->getBody());
     for (ReturnStmt const *statement : returns.found) {
-      std::optional<Span> const span = map_.range(statement->getRetValue()->getSourceRange());
-      if (!span || isa<InitListExpr>(statement->getRetValue()->IgnoreImplicit()))
+      Expr const *value = statement->getRetValue();
+      std::optional<Span> const span = map_.range(value->getSourceRange());
+      bool const is_list = span && map_.text(*span, value->getBeginLoc()).starts_with('{');
+      bool const is_converted = is_list || !function->getASTContext().hasSameUnqualifiedType(
+                                               value->IgnoreUnlessSpelledInSource()->getType(), type);
+      bool const is_made_first = is_converted && !as.empty() && !is_integer && (is_list || is_object);
+      if (returned && (!span || (is_list && !is_made_first)))
         report(DiagnosticId::pragma_item, statement->getReturnLoc(),
                "output(return) needs `return` with an expression");
-      else
-        facts_.wraps.insert({*span, Use::returned, macro});
+      if (!span || (!returned && as.empty())) continue;
+      std::string macro = returned ? "(" + place : "_WHOLE(" + as;
+      if (is_integer) macro = "_INTEGER(" + place + ", (" + integer_words(type) + ")";
+      if (has_layout) macro = "_LAYOUT(" + place + ", " + layout_arguments(returned->layout);
+      if (returned && is_made_first) macro = macro.insert(macro.find('('), "_AS") + ", " + as;
+      facts_.wraps.insert({*span, Use::returned, macro});
     }
+  }
+
+  // What the function returns, in parentheses, as the function itself can write it; empty where it cannot.
+  static std::string type_in_words(FunctionDecl const *function) {
+    QualType const type = function->getReturnType();
+    ASTContext const &context = function->getASTContext();
+    if (!context.getLangOpts().CPlusPlus) return type->isRecordType() ? "(" + type.getAsString() + ")" : "";
+    if (type->isDependentType() || type->getContainedAutoType()) return "";
+    return "(" + with_real(type_text(type.getCanonicalType().getUnqualifiedType(), context)) + ")";
   }
 
   SourceMap const &map_;

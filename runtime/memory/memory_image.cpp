@@ -77,6 +77,11 @@ char const *MemoryImage::before(void const *address) const {
   return part ? bytes_.data() + part->saved + (static_cast<char const *>(address) - part->begin) : nullptr;
 }
 
+std::optional<Region> MemoryImage::region_of(void const *address) const {
+  Part const *part = part_at(address);
+  return part ? std::optional(part->region) : std::nullopt;
+}
+
 void MemoryImage::update(void const *begin, std::size_t size) {
   if (Part const *part = part_at(begin)) {
     auto const offset = static_cast<std::size_t>(static_cast<char const *>(begin) - part->begin);
@@ -84,9 +89,27 @@ void MemoryImage::update(void const *begin, std::size_t size) {
   }
 }
 
+bool MemoryImage::has_changed(Part const &part) const {
+  return std::memcmp(part.begin, bytes_.data() + part.saved, part.size) != 0;
+}
+
+std::vector<Change> MemoryImage::initialised() const {
+  std::set<std::string> names;
+  for (Part const &part : parts_)
+    if (std::string object = guarded_by(part.name); !object.empty() && has_changed(part))
+      names.insert(std::move(object));
+  std::vector<Change> found;
+  if (names.empty()) return found;
+  for (Part const &part : parts_)
+    if (names.contains(part.name) ||
+        std::ranges::any_of(names, [&](std::string const &name) { return is_kept_alive_by(part.name, name); }))
+      found.push_back({part.region, part.name, part.begin, part.size, 0, part.size});
+  return found;
+}
+
 void MemoryImage::compare(Part const &part, std::vector<Known> const &known, std::vector<Change> &changes) const {
   char const *saved = bytes_.data() + part.saved;
-  if (std::memcmp(part.begin, saved, part.size) == 0) return;
+  if (!has_changed(part)) return;
   Change change{part.region, part.name, part.begin, part.size, part.size, 0};
   for (std::size_t k = 0; k < part.size; ++k) {
     if (part.begin[k] == saved[k]) continue;
@@ -112,11 +135,10 @@ std::vector<Change> MemoryImage::changes(std::vector<Known> known) const {
   std::vector<Change> found;
   for (Part const &part : parts_)
     if (part.region != Region::heap_block || lives(part)) compare(part, known, found);
-  std::set<std::string> initialised;
-  for (Change const &change : found) initialised.insert(guarded_by(change.name));
-  std::erase_if(found, [&](Change const &change) {
-    return !change.name.empty() && (initialised.contains(change.name) || !guarded_by(change.name).empty());
-  });
+  std::set<char const *> made;
+  for (Change const &object : initialised()) made.insert(object.object);
+  std::erase_if(found,
+                [&](Change const &change) { return made.contains(change.object) || !guarded_by(change.name).empty(); });
   return found;
 }
 

@@ -6,6 +6,7 @@
 #include "memory/heap_blocks.h"
 #include "memory/static_objects.h"
 
+#include <optional>
 #include <vector>
 
 namespace symreal::memory {
@@ -35,12 +36,19 @@ public:
   // What lies there now counts as if it had lain there then.
   void update(void const *begin, std::size_t size);
 
-  // What has changed since, but for what is known. What the heap has given back, and an object that was initialised
-  // on its first use, is left out.
+  // What has changed since, but for what is known. What the heap has given back, and objects that were initialised, are
+  // left out.
   std::vector<Change> changes(std::vector<Known> known) const;
+
+  // The static objects of functions that were initialised since, on their first use, and the temporaries that those
+  // that are references keep alive.
+  std::vector<Change> initialised() const;
 
   // The bytes that lay there, of an address within the image; else null.
   char const *before(void const *address) const;
+
+  // In which part of the image the address lies; nullopt outside of it.
+  std::optional<Region> region_of(void const *address) const;
 
   // All that can be reached from these bytes: the blocks of the heap that they point into, what those point into, and
   // so on. For an object that owns others, in whatever way. `blocks`: those that there are now, if they count as well.
@@ -57,6 +65,7 @@ private:
   void save(Part part);
   Part const *part_at(void const *address) const;
   void compare(Part const &part, std::vector<Known> const &known, std::vector<Change> &changes) const;
+  bool has_changed(Part const &part) const;
 
   std::vector<Part> parts_; // by address
   std::vector<char> bytes_;

@@ -140,4 +140,14 @@ std::vector<StaticObject> find_static_objects() {
 
 std::string guarded_by(std::string const &name) { return name.starts_with("_ZGV") ? "_Z" + name.substr(4) : ""; }
 
+// _ZGR <name of the reference> [<sequence number>] _
+bool is_kept_alive_by(std::string_view temporary, std::string_view reference) {
+  if (!temporary.starts_with("_ZGR") || !reference.starts_with("_Z")) return false;
+  temporary.remove_prefix(4);
+  reference.remove_prefix(2);
+  if (!temporary.starts_with(reference) || !temporary.ends_with('_')) return false;
+  std::string_view const number = temporary.substr(reference.size(), temporary.size() - reference.size() - 1);
+  return number.find_first_not_of("0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZ") == number.npos;
+}
+
 } // namespace symreal::memory

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace symreal::memory {
@@ -21,5 +22,7 @@ std::vector<StaticObject> find_static_objects();
 
 // The object that the compiler guards with this one, which says whether it is initialised; empty for other names.
 std::string guarded_by(std::string const &name);
+// Whether the temporary lives as long as the reference, by the names that the linker knows.
+bool is_kept_alive_by(std::string_view temporary, std::string_view reference);
 
 } // namespace symreal::memory

@@ -1,4 +1,5 @@
 // What the annotations of a program call (<symreal/annotate.h>).
+#include "memory/heap_blocks.h"
 #include "trace/sinks.h"
 
 namespace symreal {
@@ -15,14 +16,27 @@ static trace::MakeSink sink_of(detail::CompiledAs program) {
 }
 
 bool detail::begin_object(CompiledAs program, Kind kind, char const *label, SourcePlace place) noexcept {
+  memory::OwnWork const own;
   return Kernel::current().begin_object(sink_of(program), kind, label, place);
 }
 
 void detail::element(void *number, bool is_temporary) noexcept {
+  memory::OwnWork const own;
   Kernel::current().sink().element(number, is_temporary);
 }
 
+void detail::holder(void const volatile *object, std::size_t size) noexcept {
+  memory::OwnWork const own;
+  Kernel::current().sink().holder(const_cast<void const *>(object), size);
+}
+
+void detail::handed_over(void const volatile *object, std::size_t size) noexcept {
+  memory::OwnWork const own;
+  Kernel::current().sink().handed_over(const_cast<void const *>(object), size);
+}
+
 void detail::end_object(std::size_t const *extents, std::size_t rank) noexcept {
+  memory::OwnWork const own;
   Kernel::current().sink().end_object({extents, extents + rank});
 }
 
@@ -32,12 +46,17 @@ void detail::constant_counts(Extents const &shape) noexcept {
 }
 
 bool detail::begin_implicit(char const *label, SourcePlace place) noexcept {
+  memory::OwnWork const own;
   return Kernel::current().begin_implicit(label, {place.file, place.line, place.column});
 }
 
-void detail::end_implicit() noexcept { Kernel::current().sink().end_implicit(); }
+void detail::end_implicit() noexcept {
+  memory::OwnWork const own;
+  Kernel::current().sink().end_implicit();
+}
 
 bool detail::begin_function(CompiledAs program, char const *name, SourcePlace place, unsigned call) noexcept {
+  memory::OwnWork const own;
   return Kernel::current().begin_function(sink_of(program), name, place, call);
 }
 
@@ -47,13 +66,18 @@ void detail::end_region(CompiledAs, char const *file_name, SourcePlace place) no
   Kernel::current().end_region(file_name, place);
 }
 
-void symreal_set_range(double low, double high) noexcept { Kernel::current().set_range(low, high); }
+void symreal_set_range(double low, double high) noexcept {
+  memory::OwnWork const own;
+  Kernel::current().set_range(low, high);
+}
 
 void symreal_set_state(char const *state, char const *derivative, SourcePlace place) noexcept {
+  memory::OwnWork const own;
   Kernel::current().set_state({state, derivative, {place.file, place.line, place.column}});
 }
 
 void symreal_differentiate(char const *wish, SourcePlace place) noexcept {
+  memory::OwnWork const own;
   Kernel::current().differentiate({wish, {place.file, place.line, place.column}});
 }
 

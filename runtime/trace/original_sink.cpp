@@ -5,8 +5,10 @@
 #include "trace/kernel/again.h"
 #include "trace/kernel/object_layout.h"
 #include "trace/nodes/pool.h"
+#include "trace/outside/world.h"
 #include "trace/report/call_stack.h"
 #include "trace/sinks.h"
+#include "verify/replay_protocol.h"
 #include "verify/replay_server.h"
 
 #include <symreal/original.h>
@@ -29,6 +31,7 @@ public:
     if (is_again_) return;
     is_wanted_ = replay::replay_begin(
         name, {[&] { image_ = MemoryImage::capture(frame); }, [this] { return image_.changes({}); }, call_stack});
+    if (is_wanted_ && replay::replay_watches_world()) watch_world();
   }
   void begin_object(Kind kind, std::string const &, Place const &) override { kind_ = kind; }
   void element(void *number, bool) override {
@@ -45,11 +48,15 @@ public:
     }
   }
   void bytes(void const *begin, std::size_t size) override {
-    if (kind_ == Kind::output) return returned_.assign(static_cast<char const *>(begin), size), void();
     (kind_ == Kind::scratch ? scratch_ : constant_).push_back({static_cast<char const *>(begin), size});
   }
   void holder(void const *begin, std::size_t size) override {
     if (kind_ == Kind::output) holders_.push_back({static_cast<char const *>(begin), size});
+  }
+  void handed_over(void const *begin, std::size_t size) override {
+    auto const *bytes = static_cast<char const *>(begin);
+    holders_.push_back({bytes, size});
+    returned_.assign(bytes, size);
   }
   // Called again, the kernel finds its arguments as they were.
   void own(void const *begin, std::size_t size) override {
@@ -64,6 +71,9 @@ public:
   void end(std::string const &, std::string const &output_file, Place const &) override {
     if (!is_wanted_) return;
     bool const is_function = output_file.empty();
+    if (replay::replay_watches_world())
+      for (Effect const &effect : effects_on_world(/*discard=*/true))
+        replay::replay_effect(effect.kind == Effect::Kind::changes, effect.what);
     if (!is_again_) {
       std::vector<memory::Change> left = image_.changes(known());
       std::erase_if(left, [this](memory::Change const &change) { return is_returned(change); });
@@ -94,9 +104,8 @@ private:
     give(number, replay::replay_input);
   }
 
-  // What the next call does not write shows: a caller may have anything there.
+  // A caller may have anything in its outputs.
   void spoil_outputs() {
-    constexpr double unlikely = -7654.321;
     for (double *one : outputs_) {
       auto const *at = reinterpret_cast<char const *>(one);
       auto const holds = [at](Known const &part) { return part.begin <= at && at < part.begin + part.size; };
@@ -105,7 +114,7 @@ private:
                             std::any_of(constant_.begin(), constant_.end(), holds);
       if (is_state || !image_.before(one)) continue; // or a local variable, which is gone
       make_writable(one);
-      *one = unlikely;
+      *one = replay::spoilt_output;
     }
   }
 
@@ -202,6 +211,7 @@ void symreal_original_layout(void const volatile *begin, char const *layout, sym
   OwnWork const own;
   struct Numbers final : symreal::trace::LayoutVisitor {
     void number(void const volatile *address) override { symreal_original_bytes(address, sizeof(double), temporary); }
+    void container(void const volatile *object, std::size_t size) override { symreal_original_holder(object, size); }
     int temporary = 0;
   } numbers;
   numbers.temporary = is_temporary;
@@ -221,6 +231,11 @@ void symreal_original_statics(char const *names) {
 void symreal_original_holder(void const volatile *begin, std::size_t size) {
   OwnWork const own;
   if (!symreal::trace::is_later) Kernel::current().sink().holder(const_cast<void const *>(begin), size);
+}
+
+void symreal_original_handed_over(int active, void const volatile *begin, std::size_t size) {
+  OwnWork const own;
+  if (active) Kernel::current().sink().handed_over(const_cast<void const *>(begin), size);
 }
 
 void symreal_original_own(void const volatile *begin, std::size_t size) {
@@ -261,7 +276,7 @@ void symreal_original_returned(int active, char const *label, char const *file, 
   if (!symreal_original_object("output", label, file, line, column, nullptr)) return;
   if (layout) {
     symreal_original_layout(value, layout, nullptr, 1);
-    Kernel::current().sink().bytes(value, size);
+    symreal_original_handed_over(1, value, size);
   } else
     symreal_original_bytes(value, size, 1);
   symreal_original_object_end();

@@ -11,6 +11,7 @@
 #include "trace/leaks/trap.h"
 #include "trace/nodes/externals.h"
 #include "trace/nodes/pool.h"
+#include "trace/outside/world.h"
 #include "trace/report/events.h"
 #include "trace/sinks.h"
 #include "trace/state/state.h"
@@ -53,6 +54,7 @@ public:
     TextMarks::current().begin();
     modes_at_begin_ = Environment::unusual_modes();
     enable_trap();
+    if (!Join::current().is_arm()) watch_world();
   }
 
   void begin_object(Kind kind, std::string const &label, Place const &place) override {
@@ -116,6 +118,13 @@ public:
     Pause const pause;
     if (kind_ == Kind::constant) State::current().constant_with_owned(begin, size);
     if (kind_ == Kind::scratch) State::current().scratch(begin, size, [](void const *, Numbers &) {});
+  }
+  void holder(void const *begin, std::size_t size) override {
+    if (kind_ == Kind::output) handed_over(begin, size);
+  }
+  void handed_over(void const *begin, std::size_t size) override {
+    Pause const pause;
+    State::current().handed_over(begin, size);
   }
   void own(void const *begin, std::size_t size) override {
     Pause const pause;
@@ -183,6 +192,8 @@ public:
 
   void end(std::string const &name, std::string const &output_file, Place const &place) override {
     if (Join::current().is_arm()) end_arm(place);
+    judge_world(place);
+    memory::OwnWork const own;
     if (!disable_trap())
       report({DiagnosticId::trap_lost, place,
               "kernel '" + name + "' changes the floating-point environment or the handler of SIGFPE or SIGTRAP"});
@@ -197,7 +208,7 @@ public:
       graph_.executed.by_op[op] = detail::executed[op] - executed_before_.by_op[op];
     check_outputs(place);
     if (has_notes_)
-      graph_.frozen = State::current().end(place);
+      graph_.frozen = State::current().end(place, !Guards::current().empty());
     else
       State::current().end_untold();
     TextMarks::current().end();
@@ -225,11 +236,21 @@ private:
     return kind == Kind::input ? graph_.inputs : kind == Kind::parameter ? graph_.parameters : graph_.outputs;
   }
 
+  // Generated code computes, and calls external functions, which may do what they like.
+  static void judge_world(Place const &place) {
+    std::vector<Effect> const effects = effects_on_world();
+    if (!Externals::current().functions().empty()) return;
+    for (Effect const &effect : effects)
+      if (effect.kind == Effect::Kind::changes)
+        report({DiagnosticId::effect_outside, place,
+                "the kernel " + effect.what + ", and the generated code would not do so"});
+  }
+
   // What the arm leaves behind besides its results is a matter of its own path.
   void end_arm(Place const &place) {
     memory::OwnWork const own;
     bool const leaves_more = Join::current().would([&] {
-      if (has_notes_) (void)State::current().end(place);
+      if (has_notes_) (void)State::current().end(place, !Guards::current().empty());
       return anything_wrong() || has_told("scratch");
     });
     if (!unwritten_.empty()) Join::current().leave_unwritten(unwritten_);

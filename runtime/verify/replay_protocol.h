@@ -29,6 +29,9 @@ enum class State : std::uint32_t { begun, complete, wrong_shape };
 enum class Command : char { original = 'o', generated = 'c', graph = 'g', functions = 'f' };
 inline constexpr std::uint32_t no_function = ~std::uint32_t{0};
 
+// What outputs that are no inputs hold before a later call: one that the original does not write shows.
+inline constexpr double spoilt_output = -7654.321;
+
 // What the original's kernel has left in memory that outlives it, and that is no output.
 struct LeftBehind {
   std::uint64_t size, first, end; // of the object, and of the bytes in it that changed
@@ -41,9 +44,15 @@ struct LeftBehind {
   }
 };
 
-// The head of the shared file; inputs, parameters, the outputs of each call, and for each input the output that is the
-// same number or -1, follow as doubles; then inputs and outputs of the generated code, which may have derivatives, and
-// arguments and results of a call.
+// What the original's kernel has done outside of the program, in words.
+struct OutsideEffect {
+  std::uint8_t changes; // something that lasts
+  char what[183];
+};
+
+// The head of the shared file. As doubles follow: the inputs, the parameters and the outputs of each call in a row; for
+// each input the output that is the same number, or -1; inputs and outputs of the generated code, which may have
+// derivatives; arguments and results of a call.
 struct Head {
   std::uint32_t input_count, parameter_count, output_count;
   std::uint32_t seconds; // after which a sample is given up
@@ -54,27 +63,34 @@ struct Head {
   Premises premises;
   std::uint8_t unused;
   std::uint32_t left_count;
-  std::uint32_t calls_wanted, calls_done; // of the kernel in a row, each on the state that the one before it has left
+  std::uint32_t most_calls; // of the kernel in a row, each on the state that the one before it has left
+  std::uint32_t calls_wanted, calls_done;
   std::uint32_t code_input_count, code_output_count;
   std::uint32_t most_arguments, most_results; // of a function
-  std::uint32_t unused_too;
   std::uint64_t stack[16]; // of a program that counts its branches: where the kernel begins, see Memory::stack
   LeftBehind left[16];
+  std::uint32_t watches_world; // the client wants to know the effects
+  std::uint32_t effect_count;
+  OutsideEffect effects[8];
 };
 static_assert(sizeof(Head) % sizeof(double) == 0);
 
 inline std::size_t shared_size(Head const &head) {
-  std::size_t const inputs = head.input_count, outputs = std::size_t{head.output_count} * head.calls_wanted;
+  std::size_t const calls = std::size_t{head.input_count} + head.parameter_count + head.output_count;
   std::size_t const code = std::size_t{head.code_input_count} + head.code_output_count;
   std::size_t const call = std::size_t{head.most_arguments} + head.most_results;
-  return sizeof(Head) + sizeof(double) * (2 * inputs + head.parameter_count + outputs + code + call);
+  return sizeof(Head) + sizeof(double) * (calls * head.most_calls + head.input_count + code + call);
 }
-inline double *shared_inputs(Head *head) { return reinterpret_cast<double *>(head + 1); }
-inline double *shared_parameters(Head *head) { return shared_inputs(head) + head->input_count; }
-inline double *shared_outputs(Head *head) { return shared_parameters(head) + head->parameter_count; }
-inline double *shared_links(Head *head) {
-  return shared_outputs(head) + std::size_t{head->output_count} * head->calls_wanted;
+inline double *shared_inputs(Head *head, std::size_t call = 0) {
+  return reinterpret_cast<double *>(head + 1) + call * head->input_count;
 }
+inline double *shared_parameters(Head *head, std::size_t call = 0) {
+  return shared_inputs(head, head->most_calls) + call * head->parameter_count;
+}
+inline double *shared_outputs(Head *head, std::size_t call = 0) {
+  return shared_parameters(head, head->most_calls) + call * head->output_count;
+}
+inline double *shared_links(Head *head) { return shared_outputs(head, head->most_calls); }
 inline double *shared_code_inputs(Head *head) { return shared_links(head) + head->input_count; }
 inline double *shared_code_outputs(Head *head) { return shared_code_inputs(head) + head->code_input_count; }
 inline double *shared_arguments(Head *head) { return shared_code_outputs(head) + head->code_output_count; }

@@ -76,7 +76,7 @@ void serve(Connection const &connection, Head *head, Memory const &memory) {
   }
   for (Command command; read(connection.commands, &command, 1) == 1;) {
     head->state = State::begun;
-    head->left_count = head->calls_done = 0;
+    head->left_count = head->effect_count = head->calls_done = 0;
     pid_t child = fork();
     if (child == 0) {
       alarm(head->seconds);
@@ -127,17 +127,17 @@ bool replay_begin(std::string_view kernel, Memory const &memory) {
 }
 
 void replay_input(double *number) {
-  if (shared) give(number, shared_inputs(shared), inputs_met, shared->input_count);
+  if (shared) give(number, shared_inputs(shared, shared->calls_done), inputs_met, shared->input_count);
 }
 
 void replay_parameter(double *number) {
-  if (shared) give(number, shared_parameters(shared), parameters_met, shared->parameter_count);
+  if (shared) give(number, shared_parameters(shared, shared->calls_done), parameters_met, shared->parameter_count);
 }
 
 void replay_output(double value) {
   if (!shared) return;
   if (outputs_met == shared->output_count) finish(State::wrong_shape);
-  shared_outputs(shared)[shared->calls_done * shared->output_count + outputs_met++] = value;
+  shared_outputs(shared, shared->calls_done)[outputs_met++] = value;
 }
 
 int replay_compute(double const *inputs, double const *parameters, double *outputs) {
@@ -146,6 +146,15 @@ int replay_compute(double const *inputs, double const *parameters, double *outpu
 
 void replay_left(std::vector<memory::Change> const &changes) {
   if (shared) tell_left(*shared, changes);
+}
+
+bool replay_watches_world() { return shared && shared->watches_world != 0 && shared->calls_done == 0; }
+
+void replay_effect(bool changes, std::string_view what) {
+  if (!shared || shared->effect_count == std::size(shared->effects)) return;
+  OutsideEffect &effect = shared->effects[shared->effect_count++];
+  effect.changes = changes;
+  effect.what[what.copy(effect.what, sizeof effect.what - 1)] = 0;
 }
 
 void replay_link(int output) {

@@ -35,6 +35,10 @@ int replay_compute(double const *inputs, double const *parameters, double *outpu
 // What the kernel has left in memory.
 void replay_left(std::vector<memory::Change> const &changes);
 
+// Whether the client wants to know what this call does outside of the program, and one such effect.
+bool replay_watches_world();
+void replay_effect(bool changes, std::string_view what);
+
 // Per input, in order: the output that is the same number, or -1.
 void replay_link(int output);
 

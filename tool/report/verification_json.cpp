@@ -294,6 +294,7 @@ VerificationRecord record_of(Json const &json) {
   }
   verification.rewritten = comparisons_of(json.at("rewritten"), count);
   verification.called_again = comparisons_of(json.at("called_again"), count);
+  verification.called_beyond = comparisons_of(json.value("called_beyond", Json::array()), count);
   if (json.contains("wrapped")) verification.wrapped = comparisons_of(json["wrapped"], count);
   if (json.contains("parallel"))
     verification.threads = program::ThreadResult{json["parallel"].at("threads"), json["parallel"].at("different")};
@@ -309,6 +310,8 @@ VerificationRecord record_of(Json const &json) {
   if (json.contains("errors")) verification.errors = errors_of(json["errors"], count);
   verification.left = left_of(json.at("left_behind"));
   verification.left_by_wrapper = left_of(json.at("left_by_wrapper"));
+  verification.changes_outside = left_of(json.value("changes_outside", Json::array()));
+  verification.outside = left_of(json.value("outside", Json::array()));
   for (Json const &one : json.at("named"))
     verification.named[one.at("sample")] = {numbers_of(one.at("inputs")), numbers_of(one.at("parameters"))};
   return record;
@@ -363,9 +366,13 @@ Json to_json(VerificationRecord const &record) {
   json["called_again_different"] = program::count_different(verification.called_again);
   json["rewritten"] = comparisons_json(verification.rewritten);
   json["called_again"] = comparisons_json(verification.called_again);
+  if (program::count_different(verification.called_beyond) != 0)
+    json["called_beyond"] = comparisons_json(verification.called_beyond);
   if (!verification.wrapped.empty()) json["wrapped"] = comparisons_json(verification.wrapped);
   json["left_behind"] = left_json(verification.left);
   json["left_by_wrapper"] = left_json(verification.left_by_wrapper);
+  if (!verification.changes_outside.empty()) json["changes_outside"] = left_json(verification.changes_outside);
+  if (!verification.outside.empty()) json["outside"] = left_json(verification.outside);
   add_guards(json, verification);
   json["decisions"] = decisions_json(verification.decisions);
   if (verification.branches) json["branches"] = branches_json(*verification.branches);

@@ -252,6 +252,8 @@ void print_verification(std::ostream &out, Graph const &graph, program::Verifica
   if (verification.threads) print_threads(out, *verification.threads);
   print_exact(out, graph, verification.exact);
   if (verification.errors) print_errors(out, graph, *verification.errors);
+  for (program::LeftState const &effect : verification.outside)
+    fmt::print(out, "  outside of the program: the original {}, and the generated code does not\n", effect.name);
   if (!verification.wrapped.empty()) fmt::print(out, "  the wrapper was tried as well\n");
   if (verification.derivatives && !verification.has_values) return print_derivatives(out, *verification.derivatives);
   fmt::print(out, "  {:<28}{:>10}{:>22}{:>12}{}{}\n", "output", "elements",
@@ -296,6 +298,14 @@ std::optional<Diagnostic> verification_failure(Graph const &graph, program::Veri
                                   "no output, or that is said to be scratch",
                                   count, verification.outputs.size()),
                       {{{}, first_difference(graph, verification, verification.called_again, "generated")}}};
+  if (std::size_t count = program::count_different(verification.called_beyond))
+    return Diagnostic{
+        DiagnosticId::verification_mismatch,
+        {file},
+        fmt::format("where a guard fails, {} of {} outputs of the original depend on the calls before: it "
+                    "keeps something that the generated code does not",
+                    count, verification.outputs.size()),
+        {{{}, first_difference(graph, verification, verification.called_beyond, "without these calls")}}};
   if (auto failure = thread_failure(verification, file)) return failure;
   if (verification.guards_different != 0 && verification.mode != FloatingPoint::fast)
     return Diagnostic{DiagnosticId::verification_mismatch,
@@ -304,6 +314,10 @@ std::optional<Diagnostic> verification_failure(Graph const &graph, program::Veri
                                   verification.guards_different),
                       {{{}, guard_difference(verification)}}};
   if (auto failure = state_failure(graph, verification.left, "original")) return failure;
+  if (!verification.changes_outside.empty())
+    return Diagnostic{DiagnosticId::effect_outside, graph.outputs.front().place,
+                      fmt::format("kernel '{}': the original {}, and the generated code does not", graph.kernel,
+                                  verification.changes_outside[0].name)};
   if (std::size_t count = program::count_different(verification.wrapped))
     return Diagnostic{DiagnosticId::verification_mismatch,
                       {file},

@@ -30,6 +30,10 @@ enum class CompiledAs { symbolic, replay, original };
 bool begin_object(CompiledAs, Kind, char const *label, SourcePlace) noexcept;
 // Row by row. A temporary has no place to write back to.
 void element(void *number, bool is_temporary) noexcept;
+// An object whose elements are annotated: of an output its own bytes may change as well.
+void holder(void const volatile *object, std::size_t size) noexcept;
+// A returned object, as a whole: the caller's room for it changes.
+void handed_over(void const volatile *object, std::size_t size) noexcept;
 void end_object(std::size_t const *extents, std::size_t rank) noexcept;
 // These bytes are known to be baked in.
 void constant_bytes(void const *object, std::size_t size) noexcept;
@@ -95,6 +99,7 @@ template <class T> void walk(T &object, bool is_temporary, Extents *extents) {
     if (extents) extents->push_back(std::extent_v<Plain>);
     for (auto &part : object) visit(part);
   } else if constexpr (is_matrix<T>::value) {
+    holder(__builtin_addressof(object), sizeof object);
     auto rows = object.rows(), columns = object.cols();
     bool vector = columns == 1 || rows == 1;
     if (extents && !vector) extents->push_back(static_cast<std::size_t>(rows));
@@ -102,6 +107,7 @@ template <class T> void walk(T &object, bool is_temporary, Extents *extents) {
     for (decltype(rows) i = 0; i < rows; ++i)
       for (decltype(columns) j = 0; j < columns; ++j) visit(object(i, j));
   } else if constexpr (is_sequence<T>::value) {
+    holder(__builtin_addressof(object), sizeof object);
     if (extents) extents->push_back(static_cast<std::size_t>(object.size()));
     for (decltype(object.size()) i = 0; i < object.size(); ++i) visit(object[i]);
   } else if constexpr (is_complex<Plain>::value) {
@@ -286,6 +292,13 @@ public:
       symreal_annotate(Kind::output, label, place, number);
       make_plain(&copy, sizeof copy);
     }
+    return copy;
+  }
+
+  // A returned object that is not an output.
+  template <class T> T symreal_handed_over(T &&result) {
+    T copy = std::forward<T>(result);
+    if (active_) detail::handed_over(__builtin_addressof(copy), sizeof copy);
     return copy;
   }
 

@@ -33,6 +33,7 @@
 #define SYMREAL_REAL_COMPOUND(type, ...) type __VA_ARGS__
 #define SYMREAL_REAL_STATE(object, place) object
 #define SYMREAL_REAL_LOCAL_STATE(object, place) object
+#define SYMREAL_REAL_SCRATCH_STATE(object, place) object
 #define SYMREAL_REAL_EXTERNAL(function, ...) function
 #define SYMREAL_REAL_FUNCTION(count, ...) __VA_ARGS__
 #define SYMREAL_REAL_LINKAGE(...) __VA_ARGS__
@@ -82,6 +83,9 @@
 #define SYMREAL_OUTPUTS_BEGIN
 #define SYMREAL_OUTPUTS_END
 #define SYMREAL_RETURN(label, file, line, column, ...) __VA_ARGS__
+#define SYMREAL_RETURN_AS(label, file, line, column, type, ...) __VA_ARGS__
+#define SYMREAL_RETURN_LAYOUT_AS(label, file, line, column, layout, types, type, ...) __VA_ARGS__
+#define SYMREAL_RETURN_WHOLE(type, ...) __VA_ARGS__
 #define SYMREAL_RETURN_INTEGER(label, file, line, column, type, ...) __VA_ARGS__
 #define SYMREAL_RETURN_LAYOUT(label, file, line, column, layout, types, ...) __VA_ARGS__
 #define SYMREAL_GENERATE(...)
@@ -126,6 +130,7 @@
 #define SYMREAL_REAL_NOW(...) (::symreal::symreal_now(__VA_ARGS__))
 #define SYMREAL_REAL_STATE(object, place) (::symreal::symreal_state(object, #object, place))
 #define SYMREAL_REAL_LOCAL_STATE(object, place) (::symreal::symreal_local_state(object, #object, place))
+#define SYMREAL_REAL_SCRATCH_STATE(object, place) (::symreal::symreal_scratch_state(object, #object, place))
 #define SYMREAL_REAL_EXTERNAL(function, ...) (::symreal::symreal_external(function, {__VA_ARGS__}))
 #define SYMREAL_REAL_FUNCTION(count, ...) SYMREAL_FUNCTION_##count(__VA_ARGS__)
 #define SYMREAL_FUNCTION_1(...)                                                                                        \
@@ -195,6 +200,7 @@ public:                                                                         
 #define SYMREAL_REAL_NOW(...) (__VA_ARGS__)
 #define SYMREAL_REAL_STATE(object, place) (object)
 #define SYMREAL_REAL_LOCAL_STATE(object, place) (object)
+#define SYMREAL_REAL_SCRATCH_STATE(object, place) (object)
 #define SYMREAL_REAL_EXTERNAL(function, ...) (function)
 #define SYMREAL_REAL_FUNCTION(count, ...) __VA_ARGS__
 #define SYMREAL_REAL_INT(...) __VA_ARGS__
@@ -321,12 +327,19 @@ public:                                                                         
   });
 #define SYMREAL_RETURN(label, file, line, column, ...)                                                                 \
   (symreal_kernel.symreal_returned(label, SYMREAL_PLACE(file, line, column), __VA_ARGS__))
+/* What the function returns, made of the expression as `return` makes it. */
+#define SYMREAL_RETURNED_AS(type, ...) [&]() -> SYMREAL_WORDS type { return __VA_ARGS__; }()
+#define SYMREAL_RETURN_AS(label, file, line, column, type, ...)                                                        \
+  SYMREAL_RETURN(label, file, line, column, SYMREAL_RETURNED_AS(type, __VA_ARGS__))
+#define SYMREAL_RETURN_WHOLE(type, ...) (symreal_kernel.symreal_handed_over(SYMREAL_RETURNED_AS(type, __VA_ARGS__)))
 #define SYMREAL_BOOL bool
 #define SYMREAL_RETURN_INTEGER(label, file, line, column, type, ...)                                                   \
   (symreal_kernel.symreal_returned_integer<SYMREAL_WORDS type>(label, SYMREAL_PLACE(file, line, column), __VA_ARGS__))
 #define SYMREAL_RETURN_LAYOUT(label, file, line, column, layout, types, ...)                                           \
   (symreal_kernel.symreal_returned_layout<SYMREAL_WORDS types>(label, SYMREAL_PLACE(file, line, column), layout,       \
                                                                __VA_ARGS__))
+#define SYMREAL_RETURN_LAYOUT_AS(label, file, line, column, layout, types, type, ...)                                  \
+  SYMREAL_RETURN_LAYOUT(label, file, line, column, layout, types, SYMREAL_RETURNED_AS(type, __VA_ARGS__))
 #define SYMREAL_GENERATE(name, file, line, column) ::symreal::symreal_generate(name, SYMREAL_PLACE(file, line, column));
 
 #endif

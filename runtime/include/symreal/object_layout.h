@@ -97,6 +97,7 @@ auto FunctionKernel::symreal_returned_layout(char const *label, SourcePlace plac
     begin_outputs();
     if (detail::begin_object(detail::compiled_as, Kind::output, label, place)) {
       Extents shape;
+      detail::holder(__builtin_addressof(copy), sizeof copy);
       detail::walk_layout(__builtin_addressof(copy), layout, detail::containers<Containers...>, true, &shape);
       detail::end_object(shape.data(), shape.size());
     }

@@ -29,6 +29,8 @@ void symreal_original_statics(char const *names);
 /* An object that holds such numbers, maybe elsewhere: of an output its own bytes may change as well. */
 void symreal_original_holder(void const volatile *begin, __SIZE_TYPE__ size);
 void symreal_original_object_end(void);
+/* A returned object, as a whole: the caller's room for it changes. */
+void symreal_original_handed_over(int active, void const volatile *begin, __SIZE_TYPE__ size);
 /* The kernel's own, though it may lie with its caller: a parameter. */
 void symreal_original_own(void const volatile *begin, __SIZE_TYPE__ size);
 /* A function with a pragma is entered; whether this call is the kernel. */
@@ -99,6 +101,12 @@ void symreal_original_keep(void const *frame);
   (__extension__({                                                                                                     \
     double symreal_value = (__VA_ARGS__);                                                                              \
     symreal_original_returned(symreal_kernel, label, file, line, column, &symreal_value, sizeof symreal_value, 0);     \
+    symreal_value;                                                                                                     \
+  }))
+#define SYMREAL_RETURN_WHOLE(type, ...)                                                                                \
+  (__extension__({                                                                                                     \
+    __typeof__(__VA_ARGS__) symreal_value = (__VA_ARGS__);                                                             \
+    symreal_original_handed_over(symreal_kernel, &symreal_value, sizeof symreal_value);                                \
     symreal_value;                                                                                                     \
   }))
 #define SYMREAL_BOOL _Bool
@@ -257,6 +265,11 @@ public:
     }
     return result;
   }
+  template <class T> T symreal_handed_over(T &&value) {
+    T result(static_cast<T &&>(value));
+    symreal_original_handed_over(active_, &reinterpret_cast<char const volatile &>(result), sizeof result);
+    return result;
+  }
   template <class T, class Value> typename Decayed<Value>::Type
   symreal_returned_integer(char const *label, char const *file, unsigned line, unsigned column, Value &&value) {
     typename Decayed<Value>::Type result(static_cast<Value &&>(value));
@@ -319,9 +332,16 @@ template <class Outputs> OnReturn<Outputs> symreal_on_return(int active, Outputs
   SYMREAL_ORIGINAL_AGAIN(symreal_kernel.symreal_active())
 #define SYMREAL_RETURN(label, file, line, column, ...)                                                                 \
   (symreal_kernel.symreal_returned(label, file, line, column, __VA_ARGS__))
+/* What the function returns, made of the expression as `return` makes it. */
+#define SYMREAL_RETURNED_AS(type, ...) [&]() -> SYMREAL_WORDS type { return __VA_ARGS__; }()
+#define SYMREAL_RETURN_AS(label, file, line, column, type, ...)                                                        \
+  SYMREAL_RETURN(label, file, line, column, SYMREAL_RETURNED_AS(type, __VA_ARGS__))
+#define SYMREAL_RETURN_WHOLE(type, ...) (symreal_kernel.symreal_handed_over(SYMREAL_RETURNED_AS(type, __VA_ARGS__)))
 #define SYMREAL_BOOL bool
 #define SYMREAL_RETURN_INTEGER(label, file, line, column, type, ...)                                                   \
   (symreal_kernel.symreal_returned_integer<SYMREAL_WORDS type>(label, file, line, column, __VA_ARGS__))
+#define SYMREAL_RETURN_LAYOUT_AS(label, file, line, column, layout, types, type, ...)                                  \
+  SYMREAL_RETURN_LAYOUT(label, file, line, column, layout, types, SYMREAL_RETURNED_AS(type, __VA_ARGS__))
 #define SYMREAL_RETURN_LAYOUT(label, file, line, column, layout, types, ...)                                           \
   (symreal_kernel.symreal_returned_layout<SYMREAL_WORDS types>(label, file, line, column, layout, __VA_ARGS__))
 #define SYMREAL_ORIGINAL_OUTPUTS(...)                                                                                  \

@@ -35,9 +35,9 @@ inline bool is_own(void const *address) noexcept {
   return on_own_stack(address) && !(may_be_around && is_around(address));
 }
 
-// Who can name the object: anybody; one function; the one around a block kernel, whose locals may be changed; the
-// kernel itself, of its parameters, which may lie with the caller.
-enum class Scope { any, function, around, parameter };
+// Who can name the object: anybody; one function; one that writes it before it reads it on every path; the one around a
+// block kernel, whose locals may be changed; the kernel itself, of its parameters, which may lie with the caller.
+enum class Scope { any, function, scratch, around, parameter };
 void note_static(void const *object, std::size_t size, Scope scope, char const *name, char const *place) noexcept;
 void note_local(void const *object, std::size_t size, Scope scope, char const *name, char const *place) noexcept;
 void note_integer_written(IntegerObject integer, char const *name, char const *place) noexcept;
@@ -123,6 +123,13 @@ template <class T> constexpr T &symreal_state(T &object, char const *name, char 
 template <class T> constexpr T &symreal_local_state(T &object, char const *name, char const *place) noexcept {
   if (!__builtin_is_constant_evaluated() && detail::recording)
     detail::note_static(detail::bytes_of(&object), detail::size_here<T>(), detail::Scope::function, name, place);
+  return object;
+}
+
+// The same for one that the function writes before it reads it, on every path.
+template <class T> constexpr T &symreal_scratch_state(T &object, char const *name, char const *place) noexcept {
+  if (!__builtin_is_constant_evaluated() && detail::recording)
+    detail::note_static(detail::bytes_of(&object), detail::size_here<T>(), detail::Scope::scratch, name, place);
   return object;
 }
 

@@ -30,6 +30,7 @@ static void require_value(double value, std::string const &what) {
 }
 
 double needed_value(RealNumber x) noexcept {
+  memory::OwnWork const own;
   double value = Pool::current().carried_value(x);
   if (trace::is_missing(value)) require_value(value, "the value of " + trace::describe(x));
   return value;
@@ -70,6 +71,7 @@ RealNumber compare(Op op, RealNumber x, RealNumber y) noexcept {
 
 RealNumber compare_finite(RealNumber x) noexcept {
   if (is_settled(x) && !may_be_own_infinity(Pool::current().node(x))) {
+    memory::OwnWork const own;
     trace::report_settled("isfinite(" + trace::describe(x) + ")");
     return 1.0;
   }
@@ -108,6 +110,7 @@ static bool is_guarded() { return decisions() == Decisions::guard || decisions()
 static std::string conversion(RealNumber x) { return "the conversion of " + trace::describe(x); }
 
 double convert_to_integer(RealNumber x) noexcept {
+  memory::OwnWork const own;
   double value = needed_value(x);
   if (is_guarded())
     trace::Guards::current().add(trunc(x) == RealNumber(std::trunc(value)),
@@ -118,6 +121,7 @@ double convert_to_integer(RealNumber x) noexcept {
 }
 
 std::uint64_t convert_wide(RealNumber integer) noexcept {
+  memory::OwnWork const own;
   double const value = needed_value(integer);
   if (is_guarded())
     trace::Guards::current().add(wide_equal(integer64_of_bits(integer), integer64(bits(value))),
@@ -129,6 +133,7 @@ std::uint64_t convert_wide(RealNumber integer) noexcept {
 }
 
 double convert(RealNumber x) noexcept {
+  memory::OwnWork const own;
   double value = needed_value(x);
   report(conversion(x));
   return value;

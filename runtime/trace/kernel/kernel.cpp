@@ -74,7 +74,10 @@ void Kernel::end_region(char const *file_name, SourcePlace place) {
     give_up();
   }
   phase_ = Phase::none;
-  recorded_.insert(begun_at_);
+  {
+    memory::OwnWork const own;
+    recorded_.insert(begun_at_);
+  }
   sink_->end(std::filesystem::path(file_name).stem().string(), file_name, {place.file, place.line, place.column});
 }
 

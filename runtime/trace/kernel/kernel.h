@@ -37,6 +37,8 @@ public:
   virtual void bytes(void const *, std::size_t) {}
   // An object that holds annotated numbers, maybe elsewhere.
   virtual void holder(void const *, std::size_t) {}
+  // A returned object, as a whole.
+  virtual void handed_over(void const *, std::size_t) {}
   // The kernel's own, though it lies with its caller.
   virtual void own(void const *, std::size_t) {}
   virtual void end_object(std::vector<std::size_t> extents) = 0;

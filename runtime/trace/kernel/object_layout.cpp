@@ -93,6 +93,7 @@ private:
   char const *visit_container(char const *text, char const volatile *object, std::vector<std::size_t> *extents) {
     std::size_t index = 0, size = 0;
     text = number(number(text, index) + 1, size) + 1;
+    visitor_.container(object, size);
     struct Each {
       Layout &layout;
       char const *shape;
@@ -125,6 +126,9 @@ public:
   ToSink(Sink &sink, bool is_temporary) : sink_(sink), is_temporary_(is_temporary) {}
   void number(void const volatile *address) override { sink_.element(const_cast<void *>(address), is_temporary_); }
   void integer(IntegerObject integer) override { sink_.integer(integer); }
+  void container(void const volatile *object, std::size_t size) override {
+    sink_.holder(const_cast<void const *>(object), size);
+  }
   void begin_members() override { sink_.begin_members(); }
   void begin_member(std::string const &name) override { sink_.begin_member(name); }
   void end_member(std::vector<std::size_t> const &extents) override { sink_.end_member(extents); }

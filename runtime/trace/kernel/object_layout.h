@@ -13,6 +13,7 @@ public:
   virtual ~LayoutVisitor() = default;
   virtual void number(void const volatile *address) = 0;
   virtual void integer(IntegerObject) {}
+  virtual void container(void const volatile *, std::size_t) {}
   virtual void begin_members() {}
   virtual void begin_member(std::string const &) {}
   virtual void end_member(std::vector<std::size_t> const &) {}

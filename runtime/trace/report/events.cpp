@@ -144,6 +144,7 @@ bool has_told(std::string const &kind) {
 }
 
 void flush_events() {
+  memory::OwnWork const own;
   if (record_directory().empty() || log().are_kept) return;
   std::string text;
   for (std::string const &line : log().lines) text += line + '\n';

@@ -82,11 +82,6 @@ void State::local(void const *object, std::size_t size, detail::Scope scope, cha
   if (scope == detail::Scope::around) widen_around(object, size);
 }
 
-// Nobody else can know what is left in it.
-static bool is_private(Site const &site) {
-  return site.scope == detail::Scope::around || site.scope == detail::Scope::parameter;
-}
-
 State::Read &State::read_at(Site const &site) {
   auto [found, is_new] = reads_.try_emplace(site);
   if (is_new) found->second.stack = call_stack();
@@ -239,6 +234,9 @@ void State::outside(std::string const &name, std::vector<double> const &values) 
 void State::allocated(void *block, std::size_t size) {
   Pause const pause;
   shadow_.set(block, size, mark::own);
+  // A block that was given back may hold nodes that its next owner does not overwrite.
+  constexpr std::size_t most = std::size_t{1} << 20;
+  if (size <= most) std::memset(block, 0, size);
 }
 
 void State::released(void *block, std::size_t size) {
@@ -317,13 +315,15 @@ void State::judge_inputs() {
   }
 }
 
-// An integer that was read keeps the value that it had then; one that has changed is lost.
-void State::judge_integers() {
+// An integer that was read keeps the value that it had then; one that has changed is lost. A static one of a function
+// that this path writes before it reads it may be read on another, which is the original's where a guard fails.
+void State::judge_integers(bool has_guards) {
   for (Integers::Noted const &one : integers_.noted()) {
     Marks const marks = shadow_.at(one.integer.address);
     if ((marks & mark::freed) != 0) continue;
     bool const is_constant = (marks & mark::constant) != 0 || integers_.is_annotated(one.integer);
-    bool const private_scratch = !one.is_read && one.site.scope == detail::Scope::function;
+    bool const private_scratch = one.site.scope == detail::Scope::scratch ||
+                                 (!one.is_read && one.site.scope == detail::Scope::function && !has_guards);
     if (one.is_lost() && private_scratch)
       event({"scratch", std::string(one.site.name)});
     else if (one.is_lost() && !is_private(one.site))
@@ -403,11 +403,12 @@ void State::end_untold() {
   shadow_.clear();
 }
 
-std::vector<Frozen> State::end(Place const &kernel) {
+std::vector<Frozen> State::end(Place const &kernel, bool has_guards) {
   detail::recording = false;
+  judge_initialised(kernel); // while the objects still hold nodes
   mark_scratch();
   judge_inputs();
-  judge_integers();
+  judge_integers(has_guards);
   std::vector<Frozen> frozen;
   judge_reads(frozen);
   for (auto &[function, values] : outside_)

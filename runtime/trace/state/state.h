@@ -66,6 +66,10 @@ public:
   // Whether the kernel wrote it, as far as is known, or it is an input. If not, it holds what it held before.
   bool output(RealNumber const *number);
   void scratch(void const *object, std::size_t size, detail::Visit visit);
+  // An object that the kernel hands over as a whole: its own bytes may change.
+  void handed_over(void const *object, std::size_t size) {
+    handed_over_.push_back({static_cast<char const *>(object), size});
+  }
   void scratch_file(char const *file) { scratch_files_.insert(file); }
   // For arms that are both executed (<symreal/branch.h>). Is it somewhere that outlives the kernel, and not met yet?
   bool is_foreign(RealNumber const *number);
@@ -83,8 +87,8 @@ public:
   void moved(void *block, std::size_t size, void *to, std::size_t new_size);
 
   // What is baked in. Reports state that was written and is no output, and makes its numbers ordinary again.
-  // `kernel`: its place.
-  std::vector<Frozen> end(Place const &kernel = {});
+  // `kernel`: its place. `has_guards`: other inputs may take another path through the program than this one.
+  std::vector<Frozen> end(Place const &kernel = {}, bool has_guards = false);
   // Of a program that tells nothing of what it reads and writes: nothing is reported, the numbers in all that has
   // changed are ordinary again.
   void end_untold();
@@ -150,7 +154,13 @@ private:
   std::vector<memory::Known> known_changes();
   bool has_changed(RealNumber const *number) const;
   void judge_memory(Place const &kernel);
-  void judge_integers();
+  void judge_initialised(Place const &kernel);
+  bool holds_input(memory::Known object) const;
+  // The kernel's own, though it may lie with its caller: what is left in it does not matter.
+  static bool is_private(Site const &site) {
+    return site.scope == detail::Scope::around || site.scope == detail::Scope::parameter;
+  }
+  void judge_integers(bool has_guards);
   static Place place_of(Site const &site);
   // state_clauses.cpp
   void tell_clauses(std::vector<Frozen> const &frozen, Place const &kernel) const;
@@ -171,6 +181,7 @@ private:
   std::map<std::string, Frozen> copies_;     // those that lie in the kernel's own arguments, by name
   std::vector<Changed> changed_;
   std::vector<Scratch> scratch_;
+  std::vector<memory::Known> handed_over_;
   std::set<std::string> scratch_files_;
   std::vector<RangeEnd> range_ends_;
   std::map<std::pair<std::string, std::vector<std::uintptr_t>>, std::vector<double>> outside_; // by name and stack

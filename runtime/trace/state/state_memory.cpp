@@ -1,9 +1,11 @@
-// What the kernel has left in objects of static storage duration that nobody told of: text, bytes, or what code that is
-// not rewritten wrote there.
+// The memory that outlives a kernel, compared with what it was: text, bytes, and all that code which was not rewritten
+// has written there. Such code tells the State nothing.
 #include "trace/nodes/externals.h"
+#include "trace/nodes/pool.h"
 #include "trace/report/events.h"
 #include "trace/state/state.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <cstring>
 #include <cxxabi.h>
@@ -12,11 +14,17 @@ namespace symreal::trace {
 
 namespace {
 
+// Of a temporary that a reference keeps alive: the reference.
 std::string readable(std::string const &linkers_name) {
   int status = 0;
   char *const text = abi::__cxa_demangle(linkers_name.c_str(), nullptr, nullptr, &status);
-  std::string const name = status == 0 && text ? text : linkers_name;
+  std::string name = status == 0 && text ? text : linkers_name;
   std::free(text);
+  constexpr std::string_view temporary = "reference temporary #";
+  if (name.starts_with(temporary)) name.erase(0, name.find(" for ") + 5);
+  constexpr std::string_view real = "symreal::types::RealNumber";
+  for (std::size_t at = name.find(real); at != name.npos; at = name.find(real, at))
+    name.replace(at, real.size(), "double");
   return name;
 }
 
@@ -38,6 +46,11 @@ std::vector<memory::Known> State::known_changes() {
   for (auto const &[site, read] : reads_)
     for (RealNumber const *number : read.numbers) add(number, sizeof *number);
   for (Integers::Noted const &one : integers_.noted()) add(one.integer.address, one.integer.size);
+  for (memory::Known const &one : handed_over_) add(one.begin, one.size);
+  for (auto const &[object, named] : names_)
+    if (is_private(named.site)) add(object, named.size);
+  for (Changed const &one : changed_)
+    if (reported_.contains(one.site)) add(one.object, 1);
   for (Scratch const &one : scratch_) {
     if (!image_ || (shadow_.at(one.object) & mark::freed) != 0) continue;
     for (memory::Known const &owned : image_->owned({static_cast<char const *>(one.object), one.size}))
@@ -56,19 +69,66 @@ bool State::has_changed(RealNumber const *number) const {
   return before && std::memcmp(before, static_cast<void const *>(number), sizeof *number) != 0;
 }
 
+// Nodes in the object or in what it owns, or a pointer in it to what the caller has on its stack, or to an input.
+bool State::holds_input(memory::Known object) const {
+  std::vector<memory::Known> const owned = image_->owned(object, memory::heap_blocks());
+  auto const each_word = [](memory::Known part, auto found) {
+    std::size_t const skipped = (8 - reinterpret_cast<std::uintptr_t>(part.begin) % 8) % 8;
+    for (std::size_t k = skipped; k + 8 <= part.size; k += 8) {
+      std::uint64_t bits;
+      std::memcpy(&bits, part.begin + k, sizeof bits);
+      if (found(bits)) return true;
+    }
+    return false;
+  };
+  if (std::ranges::any_of(owned, [&](memory::Known part) { return each_word(part, Pool::is_tagged); })) return true;
+  return each_word(object, [this](std::uint64_t bits) {
+    auto const *address = reinterpret_cast<void const *>(bits);
+    if (image_->region_of(address) == memory::Region::stack || detail::on_own_stack(address)) return true;
+    return image_->region_of(address) != memory::Region::static_object &&
+           std::ranges::any_of(inputs_, [address](Input const &one) { return one.number == address; });
+  });
+}
+
+// A later call finds the object as the first call has made it, whatever its own inputs are.
+void State::judge_initialised(Place const &kernel) {
+  if (!image_) return;
+  for (memory::Change const &object : image_->initialised()) {
+    if (!holds_input({object.object, object.size})) continue;
+    auto const named = names_.find(object.object);
+    std::string const name = named == names_.end() ? readable(object.name) : std::string(named->second.site.name);
+    if (named != names_.end() && !reported_.insert(named->second.site).second) continue;
+    report({DiagnosticId::static_of_inputs, named == names_.end() ? kernel : place_of(named->second.site),
+            "the first call initialises static '" + name + "' from its inputs, and later calls keep this value"});
+  }
+}
+
 void State::judge_memory(Place const &kernel) {
   if (!image_) return;
   // An external function may keep what it likes.
   bool const calls_externals = !Externals::current().functions().empty();
   for (memory::Change const &change : image_->changes(known_changes())) {
-    if (change.region != memory::Region::static_object) continue;
     auto const named = names_.find(change.object);
     if (named == names_.end() && calls_externals) continue;
     if (named != names_.end() && reported_.contains(named->second.site)) continue;
-    std::string const name = named == names_.end() ? readable(change.name) : std::string(named->second.site.name);
+    std::string what;
+    switch (change.region) {
+    case memory::Region::static_object:
+      what = "bytes " + std::to_string(change.first) + " to " + std::to_string(change.end - 1) + " of '" +
+             (named == names_.end() ? readable(change.name) : std::string(named->second.site.name)) + "' (static, " +
+             std::to_string(change.size) + " bytes)";
+      break;
+    case memory::Region::heap_block:
+      what = "bytes " + std::to_string(change.first) + " to " + std::to_string(change.end - 1) + " of a block of " +
+             std::to_string(change.size) + " bytes on the heap";
+      break;
+    case memory::Region::stack:
+      what = std::to_string(change.end - change.first) + (change.end - change.first == 1 ? " byte" : " bytes") +
+             " in a variable of a calling function";
+      break;
+    }
     report({DiagnosticId::state_not_output, named == names_.end() ? kernel : place_of(named->second.site),
-            "the kernel changes bytes " + std::to_string(change.first) + " to " + std::to_string(change.end - 1) +
-                " of '" + name + "' (static, " + std::to_string(change.size) + " bytes), which is not an output"});
+            "the kernel changes " + what + ", which is not an output"});
   }
 }
 

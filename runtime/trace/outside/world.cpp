@@ -1,0 +1,357 @@
+#include "trace/outside/world.h"
+
+#include "memory/heap_blocks.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <cstdio>
+#include <cstring>
+#include <map>
+#include <string_view>
+#include <unistd.h>
+
+#if defined(__linux__) && defined(__x86_64__)
+#include <csignal>
+#include <fcntl.h>
+#include <sched.h>
+#include <sys/prctl.h>
+#include <sys/syscall.h>
+#include <ucontext.h>
+#endif
+
+extern char **environ;
+
+namespace symreal::trace {
+
+namespace {
+
+std::map<std::string, std::string> environment() {
+  std::map<std::string, std::string> variables;
+  for (char **each = environ; each && *each; ++each) {
+    std::string_view const text = *each;
+    std::size_t const equal = text.find('=');
+    variables.try_emplace(std::string(text.substr(0, equal)), equal == text.npos ? "" : text.substr(equal));
+  }
+  return variables;
+}
+
+std::map<std::string, std::string> &environment_before() {
+  static auto *variables = memory::make_own<std::map<std::string, std::string>>();
+  return *variables;
+}
+
+void compare_environment(std::vector<Effect> &effects) {
+  std::map<std::string, std::string> const now = environment(), &before = environment_before();
+  auto const differs = [](auto const &one, auto const &all) {
+    auto const found = all.find(one.first);
+    return found == all.end() || found->second != one.second;
+  };
+  auto const add = [&](std::string const &name) {
+    Effect effect{Effect::Kind::changes, "changes the environment variable '" + name + "'"};
+    if (std::ranges::find(effects, effect) == effects.end()) effects.push_back(std::move(effect));
+  };
+  for (auto const &one : now)
+    if (differs(one, before)) add(one.first);
+  for (auto const &one : before)
+    if (differs(one, now)) add(one.first);
+}
+
+#if defined(__linux__) && defined(__x86_64__)
+
+#ifndef PR_SET_SYSCALL_USER_DISPATCH
+#define PR_SET_SYSCALL_USER_DISPATCH 59
+#endif
+
+constexpr char allow = 0, block = 1;
+char selector = allow; // which the kernel of the system reads at each system call
+bool is_watching = false, is_discarding = false;
+struct sigaction previous;
+// The handler's own stack: what it leaves would show where the stacks of two processes are compared (trace/join).
+alignas(16) char handler_stack[1 << 16];
+stack_t previous_stack;
+
+// Noted in the handler, where nothing may be allocated.
+struct Noted {
+  long number;
+  long file;     // a descriptor, or -1
+  bool is_asked; // nothing that lasts is done
+  char path[240];
+};
+Noted noted[32];
+std::size_t noted_count = 0;
+
+enum class Does { reads, writes, moves, opens, asks, names, other };
+struct Call {
+  long number;
+  Does does;
+  char const *what; // behind "the kernel"
+  int path = -1;    // which argument is one
+};
+
+// Calls that concern the program alone. Every other one that no row names counts.
+constexpr long harmless[] = {SYS_brk,
+                             SYS_mmap,
+                             SYS_munmap,
+                             SYS_mprotect,
+                             SYS_mremap,
+                             SYS_madvise,
+                             SYS_futex,
+                             SYS_rt_sigaction,
+                             SYS_rt_sigprocmask,
+                             SYS_rt_sigreturn,
+                             SYS_sigaltstack,
+                             SYS_sched_yield,
+                             SYS_clock_gettime,
+                             SYS_clock_getres,
+                             SYS_gettimeofday,
+                             SYS_time,
+                             SYS_times,
+                             SYS_getrusage,
+                             SYS_getpid,
+                             SYS_gettid,
+                             SYS_getppid,
+                             SYS_getuid,
+                             SYS_geteuid,
+                             SYS_getgid,
+                             SYS_getegid,
+                             SYS_uname,
+                             SYS_sysinfo,
+                             SYS_getrandom,
+                             SYS_getrlimit,
+                             SYS_prlimit64,
+                             SYS_fstat,
+                             SYS_getdents64,
+                             SYS_close,
+                             SYS_fadvise64,
+                             SYS_poll,
+                             SYS_select,
+                             SYS_nanosleep,
+                             SYS_clock_nanosleep,
+                             SYS_sched_getaffinity,
+                             SYS_getcpu,
+                             SYS_set_robust_list,
+                             SYS_rseq,
+                             SYS_arch_prctl,
+                             SYS_exit,
+                             SYS_exit_group,
+                             SYS_membarrier,
+                             SYS_tgkill,
+                             SYS_prctl,
+                             SYS_restart_syscall,
+                             SYS_alarm,
+                             SYS_clone,
+                             SYS_clone3,
+                             SYS_fstatfs,
+                             SYS_mlock,
+                             SYS_mincore,
+                             SYS_sched_getparam,
+                             SYS_sched_getscheduler};
+constexpr Call calls[] = {
+    {SYS_read, Does::reads, "reads from"},
+    {SYS_pread64, Does::reads, "reads from"},
+    {SYS_readv, Does::reads, "reads from"},
+    {SYS_stat, Does::asks, "looks at", 0},
+    {SYS_lstat, Does::asks, "looks at", 0},
+    {SYS_newfstatat, Does::asks, "looks at", 1},
+    {SYS_statx, Does::asks, "looks at", 1},
+    {SYS_access, Does::asks, "looks at", 0},
+    {SYS_faccessat, Does::asks, "looks at", 1},
+    {SYS_faccessat2, Does::asks, "looks at", 1},
+    {SYS_readlink, Does::asks, "looks at", 0},
+    {SYS_readlinkat, Does::asks, "looks at", 1},
+    {SYS_statfs, Does::asks, "looks at", 0},
+    {SYS_getcwd, Does::asks, "asks for the working directory"},
+    {SYS_write, Does::writes, "writes to"},
+    {SYS_pwrite64, Does::writes, "writes to"},
+    {SYS_writev, Does::writes, "writes to"},
+    {SYS_pwritev, Does::writes, "writes to"},
+    {SYS_sendto, Does::writes, "writes to"},
+    {SYS_sendmsg, Does::writes, "writes to"},
+    {SYS_ftruncate, Does::writes, "truncates"},
+    {SYS_lseek, Does::moves, "uses the position in"},
+    {SYS_open, Does::opens, "opens", 0},
+    {SYS_openat, Does::opens, "opens", 1},
+    {SYS_creat, Does::names, "creates", 0},
+    {SYS_truncate, Does::names, "truncates", 0},
+    {SYS_unlink, Does::names, "removes", 0},
+    {SYS_unlinkat, Does::names, "removes", 1},
+    {SYS_rename, Does::names, "renames", 0},
+    {SYS_renameat, Does::names, "renames", 1},
+    {SYS_renameat2, Does::names, "renames", 1},
+    {SYS_mkdir, Does::names, "makes the directory", 0},
+    {SYS_mkdirat, Does::names, "makes the directory", 1},
+    {SYS_rmdir, Does::names, "removes the directory", 0},
+    {SYS_link, Does::names, "links", 0},
+    {SYS_symlink, Does::names, "links", 1},
+    {SYS_chmod, Does::names, "changes the permissions of", 0},
+    {SYS_chdir, Does::names, "changes the working directory to", 0},
+    {SYS_fork, Does::other, "starts a process"},
+    {SYS_vfork, Does::other, "starts a process"},
+    {SYS_execve, Does::other, "starts a program"},
+    {SYS_kill, Does::other, "sends a signal"},
+    {SYS_socket, Does::other, "opens a socket"},
+    {SYS_umask, Does::other, "changes the mask of permissions"},
+    {SYS_setitimer, Does::other, "sets a timer"},
+};
+
+Call const *row_of(long number) {
+  auto const *found = std::ranges::find(calls, number, &Call::number);
+  return found == std::end(calls) ? nullptr : found;
+}
+
+void note(long number, long const (&arguments)[6]) {
+  Call const *row = row_of(number);
+  if (!row && std::ranges::find(harmless, number) != std::end(harmless)) return;
+  Does const does = row ? row->does : Does::other;
+  Noted one{number, -1, does == Does::reads || does == Does::asks, {}};
+  if (does == Does::opens) one.is_asked = (arguments[row->path + 1] & (O_WRONLY | O_RDWR | O_CREAT | O_TRUNC)) == 0;
+  if (does == Does::moves) one.is_asked = arguments[1] == 0 && arguments[2] == SEEK_CUR;
+  if (does == Does::reads || does == Does::writes || does == Does::moves) one.file = arguments[0];
+  if (row && row->path >= 0) {
+    auto const *path = reinterpret_cast<char const *>(arguments[row->path]);
+    for (std::size_t k = 0; path && path[k] && k + 1 < sizeof one.path; ++k) one.path[k] = path[k];
+    if (one.path[0] == 0) return; // of a file that is open
+  }
+  for (std::size_t k = 0; k < noted_count; ++k)
+    if (noted[k].number == number && noted[k].file == one.file && noted[k].is_asked == one.is_asked &&
+        std::strcmp(noted[k].path, one.path) == 0)
+      return;
+  if (noted_count < std::size(noted)) noted[noted_count++] = one;
+}
+
+long carry_out(long number, long const (&a)[6]) {
+  long result = number;
+  register long r10 asm("r10") = a[3];
+  register long r8 asm("r8") = a[4];
+  register long r9 asm("r9") = a[5];
+  asm volatile("syscall"
+               : "+a"(result)
+               : "D"(a[0]), "S"(a[1]), "d"(a[2]), "r"(r10), "r"(r8), "r"(r9)
+               : "rcx", "r11", "memory");
+  return result;
+}
+
+// The code that returns from a handler, which calls the system itself.
+std::uintptr_t restorer() {
+  struct {
+    void *handler;
+    unsigned long flags;
+    void *restorer;
+    unsigned long mask;
+  } action{};
+  syscall(SYS_rt_sigaction, SIGSYS, nullptr, &action, sizeof action.mask);
+  return reinterpret_cast<std::uintptr_t>(action.restorer);
+}
+
+bool dispatch() {
+  constexpr unsigned long restorer_size = 16;
+  return prctl(PR_SET_SYSCALL_USER_DISPATCH, 1, restorer(), restorer_size, &selector) == 0;
+}
+
+void on_call(int, siginfo_t *, void *context) {
+  selector = allow;
+  auto &registers = static_cast<ucontext_t *>(context)->uc_mcontext.gregs;
+  long const number = registers[REG_RAX];
+  long const arguments[6] = {registers[REG_RDI], registers[REG_RSI], registers[REG_RDX],
+                             registers[REG_R10], registers[REG_R8],  registers[REG_R9]};
+  bool const is_own = memory::OwnWork::is_going_on();
+  // What is new goes on behind the call, on a stack that may be its own: the call is made again, unwatched.
+  bool const is_copy = number == SYS_clone && (arguments[0] & CLONE_VM) == 0; // of the process
+  if ((number == SYS_clone && !is_copy) || number == SYS_clone3 || number == SYS_vfork) {
+    if (!is_own) note(number, arguments);
+    registers[REG_RIP] -= 2;
+    is_watching = false;
+    return;
+  }
+  Call const *row = row_of(number);
+  bool const is_dropped = is_discarding && !is_own && row && row->does == Does::writes;
+  registers[REG_RAX] = is_dropped ? arguments[2] : carry_out(number, arguments);
+  constexpr long last_error = -4095;
+  bool const has_failed = registers[REG_RAX] < 0 && registers[REG_RAX] >= last_error;
+  if (!is_own && !has_failed) note(number, arguments);
+  if ((is_copy || number == SYS_fork) && registers[REG_RAX] == 0) dispatch(); // the copy is not watched by itself
+  selector = block;
+}
+
+void give_back_handler() {
+  sigaction(SIGSYS, &previous, nullptr);
+  sigaltstack(&previous_stack, nullptr);
+}
+
+void begin_calls() {
+  noted_count = 0;
+  stack_t stack = {};
+  stack.ss_sp = handler_stack;
+  stack.ss_size = sizeof handler_stack;
+  sigaltstack(&stack, &previous_stack);
+  struct sigaction action = {};
+  action.sa_flags = SA_SIGINFO | SA_ONSTACK;
+  action.sa_sigaction = on_call;
+  sigaction(SIGSYS, &action, &previous);
+  is_watching = dispatch();
+  if (is_watching)
+    selector = block;
+  else
+    give_back_handler();
+}
+
+std::string in_quotes(std::string const &text) { return "'" + text + "'"; }
+
+std::string name_of_file(long descriptor) {
+  char path[256];
+  ssize_t const size = readlink(("/proc/self/fd/" + std::to_string(descriptor)).c_str(), path, sizeof path);
+  return size > 0 ? in_quotes({path, static_cast<std::size_t>(size)}) : "file " + std::to_string(descriptor);
+}
+
+Effect effect_of(Noted const &one) {
+  Call const *row = row_of(one.number);
+  if (!row) return {Effect::Kind::changes, "makes system call " + std::to_string(one.number)};
+  if (row->does == Does::writes && one.file == STDOUT_FILENO)
+    return {Effect::Kind::prints, "writes to standard output"};
+  if (row->does == Does::writes && one.file == STDERR_FILENO) return {Effect::Kind::prints, "writes to standard error"};
+  std::string what = row->what;
+  if (one.file >= 0) what += " " + name_of_file(one.file);
+  if (row->path >= 0) what += " " + in_quotes(one.path);
+  return {one.is_asked ? Effect::Kind::asks : Effect::Kind::changes, what};
+}
+
+void end_calls(std::vector<Effect> &effects) {
+  bool const was_watching = is_watching;
+  selector = allow;
+  is_watching = false;
+  if (!was_watching) return;
+  prctl(PR_SET_SYSCALL_USER_DISPATCH, 0, 0, 0, 0);
+  give_back_handler();
+  for (std::size_t k = 0; k < noted_count; ++k) effects.push_back(effect_of(noted[k]));
+}
+
+void discard_output(bool discard) { is_discarding = discard; }
+
+#else
+
+void begin_calls() {}
+void end_calls(std::vector<Effect> &) {}
+void discard_output(bool) {}
+
+#endif
+
+} // namespace
+
+void watch_world() {
+  memory::OwnWork const own;
+  std::fflush(nullptr);
+  environment_before() = environment();
+  begin_calls();
+}
+
+std::vector<Effect> effects_on_world(bool discard) {
+  discard_output(discard);
+  std::fflush(nullptr);
+  memory::OwnWork const own;
+  std::vector<Effect> effects;
+  end_calls(effects);
+  compare_environment(effects);
+  return effects;
+}
+
+} // namespace symreal::trace

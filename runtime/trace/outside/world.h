@@ -1,0 +1,27 @@
+// What a kernel does to the world outside of the program, in files, the environment and processes. Its system calls are
+// watched between two moments, and the environment is compared.
+//
+// Method: Linux hands each system call of this thread over as a signal (syscall user dispatch, Linux 5.11), whose
+// handler notes it and carries it out. Where the system cannot do that, only the environment is compared. Output that
+// the C library keeps in its buffers is written while the calls are watched.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace symreal::trace {
+
+struct Effect {
+  // Text for a person, on standard output or error; a question, whose answer another call may not get; anything that
+  // lasts.
+  enum class Kind { prints, asks, changes } kind;
+  std::string what; // behind "the kernel": "writes to 'log.txt'"
+  bool operator==(Effect const &) const = default;
+};
+
+// Begins; what is done by OwnWork does not count.
+void watch_world();
+// Ends, and tells each effect once. `discard`: what is still in buffers is not written in truth.
+std::vector<Effect> effects_on_world(bool discard = false);
+
+} // namespace symreal::trace
