@@ -30,7 +30,7 @@ std::string annotation(Clause clause, ItemFact const &item) {
                      : has_layout                    ? "LAYOUT"
                      : info(clause).has(trait::KEPT) ? "BYTES"
                                                      : "NUMBERS",
-                     has_layout ? layout_arguments(item.layout) + ", " : "", item.expression);
+                     has_layout ? layout_arguments(item.layout) + ", " : "", evaluated(item));
 }
 
 std::string clause_text(ClauseFact const &clause) {

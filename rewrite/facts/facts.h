@@ -61,6 +61,7 @@ enum class Base { object, pointer, pointer_to_const, const_pointer_to_const, con
 struct ItemFact {
   std::string label;
   std::string expression;        // with symreal_i[k] where a section stood
+  std::string tested = {};       // the expression with tests of the indices that the run knows; empty: none is needed
   std::string base;              // the item without its sections
   std::vector<Section> sections; // none: the whole object
   Place place;

@@ -6,16 +6,35 @@
 
 #include "rewrite/source/clang.h"
 
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
 namespace symreal::rewrite {
 
-struct ItemType {
-  clang::QualType type;   // of each element; null where it is not known
-  bool is_packed = false; // a member that may lie anywhere
+// Finds the declaration behind a name that nothing qualifies.
+using LookUp = llvm::function_ref<clang::ValueDecl const *(std::string const &)>;
+
+// A pair of brackets in an item, and the object that it takes elements of.
+struct ItemIndex {
+  std::size_t object, open, close;   // offsets in the item: where the object begins, '[' and ']'
+  bool is_unbounded = false;         // behind a pointer, or an array that may go on behind its declared end
+  std::optional<std::int64_t> count; // how many elements a declaration says that there are
 };
 
-// `look_up` finds the declaration behind a name that nothing qualifies.
-ItemType type_of_item(std::string const &expression, clang::FunctionDecl const *function,
-                      llvm::function_ref<clang::ValueDecl const *(std::string const &)> look_up);
+struct ItemType {
+  clang::QualType type;                // of each element; null where it is not known
+  bool is_packed = false;              // a member that may lie anywhere
+  std::vector<ItemIndex> indices = {}; // from left to right
+};
+
+// Without a function, names of other scopes and `this` are not known.
+ItemType type_of_item(std::string const &expression, clang::ASTContext const &context,
+                      clang::FunctionDecl const *function, LookUp look_up);
+
+// The value of an expression of integers, where it can be told from declarations alone.
+std::optional<std::int64_t> constant_of(std::string const &expression, LookUp look_up);
 
 // The same of an item that the compiler has looked at.
 ItemType type_of_item(clang::Expr const *expression);

@@ -5,6 +5,7 @@
 #include "rewrite/model/object_layout.h"
 #include "rewrite/model/plain_declaration.h"
 #include "rewrite/model/redefinition.h"
+#include "rewrite/pragma/item_bounds.h"
 #include "rewrite/source/walk.h"
 #include "rewrite/text/pragma_text.h"
 
@@ -245,12 +246,14 @@ private:
       for (ItemFact &item : clause.items) {
         if (!item.seen) item.seen = item.carries_real = true; // it begins with no plain name: nothing is known
         auto const find = [function](std::string const &name) { return look_up(name, function); };
-        if (item.is_return || !takes_numbers(clause)) continue;
+        if (item.is_return) continue;
+        ItemType const type = type_of_item(item.expression, function->getASTContext(), function, find);
+        note_bounds(clause, item, type.indices, find, facts_);
+        if (!takes_numbers(clause)) continue;
         if (is_pointee(item))
           if (ValueDecl const *pointer = find(item.label.substr(1)))
             item.base_kind = kind_of(pointer, function->getASTContext());
-        note_layout(clause, item, type_of_item(item.expression, function, find), function->getASTContext(), reals_,
-                    facts_);
+        note_layout(clause, item, type, function->getASTContext(), reals_, facts_);
       }
     return named;
   }
@@ -358,7 +361,8 @@ void note_item(Stmt const *statement, ASTContext const &context, Reals const &re
   Expr const *what = cast->getSubExpr()->IgnoreParenImpCasts();
   item.seen = true;
   item.type = what->getType().getAsString();
-  if (ValueDecl const *base = base_of(what)) note_declaration(item, base);
+  ValueDecl const *const base = base_of(what);
+  if (base) note_declaration(item, base);
   bool const has_extents = !item.sections.empty() && what->getType()->isPointerType();
   CXXRecordDecl const *record = what->isTypeDependent() ? nullptr : what->getType()->getAsCXXRecordDecl();
   bool const is_sequence = record && record->hasDefinition() && !element_of(record).isNull();
@@ -366,6 +370,10 @@ void note_item(Stmt const *statement, ASTContext const &context, Reals const &re
                                                                              : reals.carries_real(what->getType()));
   item.holds_integer = integers.holds(has_extents ? what->getType()->getPointeeType() : what->getType());
   note_layout(clause, item, type_of_item(what), context, reals, facts);
+  auto const find = [base](std::string const &name) {
+    return base && base->getIdentifier() && base->getName() == name ? base : nullptr;
+  };
+  note_bounds(clause, item, type_of_item(item.expression, context, nullptr, find).indices, find, facts);
 }
 
 void attach_function_pragmas(std::vector<FunctionDecl const *> const &definitions, SourceMap const &map,

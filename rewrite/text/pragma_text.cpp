@@ -23,7 +23,7 @@ std::string annotation(Clause clause, ItemFact const &item) {
   for (Section const &section : item.sections) extents += (extents.empty() ? "" : ", ") + section.length;
   return macro + "(" + name_of(clause) + ", " + place_arguments(item.label, item.place) + ", " +
          (is_object ? "" : "::symreal::symreal_extents(" + with_real(extents) + "), ") + layout +
-         with_real(item.expression) + ")";
+         with_real(evaluated(item)) + ")";
 }
 
 // The program's own copy of what a pointer to const points to takes its place before the kernel writes nodes there.
@@ -41,7 +41,7 @@ std::string implicit_text(ItemFact const &item) {
   return (item.sections.empty() ? "SYMREAL_IMPLICIT(" : "SYMREAL_IMPLICIT_SECTION(") +
          place_arguments(item.label, item.place) + ", " +
          (item.sections.empty() ? "" : "::symreal::symreal_extents(" + with_real(extents) + "), ") +
-         with_real(item.expression) + ") ";
+         with_real(evaluated(item)) + ") ";
 }
 
 std::string clause_text(PragmaFact const &pragma, ClauseFact const &clause) {
@@ -89,6 +89,8 @@ std::string place_arguments(std::string const &label, Place const &place) {
   return in_quotes(label) + ", " + in_quotes(place.file) + ", " + std::to_string(place.line) + ", " +
          std::to_string(place.column);
 }
+
+std::string const &evaluated(ItemFact const &item) { return item.tested.empty() ? item.expression : item.tested; }
 
 bool is_pointee(ItemFact const &item) {
   return item.label.size() > 1 && item.label[0] == '*' && !std::isdigit(static_cast<unsigned char>(item.label[1])) &&

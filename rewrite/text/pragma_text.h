@@ -11,6 +11,9 @@ namespace symreal::rewrite {
 // `"label", "file", line, column`: what every annotation macro begins with.
 std::string place_arguments(std::string const &label, Place const &place);
 
+// What an annotation evaluates: the item's expression, with tests of its indices.
+std::string const &evaluated(ItemFact const &item);
+
 // `*p`, all that p points to.
 bool is_pointee(ItemFact const &item);
 

@@ -55,6 +55,14 @@ std::string to_string(Place const &place) {
   return text;
 }
 
+std::string beyond_message(std::string const &item, std::string const &object, std::int64_t count) {
+  bool const has_rows = object.find(':') != object.npos && object.find('[') != object.npos;
+  std::string text = "'" + item + "' reaches beyond " + (has_rows ? "the rows '" : "'") + object + "', which ";
+  if (count == 0) return text + (has_rows ? "are empty" : "is empty");
+  text += (has_rows ? "have " : "has ") + std::to_string(count) + (count == 1 ? " element" : " elements");
+  return text + (has_rows ? " each" : "");
+}
+
 static std::string_view spelling(Severity severity) {
   switch (severity) {
   case Severity::error: return "error";

@@ -4,6 +4,7 @@
 // and what to do; `internal_check` is an assertion for us, which no input can make fail.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <iosfwd>
 #include <stdexcept>
@@ -54,6 +55,10 @@ struct Diagnostic {
   std::vector<Note> notes = {};
   Severity severity = usual_severity(id);
 };
+
+// Of a section or an index of a pragma's item: `object` is what it takes elements of, `count` how many it has. The
+// rewriter and the recorded program say it in the same words.
+std::string beyond_message(std::string const &item, std::string const &object, std::int64_t count);
 
 // Who tells the user what is no error.
 using Report = std::function<void(Diagnostic const &)>;

@@ -47,12 +47,17 @@ void detail::constant_counts(Extents const &shape) noexcept {
 
 bool detail::begin_implicit(char const *label, SourcePlace place) noexcept {
   memory::OwnWork const own;
+  Kernel::current().annotate(label, place);
   return Kernel::current().begin_implicit(label, {place.file, place.line, place.column});
 }
 
 void detail::end_implicit() noexcept {
   memory::OwnWork const own;
   Kernel::current().sink().end_implicit();
+}
+
+void detail::check_index(std::ptrdiff_t index, std::ptrdiff_t count, char const *object) noexcept {
+  if (index < 0 || index >= count) Kernel::current().refuse_element(object, count);
 }
 
 bool detail::begin_function(CompiledAs program, char const *name, SourcePlace place, unsigned call) noexcept {

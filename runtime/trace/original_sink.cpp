@@ -189,6 +189,7 @@ int symreal_original_object(char const *kind, char const *label, char const *fil
   OwnWork const own;
   SourcePlace const place{file, line, column, frame};
   if (symreal::trace::is_later) {
+    Kernel::current().annotate(label, place);
     symreal::trace::later.push_back({label, place, {}});
     return 1;
   }
@@ -291,6 +292,11 @@ void symreal_original_settle(void volatile *begin, std::size_t size) {
 int symreal_original_compute(double const *input, double const *parameters, double *output) {
   OwnWork const own;
   return symreal::replay::replay_compute(input, parameters, output);
+}
+
+void symreal_original_check_index(__PTRDIFF_TYPE__ index, __PTRDIFF_TYPE__ count, char const *object) {
+  OwnWork const own;
+  if (index < 0 || index >= count) Kernel::current().refuse_element(object, count);
 }
 
 void symreal_original_range(double low, double high) {

@@ -49,6 +49,9 @@ void scratch(void const *object, std::size_t size, Visit visit) noexcept;
 // The same of the objects of static storage duration that a file defines.
 void scratch_file(char const *file) noexcept;
 
+// Ends the program where an item names an element that does not exist. `object`: what it takes elements of.
+void check_index(std::ptrdiff_t index, std::ptrdiff_t count, char const *object) noexcept;
+
 bool begin_function(CompiledAs, char const *name, SourcePlace, unsigned call) noexcept;
 void end_function() noexcept;
 void end_region(CompiledAs, char const *file_name, SourcePlace) noexcept;
@@ -83,6 +86,23 @@ template <class T, class Value> ProgramNumber integer_number(Value const &value)
     return ProgramNumber(SymbolicBool(value != 0));
   else
     return SymbolicInt<T>(value).number();
+}
+
+// How many elements the object has from index 0 on; -1 where it does not tell: a pointer, or a class whose indices may
+// be of another kind. An array of one element may be the last member of a structure that goes on behind its end.
+template <class T> std::ptrdiff_t element_count(T &object) {
+  if constexpr (std::is_bounded_array_v<T>)
+    return std::extent_v<T> > 1 ? static_cast<std::ptrdiff_t>(std::extent_v<T>) : -1;
+  else if constexpr (requires { object.derived().size(); }) // of Eigen
+    return static_cast<std::ptrdiff_t>(object.size());
+  else if constexpr (requires { object.index_bases(); }) // of Boost
+    return -1;
+  else if constexpr (
+      requires { object.size(), object.end() - object.begin(); } ||
+      requires { object.size(), object.cshift(0); }) // the latter: std::valarray
+    return static_cast<std::ptrdiff_t>(object.size());
+  else
+    return -1;
 }
 
 // Visits the numbers of an object; the extents of the outermost visit are appended to `extents`.
@@ -120,6 +140,20 @@ template <class T> void walk(T &object, bool is_temporary, Extents *extents) {
 }
 
 } // namespace detail
+
+// An index of an item, of which there are `count`; the object in words.
+template <class Index> Index symreal_index(std::ptrdiff_t count, char const *object, Index index) noexcept {
+  detail::check_index(static_cast<std::ptrdiff_t>(index), count, object);
+  return index;
+}
+
+// An element of an object that may tell how many it has.
+template <class Index, class T> decltype(auto) symreal_element(char const *name, Index &&index, T &&object) {
+  if constexpr (requires { static_cast<std::ptrdiff_t>(index); })
+    if (std::ptrdiff_t const count = detail::element_count(object); count >= 0)
+      detail::check_index(static_cast<std::ptrdiff_t>(index), count, name);
+  return static_cast<T &&>(object)[static_cast<Index &&>(index)];
+}
 
 template <class T> void symreal_annotate(Kind kind, char const *label, SourcePlace place, T &&object) {
   if (!detail::begin_object(detail::compiled_as, kind, label, place)) return;

@@ -283,6 +283,9 @@ public:                                                                         
         (void)symreal_i;                                                                                               \
         return (__VA_ARGS__);                                                                                          \
       });
+/* What an item of an annotation takes elements of: `name` is the object in words. */
+#define SYMREAL_INDEX(count, name, ...) (::symreal::symreal_index(count, name, __VA_ARGS__))
+#define SYMREAL_ELEMENT(name, index, ...) (::symreal::symreal_element(name, index, __VA_ARGS__))
 /* Structures: `types` are those of the containers in them, in parentheses. */
 #define SYMREAL_LAYOUT(kind, label, file, line, column, layout, types, ...)                                            \
   ::symreal::symreal_annotate_layout<SYMREAL_WORDS types>(::symreal::symreal_kind_##kind, label,                       \

@@ -31,6 +31,8 @@ void symreal_original_holder(void const volatile *begin, __SIZE_TYPE__ size);
 void symreal_original_object_end(void);
 /* A returned object, as a whole: the caller's room for it changes. */
 void symreal_original_handed_over(int active, void const volatile *begin, __SIZE_TYPE__ size);
+/* An index of an item, of which there are `count`; `object` in words. */
+void symreal_original_check_index(__PTRDIFF_TYPE__ index, __PTRDIFF_TYPE__ count, char const *object);
 /* The kernel's own, though it may lie with its caller: a parameter. */
 void symreal_original_own(void const volatile *begin, __SIZE_TYPE__ size);
 /* A function with a pragma is entered; whether this call is the kernel. */
@@ -83,12 +85,16 @@ void symreal_original_keep(void const *frame);
 #define SYMREAL_ORIGINAL_AGAIN(active)
 #endif
 
+#define SYMREAL_INDEX(count, name, ...)                                                                                \
+  (symreal_original_check_index((__PTRDIFF_TYPE__)(__VA_ARGS__), count, name), (__VA_ARGS__))
 #define SYMREAL_WORDS(...) __VA_ARGS__
 #define SYMREAL_ORIGINAL_STATICS(names) symreal_original_statics(names)
 #define SYMREAL_REAL double
 
 #ifndef __cplusplus
 
+/* The rewriter knows what can be known of an object of C. */
+#define SYMREAL_ELEMENT(name, index, ...) ((__VA_ARGS__)[index])
 #define SYMREAL_ORIGINAL_IS_ACTIVE symreal_kernel
 #define SYMREAL_ORIGINAL_OWN(object) symreal_original_own(&(object), sizeof(object));
 #define SYMREAL_ORIGINAL_NUMBERS(...) symreal_original_bytes(&(__VA_ARGS__), sizeof(__VA_ARGS__), 0)
@@ -223,6 +229,39 @@ template <class... Containers> struct Visits {
   }
 };
 template <class... Containers> symreal_original_visit const *symreal_visits() { return Visits<Containers...>::list(); }
+/* How many elements an object has from index 0 on; -1 where it does not tell (<symreal/annotate.h>). */
+template <class T, __SIZE_TYPE__ size> __PTRDIFF_TYPE__ element_count(T (&)[size], Choice<4>) {
+  return size > 1 ? static_cast<__PTRDIFF_TYPE__>(size) : -1;
+}
+template <class T> auto element_count(T &object, Choice<4>)
+    -> decltype(static_cast<__PTRDIFF_TYPE__>(object.derived().size())) {
+  return static_cast<__PTRDIFF_TYPE__>(object.size());
+}
+template <class T> auto element_count(T &object, Choice<3>)
+    -> decltype(object.index_bases(), static_cast<__PTRDIFF_TYPE__>(0)) {
+  return -1;
+}
+template <class T> auto element_count(T &object, Choice<2>)
+    -> decltype(object.end() - object.begin(), static_cast<__PTRDIFF_TYPE__>(object.size())) {
+  return static_cast<__PTRDIFF_TYPE__>(object.size());
+}
+template <class T> auto element_count(T &object, Choice<1>)
+    -> decltype(object.cshift(0), static_cast<__PTRDIFF_TYPE__>(object.size())) {
+  return static_cast<__PTRDIFF_TYPE__>(object.size());
+}
+template <class T> __PTRDIFF_TYPE__ element_count(T &, Choice<0>) { return -1; }
+
+template <class Index> auto position(Index const &index, Choice<1>) -> decltype(static_cast<__PTRDIFF_TYPE__>(index)) {
+  return static_cast<__PTRDIFF_TYPE__>(index);
+}
+template <class Index> __PTRDIFF_TYPE__ position(Index const &, Choice<0>) { return 0; }
+
+template <class Index, class T> auto symreal_element(char const *name, Index &&index, T &&object)
+    -> decltype((static_cast<T &&>(object)[static_cast<Index &&>(index)])) {
+  __PTRDIFF_TYPE__ const count = element_count(object, Choice<4>());
+  if (count >= 0) symreal_original_check_index(position(index, Choice<1>()), count, name);
+  return static_cast<T &&>(object)[static_cast<Index &&>(index)];
+}
 template <class T> void symreal_bytes(T const &object) {
   symreal_original_bytes(&reinterpret_cast<char const volatile &>(object), sizeof object, 0);
 }
@@ -319,6 +358,7 @@ template <class Outputs> OnReturn<Outputs> symreal_on_return(int active, Outputs
 
 } // namespace symreal_original
 
+#define SYMREAL_ELEMENT(name, index, ...) (::symreal_original::symreal_element(name, index, __VA_ARGS__))
 #define SYMREAL_ORIGINAL_IS_ACTIVE symreal_kernel.symreal_active()
 #define SYMREAL_ORIGINAL_OWN(object)                                                                                   \
   symreal_original_own(&reinterpret_cast<char const volatile &>(object), sizeof(object));

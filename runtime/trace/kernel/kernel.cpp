@@ -1,9 +1,11 @@
 #include "trace/kernel/kernel.h"
 
 #include "memory/heap_blocks.h"
+#include "support/number.h"
 #include "trace/report/crash.h"
 #include "trace/report/events.h"
 
+#include <cmath>
 #include <filesystem>
 
 namespace symreal::trace {
@@ -24,6 +26,7 @@ void Kernel::begin(MakeSink make_sink, std::string const &name, SourcePlace plac
 }
 
 bool Kernel::begin_object(MakeSink make_sink, Kind kind, char const *label, SourcePlace place) {
+  annotate(label, place);
   if (muted_ || inert_region_ || phase_ == Phase::inside) return false;
   if (phase_ == Phase::none) {
     Place const at{place.file, place.line, place.column};
@@ -41,6 +44,24 @@ bool Kernel::begin_object(MakeSink make_sink, Kind kind, char const *label, Sour
   }
   sink_->begin_object(kind, label, {place.file, place.line, place.column});
   return true;
+}
+
+void Kernel::refuse_element(std::string const &object, std::int64_t count) const {
+  report(
+      {DiagnosticId::section_beyond, {place_.file, place_.line, place_.column}, beyond_message(label_, object, count)});
+  give_up();
+}
+
+void Kernel::set_range(double low, double high) {
+  if (!takes_clauses()) return;
+  std::vector<Object> const &inputs = interface().inputs;
+  bool const is_range = std::isfinite(low) && std::isfinite(high) && low <= high;
+  if (!is_range && !inputs.empty()) {
+    report({DiagnosticId::bad_range, inputs.back().place,
+            "the range of '" + inputs.back().label + "' goes from " + shortest(low) + " to " + shortest(high)});
+    give_up();
+  }
+  sink_->set_range(low, high);
 }
 
 bool Kernel::begin_function(MakeSink make_sink, char const *name, SourcePlace place, unsigned call) {

@@ -74,9 +74,12 @@ public:
   bool begin_implicit(std::string const &label, Place const &place) {
     return phase_ != Phase::none && !muted_ && !inert_region_ && sink_->begin_implicit(label, place);
   }
-  void set_range(double low, double high) {
-    if (takes_clauses()) sink_->set_range(low, high);
-  }
+  // The annotation whose items are evaluated from now on.
+  void annotate(char const *label, SourcePlace place) { label_ = label, place_ = place; }
+  // An element of the annotation's item does not exist.
+  [[noreturn]] void refuse_element(std::string const &object, std::int64_t count) const;
+  // Fails for numbers between which no sample lies.
+  void set_range(double low, double high);
   void set_state(StatePair const &state) {
     if (takes_clauses()) sink_->set_state(state);
   }
@@ -107,6 +110,8 @@ private:
   bool muted_ = false;        // the annotations that follow belong to an inert call
   bool inert_region_ = false; // until its generate
   std::string name_;
+  char const *label_ = ""; // of the annotation that was met last
+  SourcePlace place_{};
   Where begun_at_;
   std::set<Where> recorded_;
   std::map<Where, unsigned> calls_;
