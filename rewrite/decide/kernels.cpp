@@ -1,5 +1,7 @@
 #include "rewrite/decide/decide.h"
 
+#include "rewrite/text/source_text.h"
+
 #include <algorithm>
 #include <set>
 
@@ -94,6 +96,7 @@ void check_setting(PragmaFact const &pragma, ClauseFact const &clause, Result &r
 
 void check(PragmaFact const &pragma, Result &result) {
   bool after_input = false, has_begun = pragma.is_function;
+  std::set<std::string> outputs;
   for (ClauseFact const &clause : pragma.clauses) {
     if (is_setting(clause)) {
       check_setting(pragma, clause, result);
@@ -106,12 +109,17 @@ void check(PragmaFact const &pragma, Result &result) {
         return;
       }
       if (info(clause.clause).has(trait::OBJECTS)) check_item(clause, item, result);
+      if (clause.clause == Clause::output && !outputs.insert(item.label).second)
+        report(result, DiagnosticId::pragma_item, item.place, "'" + item.label + "' is an output already");
       warn_of_members(pragma, item, result);
       if (clause.clause == Clause::table) check_table(item, result);
     }
     if (clause.clause == Clause::range && (clause.items.size() != 2 || !after_input))
       report(result, DiagnosticId::pragma_syntax, clause.place,
              "range(low, high) stands after input(...) and has two numbers");
+    else if (clause.clause == Clause::range)
+      if (std::string const wrong = wrong_range(clause.items[0].label, clause.items[1].label); !wrong.empty())
+        report(result, DiagnosticId::bad_range, clause.items[0].place, wrong);
     if (clause.clause == Clause::state && (clause.items.size() != 2 || !has_begun))
       report(result, DiagnosticId::pragma_syntax, clause.place,
              "state(x, dx) stands after input(...) or output(...), and names an input and the output that is its "

@@ -39,7 +39,9 @@ std::vector<std::string> type_words(std::string const &text) {
 class FunctionName {
 public:
   explicit FunctionName(std::string const &text) {
-    std::size_t const open = text.ends_with(')') ? text.find('(') : text.npos;
+    constexpr std::string_view call_operator = "operator()";
+    std::size_t const call = text.find(call_operator), name_end = call == text.npos ? 0 : call + call_operator.size();
+    std::size_t const open = text.ends_with(')') ? text.find('(', name_end) : text.npos;
     name_ = llvm::StringRef(text).substr(0, open).trim().str();
     if (name_.starts_with("::")) name_ = name_.substr(2);
     if (open == text.npos) return;
@@ -58,12 +60,16 @@ public:
   }
 
   bool names(FunctionDecl const *function) const {
-    return qualified(function) == name_ && (!types_ || has_types(function));
+    return (qualified(function) == name_ || qualified(function, true) == name_) && (!types_ || has_types(function));
   }
   // Without types.
   std::string const &name() const { return name_; }
-  static std::string qualified(FunctionDecl const *function) {
-    std::string name = function->getQualifiedNameAsString();
+  static std::string qualified(FunctionDecl const *function, bool with_inline_namespaces = false) {
+    PrintingPolicy policy(function->getASTContext().getLangOpts());
+    if (with_inline_namespaces) policy.SuppressInlineNamespace = false;
+    std::string name;
+    llvm::raw_string_ostream out(name);
+    function->printQualifiedName(out, policy);
     for (std::string const unnamed = "(anonymous namespace)::"; name.find(unnamed) != name.npos;)
       name.erase(name.find(unnamed), unnamed.size());
     return name;
@@ -200,7 +206,7 @@ void attach_configured_kernels(Request const &request, std::vector<FunctionDecl 
   Kernels kernels(map, reals, integers, facts);
   for (FunctionDecl const *function : definitions)
     if (block_of(function) && map.token(block_of(function)->getBeginLoc()))
-      facts.kernel_functions.insert(FunctionName::qualified(function));
+      facts.kernel_functions.insert({FunctionName::qualified(function), FunctionName::qualified(function, true)});
   for (std::size_t i = 0; i < request.kernels.size(); ++i) {
     FunctionName const name(request.kernels[i].function.text);
     for (FunctionDecl const *function : definitions)

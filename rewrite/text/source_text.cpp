@@ -4,6 +4,9 @@
 #include "rewrite/text/raw_tokens.h"
 
 #include <cctype>
+#include <cmath>
+#include <cstdlib>
+#include <optional>
 #include <string_view>
 
 namespace symreal::rewrite {
@@ -25,6 +28,27 @@ std::size_t closing_parenthesis(std::string const &text, std::size_t open) {
 std::string trimmed(std::string text) {
   while (!text.empty() && text.back() == ' ') text.pop_back();
   return text;
+}
+
+// A number that is written as one, `nan` and `inf` among them.
+static std::optional<double> literal(std::string const &text) {
+  char *end = nullptr;
+  double const value = std::strtod(text.c_str(), &end);
+  std::size_t const length = static_cast<std::size_t>(end - text.c_str());
+  bool const is_literal = length > 0 && text.find_first_not_of(' ', length) == text.npos;
+  return is_literal ? std::optional(value) : std::nullopt;
+}
+
+bool is_not_finite(std::string const &number) {
+  std::optional<double> const value = literal(number);
+  return value && !std::isfinite(*value);
+}
+
+std::string wrong_range(std::string const &low, std::string const &high) {
+  for (std::string const *end : {&low, &high})
+    if (is_not_finite(*end)) return "a range has two finite ends, and '" + *end + "' is not finite";
+  std::optional<double> const first = literal(low), last = literal(high);
+  return first && last && *first > *last ? "the range from " + low + " to " + high + " ends below where it begins" : "";
 }
 
 std::string normalised(std::string const &source) {

@@ -24,6 +24,13 @@ bool only_declaration_start(std::string const &source);
 // `double` as a whole word becomes REAL (in its long form, see type_name.h), unless it is a long double.
 std::string with_real(std::string const &source);
 
+// What is wrong with the range of an input, where both ends are written as numbers; empty: nothing, or only the run
+// knows the numbers.
+std::string wrong_range(std::string const &low, std::string const &high);
+
+// Is this a number that is not finite: nan, inf, or one that no double holds?
+bool is_not_finite(std::string const &number);
+
 // The text without white space at its end.
 std::string trimmed(std::string text);
 

@@ -38,17 +38,30 @@ bool has_method(CXXRecordDecl const *record, llvm::StringRef name, unsigned para
   return inherited;
 }
 
-// Numbers, arrays of them element by element, and what has elements, which is filled as a whole.
-class PublicNumbers {
-public:
-  explicit PublicNumbers(ASTContext &context) : context_(context) {}
+QualType without_const(ASTContext &context, QualType type) {
+  if (auto const *array = context.getAsConstantArrayType(type))
+    return context.getConstantArrayType(without_const(context, array->getElementType()), array->getSize(), nullptr,
+                                        ArraySizeModifier::Normal, 0);
+  return type.getUnqualifiedType();
+}
 
-  std::vector<std::string> of(QualType type) {
+// What a program cannot declare an object of: functions, text and what is not known.
+bool is_opaque(QualType type) {
+  return type->isFunctionType() || type->isVoidType() || type->isIncompleteType() || type->isAnyCharacterType();
+}
+
+// Numbers, arrays of them element by element, and what has elements, which is filled as a whole.
+class PublicMembers {
+public:
+  explicit PublicMembers(ASTContext &context) : context_(context) {}
+
+  void find(QualType type, CallParameter &to) {
     RecordType const *record = type->getAs<RecordType>();
     RecordDecl const *definition = record ? record->getDecl()->getDefinition() : nullptr;
     auto const *in_cxx = dyn_cast_or_null<CXXRecordDecl>(definition);
     if (definition && !(in_cxx && has_elements(in_cxx))) members(definition, "");
-    return std::move(found_);
+    to.members = std::move(found_);
+    to.other_members = std::move(others_);
   }
 
 private:
@@ -79,29 +92,53 @@ private:
         value(array->getElementType(), path + "[" + std::to_string(k) + "]");
     } else if (RecordType const *record = type->getAs<RecordType>(); record && record->getDecl()->getDefinition()) {
       auto const *in_cxx = dyn_cast<CXXRecordDecl>(record->getDecl()->getDefinition());
-      if (in_cxx && has_elements(in_cxx))
+      if (in_cxx && has_elements(in_cxx)) {
         found_.push_back(path);
-      else
+        if (has_method(in_cxx, "resize", 1)) others_.push_back({path, Kind::container, ""});
+      } else
         members(record->getDecl()->getDefinition(), path);
+    } else if (type->isIntegralOrEnumerationType()) {
+      others_.push_back({path, Kind::integer, ""});
+    } else if (type->isPointerType() && !is_opaque(type->getPointeeType()) &&
+               is_default_constructible(context_.getBaseElementType(type->getPointeeType()))) {
+      others_.push_back(
+          {path, Kind::pointer, declared(without_const(context_, type->getPointeeType()), "$[#]", context_)});
     }
   }
 
+  using Kind = CallParameter::Member::Kind;
   ASTContext &context_;
   std::vector<std::string> found_;
+  std::vector<CallParameter::Member> others_;
 };
+
+std::string qualified_name(FunctionDecl const *function, bool with_inline = false) {
+  PrintingPolicy policy(function->getASTContext().getLangOpts());
+  if (with_inline) policy.SuppressInlineNamespace = false;
+  std::string name;
+  llvm::raw_string_ostream out(name);
+  function->printQualifiedName(out, policy);
+  for (std::string const unnamed = "(anonymous namespace)::"; name.find(unnamed) != std::string::npos;)
+    name.erase(name.find(unnamed), unnamed.size());
+  return name;
+}
 
 class Describer {
 public:
   Describer(ASTContext &context, SourceMap const &map) : context_(context), map_(map) {}
 
-  Callable describe(FunctionDecl const *function) const {
+  // `definition`: of an instance of a template what it is made of, else the function itself.
+  Callable describe(FunctionDecl const *function, FunctionDecl const *definition) const {
     Callable result;
     result.name = function->getNameAsString();
-    result.qualified = function->getQualifiedNameAsString();
-    for (std::string const unnamed = "(anonymous namespace)::"; result.qualified.find(unnamed) != std::string::npos;)
-      result.qualified.erase(result.qualified.find(unnamed), unnamed.size());
+    result.qualified = qualified_name(function);
+    result.with_inline = qualified_name(function, /*with_inline=*/true);
     result.is_c = !context_.getLangOpts().CPlusPlus;
-    result.place = map_.place(function->getLocation());
+    SourceManager const &sources = context_.getSourceManager();
+    SourceLocation const place = sources.getExpansionLoc(definition->getLocation());
+    result.place = map_.place(definition->getLocation());
+    if (OptionalFileEntryRef const entry = sources.getFileEntryRefForID(sources.getFileID(place)))
+      result.file = entry->getFileEntry().tryGetRealPathName().str();
     std::string types, declared_types, parameters;
     for (ParmVarDecl const *one : function->parameters()) {
       result.parameters.push_back(parameter(one));
@@ -110,7 +147,12 @@ public:
       parameters +=
           (parameters.empty() ? "" : ", ") + declared(one->getOriginalType(), one->getNameAsString(), context_);
     }
-    result.key = result.qualified + "(" + types + ")";
+    if (definition != function) {
+      types.clear();
+      for (ParmVarDecl const *one : definition->parameters())
+        types += (types.empty() ? "" : ", ") + one->getType().getAsString(context_.getLangOpts());
+    }
+    result.key = qualified_name(definition) + "(" + types + ")";
     result.declared_types = "(" + declared_types + ")";
     result.declaration = declared(function->getReturnType(), result.qualified + "(" + parameters + ")", context_);
     auto const *method = dyn_cast<CXXMethodDecl>(function);
@@ -137,7 +179,8 @@ private:
     }
     type.removeLocalConst();
     type.removeLocalVolatile();
-    if (type->isArrayType()) type = context_.getBaseElementType(type).isConstQualified() ? without_const(type) : type;
+    if (type->isArrayType())
+      type = context_.getBaseElementType(type).isConstQualified() ? without_const(context_, type) : type;
     to.variable = declared(type, "$", context_);
     to.default_constructible = is_default_constructible(type);
     CXXRecordDecl const *record = type->getAsCXXRecordDecl();
@@ -163,7 +206,7 @@ private:
       to.kind = Kind::container;
     else if (type->isRecordType() || type->isArrayType()) {
       to.kind = Kind::object;
-      to.members = PublicNumbers(context_).of(type);
+      PublicMembers(context_).find(type, to);
     }
     return to;
   }
@@ -185,22 +228,14 @@ private:
     return all.size() >= 2 && (all[0] == -1) != (all[1] == -1);
   }
 
-  QualType without_const(QualType type) const {
-    if (auto const *array = context_.getAsConstantArrayType(type))
-      return context_.getConstantArrayType(without_const(array->getElementType()), array->getSize(), nullptr,
-                                           ArraySizeModifier::Normal, 0);
-    return type.getUnqualifiedType();
-  }
-
   void point(CallParameter &to, QualType pointee) const {
-    bool const is_text = pointee->isAnyCharacterType();
-    if (pointee->isFunctionType() || pointee->isVoidType() || pointee->isIncompleteType() || is_text) return;
+    if (is_opaque(pointee)) return;
     to.kind = CallParameter::Kind::pointer;
-    QualType const element = without_const(pointee);
+    QualType const element = without_const(context_, pointee);
     to.pointee = declared(element, "$[#]", context_);
     if (auto const *inner = element->getAs<PointerType>())
-      to.rows = declared(without_const(inner->getPointeeType()), "$[#][#]", context_);
-    to.members = PublicNumbers(context_).of(element);
+      to.rows = declared(without_const(context_, inner->getPointeeType()), "$[#][#]", context_);
+    PublicMembers(context_).find(element, to);
     to.points_to_numbers = !context_.getBaseElementType(element)->isRecordType();
     to.default_constructible = is_default_constructible(context_.getBaseElementType(element));
   }
@@ -208,6 +243,8 @@ private:
   ASTContext &context_;
   SourceMap const &map_;
 };
+
+constexpr char const *address_variable = "symreal_address";
 
 class Finder : public Walk {
 public:
@@ -219,17 +256,32 @@ public:
 
   bool VisitFunctionDecl(FunctionDecl *function) override {
     if (!function->doesThisDeclarationHaveABody() || function->isTemplated() || function->isImplicit()) return true;
-    if (!function->getDeclName().isIdentifier() || function->getName() != name_) return true;
-    SourceManager const &sources = context_.getSourceManager();
-    SourceLocation const place = sources.getExpansionLoc(function->getLocation());
-    if (sources.isInSystemHeader(place)) return true;
-    found_.push_back(describer_.describe(function));
-    OptionalFileEntryRef const entry = sources.getFileEntryRefForID(sources.getFileID(place));
-    if (entry) found_.back().file = entry->getFileEntry().tryGetRealPathName().str();
+    if (!is_called(function, name_)) return true;
+    if (context_.getSourceManager().isInSystemHeader(function->getLocation())) return true;
+    found_.push_back(describer_.describe(function, function));
+    return true;
+  }
+
+  // Of the variable that takes the address of an instance.
+  bool VisitVarDecl(VarDecl *variable) override {
+    if (!variable->getIdentifier() || variable->getName() != address_variable || !variable->getInit()) return true;
+    Expr const *const address = variable->getInit()->IgnoreParenImpCasts();
+    auto const *unary = dyn_cast<UnaryOperator>(address);
+    auto const *reference = dyn_cast<DeclRefExpr>(unary ? unary->getSubExpr()->IgnoreParenImpCasts() : address);
+    auto const *function = reference ? dyn_cast<FunctionDecl>(reference->getDecl()) : nullptr;
+    if (!function) return true;
+    FunctionDecl const *definition = function->getTemplateInstantiationPattern();
+    if (!definition) definition = function->getDefinition();
+    if (definition && definition->isDefined(definition)) found_.push_back(describer_.describe(function, definition));
     return true;
   }
 
 private:
+  static bool is_called(FunctionDecl const *function, std::string const &name) {
+    if (function->getDeclName().isIdentifier()) return function->getName() == name;
+    return isa<CXXConstructorDecl, CXXDestructorDecl>(function) ? false : function->getNameAsString() == name;
+  }
+
   ASTContext &context_;
   Describer describer_;
   std::string const &name_;
@@ -267,30 +319,62 @@ private:
 
 } // namespace
 
-std::vector<Callable> find_callables(Request const &request, std::string const &name) {
-  std::vector<Callable> all;
+// What the source has.
+static std::vector<Callable> callables_of(Compilation const &source, Request const &request, std::string const &name) {
+  std::vector<Callable> found;
+  IgnoringDiagConsumer ignore;
+  IntrusiveRefCntPtr<FileManager> const files(
+      new FileManager(FileSystemOptions(), file_system(source, request, own_disk())));
+  tooling::ToolInvocation invocation(command_line(source), std::make_unique<Action>(name, found), files.get());
+  invocation.setDiagnosticConsumer(&ignore);
+  (void)invocation.run();
+  return found;
+}
+
+// Calls `visit` with the compilations that may have the word, and their numbers.
+template <class Visit> static void each_source(Request const &request, std::string const &word, Visit visit) {
   std::vector<Compilation> const compilations = compilations_of(request);
   for (std::size_t i = 0; i < compilations.size(); ++i) {
     std::string const real = real_source(compilations[i]);
     if (request.exclude.matches(real)) continue;
-    if (request.reachable) // a source that defines it has its name
-      if (auto const text = llvm::MemoryBuffer::getFile(real); text && !(*text)->getBuffer().contains(name)) continue;
-    std::vector<Callable> found;
-    IgnoringDiagConsumer ignore;
-    IntrusiveRefCntPtr<FileManager> const files(
-        new FileManager(FileSystemOptions(), file_system(compilations[i], request, own_disk())));
-    tooling::ToolInvocation invocation(command_line(compilations[i]), std::make_unique<Action>(name, found),
-                                       files.get());
-    invocation.setDiagnosticConsumer(&ignore);
-    (void)invocation.run();
-    for (Callable &one : found) {
+    if (request.reachable)
+      if (auto const text = llvm::MemoryBuffer::getFile(real); text && !(*text)->getBuffer().contains(word)) continue;
+    visit(compilations[i], i);
+  }
+}
+
+std::vector<Callable> find_callables(Request const &request, std::string const &name) {
+  std::vector<Callable> all;
+  std::string const word = name.starts_with("operator") ? "operator" : name; // a source that defines it has it
+  each_source(request, word, [&](Compilation const &source, std::size_t number) {
+    for (Callable &one : callables_of(source, request, name)) {
       bool const is_known = std::any_of(all.begin(), all.end(), [&](Callable const &other) {
         return other.file == one.file && other.place.line == one.place.line && other.place.column == one.place.column;
       });
-      one.source = i;
+      one.source = number;
       if (!is_known) all.push_back(std::move(one));
     }
-  }
+  });
+  return all;
+}
+
+std::vector<Callable> find_instance(Request const &request, std::string const &word, std::string const &address) {
+  std::vector<Callable> all;
+  each_source(request, word, [&](Compilation source, std::size_t number) {
+    if (!all.empty()) return;
+    llvm::StringRef const ending = llvm::sys::path::extension(source.source);
+    std::string const file = llvm::sys::path::filename(source.source).str();
+    std::string const real = real_source(source) + ".symreal-address" + ending.str();
+    Request beside = request;
+    beside.texts.push_back({real, "#include \"" + file +
+                                      "\"\ntemplate <class T> struct symreal_plain { typedef T type; };\n" +
+                                      "template <class T> struct symreal_plain<T &> { typedef T type; };\n" +
+                                      "template <class T> struct symreal_plain<T &&> { typedef T type; };\n" + "auto " +
+                                      address_variable + " = " + address + ";\n"});
+    source.source = real;
+    all = callables_of(source, beside, "");
+    for (Callable &one : all) one.source = number;
+  });
   return all;
 }
 

@@ -31,6 +31,18 @@ struct CallParameter {
   bool points_to_numbers = false;   // and not to a class
   // Of a class, or of what is pointed to: its members of numbers that a program can name, as ".pose.x" or ".v[2]".
   std::vector<std::string> members;
+  // Its other members that a program can name.
+  struct Member {
+    enum class Kind {
+      integer,   // what a pragma's `constant` takes
+      pointer,   // to what can be declared
+      container, // whose size can be set
+    };
+    std::string path; // ".next"
+    Kind kind;
+    std::string pointee; // pointer: an array of what it points to: "double $[#]"
+  };
+  std::vector<Member> other_members;
   bool default_constructible = true;
   bool is_changed = false;    // passed by a reference to what is not const
   bool is_integral = false;   // integer: an integer type, rather than a truth value, an enumeration or a float
@@ -40,7 +52,8 @@ struct CallParameter {
 
 struct Callable {
   std::string name, qualified;
-  std::string key;            // its name with the types of its parameters
+  std::string with_inline;    // qualified, inline namespaces included
+  std::string key;            // its name with the types of its parameters, of a template's those of its definition
   std::string declared_types; // (double const *, int), as they are written
   std::string declaration;
   Place place;
@@ -57,5 +70,9 @@ struct Callable {
 // The definitions of functions whose name, without scopes, is this. Sources that do not compile are passed over: what
 // is wrong with them is told when they are rewritten.
 std::vector<Callable> find_callables(Request const &request, std::string const &name);
+
+// The instance of a template that the expression, the address of a function, takes in a source that has this word: at
+// most one.
+std::vector<Callable> find_instance(Request const &request, std::string const &word, std::string const &address);
 
 } // namespace symreal::rewrite

@@ -38,6 +38,7 @@ public:
       if (one.kind == Kind::integer) declare(one);
     for (CallParameter const &one : function_.parameters)
       if (one.kind != Kind::integer) declare(one);
+    for (Item const &item : spec_.items) make_room(item);
     for (Item const &item : spec_.items) fill(item);
     call();
     make_kernel();
@@ -97,6 +98,42 @@ private:
     std::string most;
     for (std::string const &one : counts) most = most.empty() ? one : fmt::format("({0} > {1} ? {0} : {1})", most, one);
     return most;
+  }
+
+  // The other member of an argument that the item is: `.next` of "*a->next[0:2]".
+  CallParameter::Member const *other_member(Item const &item) const {
+    CallParameter const *of = parameter(item.base);
+    if (!of) return nullptr;
+    std::size_t const begin = item.path.find(item.base) + item.base.size();
+    std::string path = with(item.path.substr(begin), "->", ".");
+    for (CallParameter::Member const &one : of->other_members)
+      if (one.path == path) return &one;
+    return nullptr;
+  }
+  bool is_integer(Item const &item) const {
+    CallParameter::Member const *member = other_member(item);
+    return member && member->kind == CallParameter::Member::Kind::integer && item.sections.empty();
+  }
+
+  // A pointer in a structure leads to an array of its own, and a container there has as many elements as are named.
+  void make_room(Item const &item) {
+    CallParameter::Member const *member = other_member(item);
+    if (!member || member->kind == CallParameter::Member::Kind::integer) return;
+    std::string most = item.path.starts_with('*') ? "1" : "";
+    for (Item const &other : spec_.items)
+      if (other.path == item.path && !other.sections.empty()) {
+        Section const &one = other.sections[0];
+        std::string const needed = one.low == "0" ? one.length : "(" + one.low + ") + (" + one.length + ")";
+        most = most.empty() || most == needed ? needed : fmt::format("({0} > {1} ? {0} : {1})", most, needed);
+      }
+    std::string const path = item.path.starts_with('*') ? item.path.substr(1) : item.path;
+    if (most.empty() || std::find(given_.begin(), given_.end(), path) != given_.end()) return;
+    given_.push_back(path);
+    if (member->kind == CallParameter::Member::Kind::container)
+      return add(item.text.place, fmt::format("{}.resize({});", path, most));
+    std::string const room = fmt::format("symreal_room_{}", given_.size());
+    add(item.text.place, fmt::format("static {};", with(with(member->pointee, "$", room), "#", most)));
+    add(item.text.place, fmt::format("{} = {};", path, room));
   }
 
   Item const *item_of(CallParameter const &one) const {
@@ -252,7 +289,8 @@ private:
   // What every number of an item is given.
   std::string value_text(Item const &item) {
     if (item.range)
-      return fmt::format("(({0}) + (({1}) - ({0})) * symreal_default())", item.range->first, item.range->second);
+      return fmt::format("(({0}) + (({1}) - ({0})) * symreal_default())", item.range->first.text,
+                         item.range->second.text);
     if (!item.value.empty()) return "(" + item.value + ")";
     binding_.unvalued.push_back(item.text.text);
     return "symreal_default()";
@@ -270,12 +308,21 @@ private:
       return;
     }
     if (std::find(given_.begin(), given_.end(), of->name) != given_.end() && is_whole(item)) return;
+    if (is_integer(item)) return fill_integer(item);
     std::vector<Section> const all = sections(item);
     if (of->kind == Kind::pointer && all.empty() && is_whole(item)) return; // an address, or one object
     if (item.kind == "constant" && !item.has_value())
       return problem(item.text.place,
                      fmt::format("'{0}' is to be constant and has no value: write constant {0}=0.5", item.text.text));
     fill_elements(item, all, of->is_matrix);
+  }
+
+  void fill_integer(Item const &item) {
+    if (item.value.empty() || item.is_list)
+      return problem(item.text.place, fmt::format("'{0}' is an integer and has no value, which is part of the result: "
+                                                  "write {0}=1",
+                                                  item.text.text));
+    add(item.text.place, fmt::format("{} = {};", item.path, item.value));
   }
 
   // A variable of the file keeps the value that it has there, unless it is given one.
@@ -362,10 +409,12 @@ private:
       binding_.before = fmt::format("static __typeof__(&{0}) const symreal_{0} = {0};", function_.name);
       return add(place, fmt::format("(void)symreal_{}{}", function_.name, list));
     }
-    if (!function_.has_this) return add(place, (function_.is_c ? "(void)" : "(void)::") + function_.qualified + list);
+    if (!function_.has_this && spec_.template_arguments.empty() && spec_.function.text.find('<') == std::string::npos)
+      return add(place, (function_.is_c ? "(void)" : "(void)::") + function_.qualified + list);
+    if (!function_.has_this) return add(place, "(void)::" + spec_.function.text + spec_.template_arguments + list);
     std::string const object = spec_.object ? *spec_.object : function_.object + "()";
     add(place, "auto &&symreal_object = " + object + ";");
-    add(place, "(void)symreal_object." + function_.name + list);
+    add(place, "(void)symreal_object." + function_.name + spec_.template_arguments + list);
   }
 
   void clause(std::string const &name, Place const &place, std::vector<ConfiguredText> items) {
@@ -397,8 +446,9 @@ private:
           clause("constant", text.place, {text});
         continue;
       }
-      clause(item.kind, text.place, {text});
-      if (item.range) clause("range", text.place, {{item.range->first, text.place}, {item.range->second, text.place}});
+      // A parameter of preprocess is a number.
+      clause(item.kind == "input" && is_integer(item) ? "constant" : item.kind, text.place, {text});
+      if (item.range) clause("range", text.place, {item.range->first, item.range->second});
     }
     if (function_.has_this && spec_.object && !names_members)
       clause("constant", spec_.function.place, {{"*this", spec_.function.place}});

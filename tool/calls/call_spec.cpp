@@ -1,6 +1,7 @@
 #include "tool/calls/call_spec.h"
 
 #include "rewrite/facts/clause.h"
+#include "rewrite/text/source_text.h"
 
 #include <algorithm>
 #include <cctype>
@@ -129,6 +130,11 @@ void read_item(Part const &part, CallSpec::Item &item) {
   }
 }
 
+void require_finite(Part const &value) {
+  if (rewrite::is_not_finite(value.string()))
+    refuse(value.place, "'" + value.string() + "' is not finite, and a kernel is recorded at finite numbers");
+}
+
 void read_value(Part const &part, CallSpec::Item &item) {
   if (part.text.empty())
     refuse(part.place, "the value of '" + item.text.text + "' is missing: write " + item.text.text + "=0.5");
@@ -137,15 +143,21 @@ void read_value(Part const &part, CallSpec::Item &item) {
     if (part.text.substr(i, 2) == ".." && dots == part.text.npos) dots = i;
   });
   if (dots != part.text.npos) {
-    item.range.emplace(part.from(0, dots).string(), part.from(dots + 2).string());
-    if (item.range->first.empty() || item.range->second.empty())
-      refuse(part.place, "a range has two ends, as in -1..1");
+    Part const low = part.from(0, dots), high = part.from(dots + 2);
+    item.range.emplace(ConfiguredText{low.string(), low.place}, ConfiguredText{high.string(), high.place});
+    if (low.text.empty() || high.text.empty()) refuse(part.place, "a range has two ends, as in -1..1");
+    if (std::string const wrong = rewrite::wrong_range(low.string(), high.string()); !wrong.empty())
+      fail(DiagnosticId::bad_range, part.place, wrong);
     if (item.kind != "input")
       refuse(part.place, "a range is where the inputs of 'verify' lie; '" + item.text.text + "' is not an input");
-  } else if (item.is_list = part.text.front() == '{'; item.is_list)
-    item.value = part.from(1, part.text.size() - 1).string();
-  else
+  } else if (item.is_list = part.text.front() == '{'; item.is_list) {
+    Part const inner = part.from(1, part.text.size() - 1);
+    item.value = inner.string();
+    for (Part const &one : split(inner, ',')) require_finite(one);
+  } else {
     item.value = part.string();
+    require_finite(part);
+  }
 }
 
 CallSpec::Item read_argument(Part part) {
@@ -166,29 +178,110 @@ CallSpec::Item read_argument(Part part) {
   return item;
 }
 
-// [object.]name[(types)]
+// Where the name of an operator function begins in the text, its scopes aside; npos: there is none.
+std::size_t operator_word(std::string_view text) {
+  constexpr std::string_view word = "operator";
+  for (std::size_t at = text.rfind(word); at != text.npos && text.size() > word.size();
+       at = at == 0 ? text.npos : text.rfind(word, at - 1)) {
+    char const behind = at + word.size() < text.size() ? text[at + word.size()] : ' ';
+    if ((at == 0 || !is_name(text[at - 1])) && (!is_name(behind) || behind == ' ')) return at;
+  }
+  return text.npos;
+}
+
+// The end of the operator function's name: behind its symbols, or the type that it converts to.
+std::size_t operator_end(std::string_view text, std::size_t word) {
+  std::size_t at = word + std::string_view("operator").size();
+  while (at < text.size() && text[at] == ' ') ++at;
+  for (std::string_view const brackets : {"()", "[]"})
+    if (text.substr(at, 2) == brackets) return at + 2;
+  constexpr std::string_view symbols = "+-*/%^&|~!=<>,";
+  if (at < text.size() && symbols.find(text[at]) != symbols.npos)
+    return std::min(text.find_first_not_of(symbols, at), text.size());
+  return std::min(text.find('(', at), text.size());
+}
+
+// Where scopes and name before `end` begin, with arguments of templates among the scopes.
+std::size_t scopes_begin(std::string_view text, std::size_t end) {
+  std::size_t begin = end;
+  for (int depth = 0; begin > 0; --begin) {
+    char const c = text[begin - 1];
+    depth += (c == '>') - (c == '<');
+    if (depth < 0 || (depth == 0 && !is_name(c) && c != ':' && c != '<')) break;
+  }
+  return begin;
+}
+
+[[noreturn]] void refuse_name(Part const &part) {
+  refuse(part.place, "'" + part.string() +
+                         "' is not the name of a function: write FUNCTION(ARGUMENTS) -> OUTPUTS, as in " +
+                         "f(x[0:3]=0.5, n=3) -> y[0:3]");
+}
+
+// name[<arguments>], where the name may have scopes.
+void read_name(Part part, CallSpec &spec) {
+  if (std::size_t const word = operator_word(part.text); word != part.text.npos) {
+    if (scopes_begin(part.text, word) != 0) refuse_name(part);
+    std::string name = part.string();
+    std::size_t const symbol = name.find_first_not_of(' ', word + std::string_view("operator").size());
+    if (symbol != name.npos && !is_name(name[symbol])) std::erase(name, ' ');
+    spec.function = {name, part.place};
+    return;
+  }
+  Part name = part;
+  if (part.text.ends_with('>')) {
+    std::size_t open = part.text.size(); // of the last brackets
+    int depth = 0;
+    do {
+      --open;
+      depth += (part.text[open] == '>') - (part.text[open] == '<');
+    } while (open > 0 && depth > 0);
+    if (depth != 0) refuse(part.place, "this '>' has no counterpart");
+    spec.template_arguments = part.from(open).string();
+    name = part.from(0, open);
+  }
+  if (name.text.empty() || std::isdigit(static_cast<unsigned char>(name.text[0])) ||
+      scopes_begin(name.text, name.text.size()) != 0)
+    refuse_name(part);
+  spec.function = {name.string(), name.place};
+}
+
+// [object.]name[(types)], or an object that is called.
 void read_callee(Part part, CallSpec &spec) {
-  if (part.text.ends_with(')')) {
+  std::size_t const word = operator_word(part.text);
+  std::size_t const end = word == part.text.npos ? part.text.npos : operator_end(part.text, word);
+  if (part.text.ends_with(')') && end != part.text.size()) {
     std::size_t const open = opening(part);
     spec.types = part.from(open).string();
+    spec.called_object = part.string();
     part = part.from(0, open);
+  }
+  if (part.text.ends_with('}')) { // T{a}(x)
+    spec.object = part.string();
+    spec.function = {"operator()", part.place};
+    return;
   }
   std::size_t dot = part.text.npos;
   each_outside(part, [&](std::size_t i) {
-    if (part.text[i] == '.') dot = i;
+    if (part.text[i] == '.' && i < word) dot = i;
   });
   if (dot != part.text.npos) {
     spec.object = part.from(0, dot).string();
     if (spec.object->empty()) refuse(part.place, "the object before '.' is missing");
     part = part.from(dot + 1);
   }
-  bool const is_plain = !part.text.empty() &&
-                        std::all_of(part.text.begin(), part.text.end(), [](char c) { return is_name(c) || c == ':'; });
-  if (!is_plain)
-    refuse(part.place, "'" + part.string() +
-                           "' is not the name of a function: write FUNCTION(ARGUMENTS) -> OUTPUTS, as in " +
-                           "f(x[0:3]=0.5, n=3) -> y[0:3]");
-  spec.function = {part.string(), part.place};
+  read_name(part, spec);
+}
+
+// A name stands once among the arguments, and once among the outputs.
+void refuse_repetitions(CallSpec const &spec) {
+  for (std::size_t k = 0; k < spec.items.size(); ++k)
+    for (std::size_t j = 0; j < k; ++j) {
+      CallSpec::Item const &one = spec.items[j], &other = spec.items[k];
+      bool const are_outputs = other.kind == "output";
+      if (one.text.text == other.text.text && (one.kind == "output") == are_outputs)
+        refuse(other.text.place, "'" + other.text.text + "' is " + (are_outputs ? "an output" : "given") + " twice");
+    }
 }
 
 } // namespace
@@ -223,6 +316,7 @@ CallSpec parse_call_spec(ConfiguredText const &text) {
     read_item(one, item);
     spec.items.push_back(std::move(item));
   }
+  refuse_repetitions(spec);
   return spec;
 }
 

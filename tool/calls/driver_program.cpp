@@ -33,8 +33,9 @@ std::string last_name(std::string const &qualified) {
 bool names(CallSpec const &spec, Callable const &function) {
   std::string wanted = spec.function.text;
   if (wanted.starts_with("::")) wanted = wanted.substr(2);
-  if (!spec.object) return function.qualified == wanted;
-  return function.has_this && (function.qualified == wanted || function.qualified.ends_with("::" + wanted));
+  if (!spec.object) return function.qualified == wanted || function.with_inline == wanted;
+  return function.has_this && (function.qualified == wanted || function.qualified.ends_with("::" + wanted) ||
+                               function.with_inline.ends_with("::" + wanted));
 }
 
 // Where the object is made by naming its class.
@@ -55,18 +56,46 @@ std::vector<Note> list(std::vector<Callable> const &functions) {
   return notes;
 }
 
+// The instance of a template that the words call.
+std::vector<Callable> instances(CallSpec const &spec, rewrite::Request const &request) {
+  std::string const &name = spec.function.text;
+  std::string const whole = name + spec.template_arguments;
+  bool const is_instance = whole.find('<') != whole.npos && name.find("operator") == name.npos;
+  bool const is_of_instance = spec.object && spec.object->find('<') != std::string::npos;
+  if (!is_instance && !is_of_instance) return {};
+  std::string const scope = spec.object ? "symreal_plain<decltype(" + *spec.object + ")>::type::" : "::";
+  return rewrite::find_instance(request, last_name(name),
+                                "&" + scope + (name.starts_with("::") ? whole.substr(2) : whole));
+}
+
 Call choose(CallSpec const &spec, rewrite::Request const &request) {
   std::string const &name = spec.function.text;
   std::vector<Callable> const found = rewrite::find_callables(request, last_name(name));
   std::vector<Callable> candidates;
-  std::copy_if(found.begin(), found.end(), std::back_inserter(candidates),
-               [&](Callable const &one) { return names(spec, one); });
+  if (spec.template_arguments.empty())
+    std::copy_if(found.begin(), found.end(), std::back_inserter(candidates),
+                 [&](Callable const &one) { return names(spec, one); });
+  if (candidates.empty()) candidates = instances(spec, request);
+  if (candidates.empty() && !spec.called_object.empty() && !spec.object) {
+    CallSpec called = spec;
+    called.object = spec.called_object;
+    called.types = called.called_object = called.template_arguments = "";
+    called.function.text = "operator()";
+    std::vector<Callable> const operators = rewrite::find_callables(request, called.function.text);
+    bool const is_class = std::any_of(operators.begin(), operators.end(),
+                                      [&](Callable const &one) { return is_of_class(*called.object, one); }) ||
+                          !instances(called, request).empty();
+    if (is_class) return choose(called, request);
+  }
   if (spec.object && std::any_of(candidates.begin(), candidates.end(),
                                  [&](Callable const &one) { return is_of_class(*spec.object, one); }))
     std::erase_if(candidates, [&](Callable const &one) { return !is_of_class(*spec.object, one); });
   if (candidates.empty())
     fail(DiagnosticId::configured_function, spec.function.place,
-         "no source defines a function '" + name + "'" + (found.empty() ? "" : "; there are:"), list(found));
+         "no source defines a function '" + name + spec.template_arguments + "'" +
+             (spec.template_arguments.empty() ? "" : ", with all arguments of one template") +
+             (found.empty() ? "" : "; there are:"),
+         list(found));
   if (!spec.types.empty()) {
     std::vector<Callable> const all = candidates;
     std::erase_if(candidates, [&](Callable const &one) {

@@ -1,6 +1,7 @@
 #include "tool/configuration/configured_pragmas.h"
 
 #include "rewrite/facts/clause.h"
+#include "rewrite/text/source_text.h"
 #include "tool/configuration/unknown_words.h"
 
 #include <filesystem>
@@ -17,6 +18,8 @@ ConfiguredClause range_clause(Yaml const &node, Place const &place) {
   ConfiguredClause clause{{name_of(Clause::range), place}, {}};
   for (Yaml const &one : node.list()) clause.items.push_back(one.text());
   if (clause.items.size() != 2) node.fail("a range has two numbers, as in [-1, 1]");
+  if (std::string const wrong = rewrite::wrong_range(clause.items[0].text, clause.items[1].text); !wrong.empty())
+    symreal::fail(DiagnosticId::bad_range, clause.items[0].place, wrong);
   return clause;
 }
 

@@ -24,7 +24,8 @@ constexpr Marks written = 128;  // ... written
 constexpr Marks freed = 256;    // was given back since the kernel began
 constexpr Marks named = 512;    // the first word of a static object whose name is known
 constexpr Marks changed = 1024; // ... of an object that is looked at again when the kernel ends
-constexpr Marks may_be_read = own | input | constant | output | noted;
+constexpr Marks is_judged = own | input | output | noted; // what a read of it means is known
+constexpr Marks may_be_read = is_judged | constant;
 constexpr Marks may_be_left = output | scratch | freed;
 } // namespace mark
 

@@ -89,7 +89,8 @@ State::Read &State::read_at(Site const &site) {
 }
 
 void State::read(RealNumber const *number, char const *name, char const *place) {
-  if ((shadow_.at(number) & mark::may_be_read) != 0 || !outlives(number)) return;
+  // A constant may be read; that it still is what it was shows when the kernel ends.
+  if ((shadow_.at(number) & mark::is_judged) != 0 || !outlives(number)) return;
   shadow_.add(number, sizeof *number, mark::noted);
   Site const site = site_of(number, name, place);
   if (number->is_node()) { // code that is not rewritten has written it
