@@ -8,11 +8,41 @@ namespace symreal {
 // The parts of Input, Output and compute that are about arrays.
 inline constexpr std::string_view python_arrays = R"(
 
+def _is_masked(values):
+    if isinstance(values, (list, tuple)):
+        return any(map(_is_masked, values))
+    return isinstance(values, numpy.ma.MaskedArray) and numpy.ma.is_masked(values)
+
+
+def _exact(values, name):
+    """The array of the values as doubles; TypeError where one of them is none."""
+    if _is_masked(values):
+        raise TypeError(f"{name} has masked elements, which have no value")
+    array = numpy.asarray(values)
+    if array.dtype == float64:
+        return array
+    kind, size = array.dtype.kind, array.dtype.itemsize
+    if kind not in "biuf":
+        raise TypeError(f"{name} has elements of type {array.dtype}, which is not one of real numbers")
+    with numpy.errstate(over="ignore"):
+        numbers = array.astype(float64)
+    kept = True
+    if kind in "iu" and size == 8:
+        far = array[(array > 2**53) | (array < -2**53)]
+        kept = all(int(float(one)) == one for one in far.tolist())
+    elif size > 8:
+        kept = numpy.array_equal(numbers, array, equal_nan=True)
+    if not kept:
+        raise TypeError(f"{name} has elements of type {array.dtype} that no double holds exactly")
+    return numbers
+
+
 def pack(objects, shapes):
     """The array of a tuple of objects: pack(Input(...), input_shapes). Leading axes are those of a batch."""
-    parts = [numpy.asarray(value, float64) for value in objects]
+    names = getattr(objects, "_fields", range(len(shapes)))
+    parts = [_exact(value, name) for value, name in zip(objects, names)]
     lead = [part.shape[:part.ndim - len(shape)] for part, shape in zip(parts, shapes)]
-    for part, shape, name in zip(parts, shapes, getattr(objects, "_fields", range(len(shapes)))):
+    for part, shape, name in zip(parts, shapes, names):
         if part.shape[part.ndim - len(shape):] != shape:
             raise ValueError(f"{name} has shape {part.shape}, which does not end in {shape}")
     lead = numpy.broadcast_shapes(*lead)
@@ -32,7 +62,7 @@ def unpack(numbers, shapes):
 
 
 def _checked(numbers, count, name):
-    numbers = numpy.asarray(numbers, float64)
+    numbers = _exact(numbers, name)
     if numbers.shape[-1:] != (count,):
         raise ValueError(f"{name} has shape {numbers.shape}; its last axis must have {count} numbers")
     return numbers
@@ -57,6 +87,10 @@ inline constexpr std::string_view python_guards_begin = R"(class GuardError(Valu
         self.number = number
         self.where = where
         super().__init__(f"guard {number} does not hold: {$guard_text(number)}")
+
+    def __reduce__(self):
+        """As pickle makes it again, in another process."""
+        return type(self), (self.number, self.where), self.__dict__
 
 
 def $guard_text(guard):
