@@ -9,6 +9,7 @@ inline constexpr std::string_view fmi3_declarations =
     R"(/* The functions of FMI 3.0 (fmi-standard.org) around the generated functions. */
 #include "$base.h"
 
+#include <math.h>
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
@@ -61,32 +62,67 @@ static uint32_t const derivative[state_count] = {$derivative_places
 static double const start[value_count] = {$start_values
 };
 
+/* The states of FMI's state machine that this unit has. */
+enum { instantiated = 1, initialization_mode = 2, event_mode = 4, continuous_time_mode = 8, step_mode = 16,
+       terminated = 32, any_state = 63 };
+
 struct unit {
   double value[value_count], constants[$constants_or_one];
   bool has_constants, has_outputs; /* they are those of the parameters, of the inputs and parameters */
+  bool takes_steps;                /* co-simulation */
+  unsigned at;                     /* its state */
+  double end;                      /* no step goes beyond this time */
   fmi3InstanceEnvironment environment;
   fmi3LogMessageCallback log;
 };
 
+/* An error ends the simulation: from then on values can be read, and the unit can be reset. */
 static fmi3Status say(struct unit *unit, fmi3Status status, char const *message) {
   if (unit && unit->log)
     unit->log(unit->environment, status, status == fmi3Discard ? "logStatusDiscard" : "logStatusError", message);
+  if (unit && status == fmi3Error) unit->at = terminated;
   return status;
 }
 
-static fmi3Status refused(fmi3Instance instance, char const *function) {
-  char message[160] = "not supported by this unit: ";
-  strncat(message, function, sizeof message - strlen(message) - 1);
-  return say(instance, fmi3Error, message);
+static fmi3Status say_of(struct unit *unit, char const *function, char const *what) {
+  char message[200] = "";
+  strncat(message, function, sizeof message - 1);
+  strncat(message, what, sizeof message - strlen(message) - 1);
+  return say(unit, fmi3Error, message);
 }
+
+static fmi3Status refused(fmi3Instance instance, char const *function) {
+  return say_of(instance, function, " is not supported by this unit");
+}
+
+/* Whether a function may be called now; else the message has been given. */
+static bool is_allowed(struct unit *unit, unsigned states, char const *function) {
+  if (!unit) return false;
+  if ((unit->at & states) != 0) return true;
+  say_of(unit, function,
+         unit->at == instantiated           ? " is not allowed before fmi3EnterInitializationMode"
+         : unit->at == initialization_mode  ? " is not allowed in Initialization Mode"
+         : unit->at == event_mode           ? " is not allowed in Event Mode"
+         : unit->at == continuous_time_mode ? " is not allowed in Continuous-Time Mode"
+         : unit->at == step_mode            ? " is not allowed in Step Mode"
+                                            : " is not allowed after fmi3Terminate or an error");
+  return false;
+}
+
+static bool is_finite(double x) { return x - x == 0.0; }
+
+/* Times that differ by rounding alone are the same. */
+static double rounding(double time) { return 1e-9 * (1.0 + (time < 0.0 ? -time : time)); }
 
 static void reset(struct unit *unit) {
   memcpy(unit->value, start, sizeof start);
   unit->has_constants = unit->has_outputs = false;
+  unit->at = instantiated;
 }
 
-static struct unit *make(fmi3String token, fmi3InstanceEnvironment environment, fmi3LogMessageCallback log) {
-  struct unit made = {.environment = environment, .log = log};
+static struct unit *make(fmi3String token, bool takes_steps, fmi3InstanceEnvironment environment,
+                         fmi3LogMessageCallback log) {
+  struct unit made = {.takes_steps = takes_steps, .environment = environment, .log = log};
   if (!token || strcmp(token, "$token") != 0) {
     say(&made, fmi3Error, "the instantiation token is that of another unit");
     return NULL;

@@ -14,15 +14,22 @@ EXPORTED fmi3Status fmi3DoStep(fmi3Instance instance, fmi3Float64 time, fmi3Floa
   static double const part[4] = {0.0, 0.5, 0.5, 1.0}, weight[4] = {1.0, 2.0, 2.0, 1.0};
   double begin[state_count], sum[state_count] = {0.0}, slope[state_count] = {0.0};
   (void)keeps;
+  if (!is_allowed(unit, step_mode, "fmi3DoStep")) return fmi3Error;
+  double const now = unit->value[0], late = time - now;
+  if (!(late <= rounding(now) && -late <= rounding(now)))
+    return say(unit, fmi3Error, "fmi3DoStep: a step begins at the time where the last one ended");
+  if (!(step > 0.0) || !is_finite(step)) return say(unit, fmi3Error, "fmi3DoStep: the step size must be positive");
+  if (time + step > unit->end + rounding(unit->end))
+    return say(unit, fmi3Error, "fmi3DoStep: the step goes beyond the stop time");
   *needs_events = *ends = *returned_early = false;
   *last_time = time;
-  fmi3GetContinuousStates(unit, begin, state_count);
+  get_states(unit, begin);
   for (int stage = 0; stage < 4; ++stage) {
     for (int k = 0; k < state_count; ++k) unit->value[state[k]] = begin[k] + part[stage] * step * slope[k];
     unit->has_outputs = false;
-    fmi3Status const status = fmi3GetContinuousStateDerivatives(unit, slope, state_count);
+    fmi3Status const status = get_derivatives(unit, slope);
     if (status != fmi3OK) {
-      fmi3SetContinuousStates(unit, begin, state_count);
+      set_states(unit, begin);
       return status;
     }
     for (int k = 0; k < state_count; ++k) sum[k] += weight[stage] * slope[k];
@@ -34,6 +41,7 @@ EXPORTED fmi3Status fmi3DoStep(fmi3Instance instance, fmi3Float64 time, fmi3Floa
 }
 
 EXPORTED fmi3Status fmi3GetFMUState(fmi3Instance instance, fmi3FMUState *copy) {
+  if (!is_allowed(instance, any_state, "fmi3GetFMUState")) return fmi3Error;
   if (!*copy) *copy = malloc(sizeof(struct unit));
   if (!*copy) return say(instance, fmi3Error, "no memory");
   memcpy(*copy, instance, sizeof(struct unit));
@@ -41,7 +49,13 @@ EXPORTED fmi3Status fmi3GetFMUState(fmi3Instance instance, fmi3FMUState *copy) {
 }
 
 EXPORTED fmi3Status fmi3SetFMUState(fmi3Instance instance, fmi3FMUState copy) {
-  memcpy(instance, copy, sizeof(struct unit));
+  if (!is_allowed(instance, any_state, "fmi3SetFMUState")) return fmi3Error;
+  if (!copy) return say(instance, fmi3Error, "fmi3SetFMUState: there is no state");
+  struct unit const *const from = copy;
+  struct unit *const unit = instance;
+  struct unit const own = *unit;
+  *unit = *from;
+  unit->environment = own.environment, unit->log = own.log, unit->takes_steps = own.takes_steps;
   return fmi3OK;
 }
 
@@ -114,8 +128,8 @@ EXPORTED fmi3Instance fmi3InstantiateScheduledExecution(
     fmi3String name, fmi3String token, fmi3String path, fmi3Boolean visible, fmi3Boolean logs,
     fmi3InstanceEnvironment environment, fmi3LogMessageCallback log, fmi3ClockUpdateCallback update,
     fmi3LockPreemptionCallback lock, fmi3UnlockPreemptionCallback unlock) {
-  struct unit const said = {.environment = environment, .log = log};
-  refused((struct unit *)&said, "fmi3InstantiateScheduledExecution");
+  struct unit said = {.environment = environment, .log = log};
+  refused(&said, "fmi3InstantiateScheduledExecution");
   return NULL;
 }
 )";
