@@ -7,6 +7,7 @@
 #include <chrono>
 #include <fmt/format.h>
 #include <llvm/Support/Program.h>
+#include <map>
 #include <set>
 #include <utility>
 
@@ -49,6 +50,14 @@ std::vector<rewrite::Kernel> wanted_kernels(rewrite::Result const &rewritten, Fr
   return wanted;
 }
 
+// What the flags of one entry for a source have, and those of another have not.
+std::string words_apart(std::vector<std::string> const &one, std::vector<std::string> const &other) {
+  std::string text;
+  for (std::string const &word : one)
+    if (std::ranges::find(other, word) == other.end()) text += (text.empty() ? "" : " ") + word;
+  return text.empty() ? "no flags of its own" : "'" + text + "'";
+}
+
 // What is built of the rewritten and of the excluded sources.
 BuildRequest build_request(FrontRequest const &request, rewrite::Result const &rewritten) {
   BuildRequest build = request.build;
@@ -57,13 +66,15 @@ BuildRequest build_request(FrontRequest const &request, rewrite::Result const &r
   build.called_from_outside = rewritten.externals;
   std::set<std::pair<std::string, std::vector<std::string>>> unreached;
   for (rewrite::Compilation const &one : rewritten.unreached) unreached.emplace(rewrite::real_source(one), one.flags);
-  std::set<std::string> known;
+  std::map<std::string, std::vector<std::string>> known; // with their flags
   for (rewrite::Compilation const &one : rewrite::compilations_of(request.source)) {
     std::string const real = rewrite::real_source(one);
     if (unreached.contains({real, one.flags})) continue;
-    if (!known.insert(real).second)
+    if (auto const [other, is_new] = known.try_emplace(real, one.flags); !is_new)
       fail(DiagnosticId::compile_commands, {one.source},
-           "the build compiles this source twice, and a program can contain it only once");
+           fmt::format(
+               "the build compiles this source twice, with {} and with {}, and a program can contain it only once",
+               words_apart(other->second, one.flags), words_apart(one.flags, other->second)));
     (request.source.exclude.matches(real) ? build.unchanged : build.sources).push_back(one);
   }
   return build;
