@@ -13,7 +13,7 @@ double run(double const *p, std::vector<double> &v, int n) {
   // CHECK: SYMREAL_DECLARE(constant, "v", {{.*}}, v) //
 #pragma symreal constant(v) // a comment stays away
   c[0][0] = q * p[1] + v[0];
-  // CHECK: SYMREAL_SECTION(output, "c[0:N][:3]", {{.*}}, ::symreal::symreal_extents(N, 3), c[(0)+symreal_i[0]][(0)+symreal_i[1]]) SYMREAL_OBJECT(output, "c[2][0]", {{.*}}, c[2][0])
+  // CHECK: SYMREAL_SECTION(output, "c[0:N][:3]", {{.*}}, ::symreal::symreal_extents(N, 3), c[SYMREAL_INDEX(3, "c", (0)+symreal_i[0])][(0)+symreal_i[1]]) SYMREAL_OBJECT(output, "c[2][0]", {{.*}}, c[2][0])
   // CHECK-EMPTY:
   // CHECK-NEXT: SYMREAL_GENERATE("step.c", "pragma_region.cpp", [[@LINE+3]], 17)
 #pragma symreal output(c[0:N][:3], \
