@@ -52,8 +52,8 @@ static constexpr OperationSpelling spellings[] = {
     {Op::sin, "math.Sin($x)"},
     {Op::cos, "math.Cos($x)"},
     {Op::tan, "math.Tan($x)"},
-    {Op::asin, "math.Asin($x)"},
-    {Op::acos, "math.Acos($x)"},
+    {Op::asin, "asin($x)"},
+    {Op::acos, "acos($x)"},
     {Op::atan, "math.Atan($x)"},
     {Op::atan2, "math.Atan2($x, $y)"},
     {Op::sinh, "math.Sinh($x)"},
@@ -66,10 +66,10 @@ static constexpr OperationSpelling spellings[] = {
     {Op::exp2, "math.Exp2($x)"},
     {Op::expm1, "math.Expm1($x)"},
     {Op::log, "log($x)"},
-    {Op::log2, "math.Log2($x)"},
+    {Op::log2, "log2($x)"},
     {Op::log10, "log10($x)"},
     {Op::log1p, "math.Log1p($x)"},
-    {Op::pow, "math.Pow($x, $y)"},
+    {Op::pow, "pow($x, $y)"},
     {Op::erf, "math.Erf($x)"},
     {Op::erfc, "math.Erfc($x)"},
     {Op::tgamma, "math.Gamma($x)"},
@@ -149,6 +149,38 @@ func log(x float64) float64 {
         return math.Log(x*0x1p54) - 37.42994775023705
     }
     return math.Log(x)
+}
+)"},
+    {"log2", R"(// Near 1 the logarithm of Go's package subtracts numbers of nearly equal size.
+func log2(x float64) float64 {
+    if x > 0.75 && x < 1.5 {
+        return math.Log(x) * math.Log2E
+    }
+    return math.Log2(x)
+}
+)"},
+    {"asin", R"(// Near 1 and -1 the function of Go's package subtracts numbers of nearly equal size.
+func asin(x float64) float64 {
+    if math.Abs(x) > 0.5 {
+        return math.Copysign(math.Pi/2-2*math.Asin(math.Sqrt((1-math.Abs(x))/2)), x)
+    }
+    return math.Asin(x)
+}
+)"},
+    {"acos", R"(// Near 1 the function of Go's package subtracts numbers of nearly equal size.
+func acos(x float64) float64 {
+    if x > 0.5 {
+        return 2 * math.Asin(math.Sqrt((1-x)/2))
+    }
+    return math.Acos(x)
+}
+)"},
+    {"pow", R"(// The power of Go's package is wrong where the base is below the normal numbers.
+func pow(x, y float64) float64 {
+    if x != 0 && math.Abs(x) < 0x1p-1022 && !math.IsInf(y, 0) {
+        return math.Pow(x*0x1p54, y) * math.Exp2(-54*y)
+    }
+    return math.Pow(x, y)
 }
 )"},
     {"log10", R"(func log10(x float64) float64 {
