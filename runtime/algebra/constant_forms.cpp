@@ -15,9 +15,14 @@ std::size_t reach(std::size_t least, std::size_t pairs, std::size_t count) {
 } // namespace
 
 ConstantForms::ConstantForms(std::span<double const> constants) {
-  for (double constant : constants)
-    if (constant != 0 && std::isfinite(constant) && place_.emplace(constant, constants_.size()).second)
-      constants_.push_back(constant);
+  for (double constant : constants) {
+    if (constant == 0 || !std::isfinite(constant)) continue;
+    std::uint32_t &place = place_[std::bit_cast<std::uint64_t>(constant)];
+    if (place != KeyTable::none) continue;
+    place = static_cast<std::uint32_t>(constants_.size());
+    constants_.push_back(constant);
+  }
+  forms_.resize(constants_.size());
   for (bool only_earlier : {true, false}) {
     only_earlier_ = only_earlier;
     look_at_pairs();
@@ -51,15 +56,16 @@ void ConstantForms::look_at_products() {
     for (std::size_t i = 0; i < block.size(); ++i)
       for (std::size_t j = i; j < block.size(); ++j) products.push_back({block[i] * block[j], block[i], block[j]});
     std::ranges::sort(products, {}, &Product::value);
-    for (double value : block) {
-      if (forms_.contains(value)) continue;
+    for (std::size_t at = first; at < end; ++at) {
+      if (forms_[at]) continue;
+      double const value = constants_[at];
       for (double a : block)
         for (double wanted : {value - a, value + a}) { // a + b * c, b * c - a or a - b * c
           double const slack = 0x1p-52 * std::max(value, a), size = std::fabs(wanted);
-          for (auto at = std::ranges::lower_bound(products, size - slack, {}, &Product::value);
-               at != products.end() && at->value <= size + slack; ++at)
+          for (auto product = std::ranges::lower_bound(products, size - slack, {}, &Product::value);
+               product != products.end() && product->value <= size + slack; ++product)
             for (double sign : {1.0, -1.0})
-              propose(a + sign * at->value, {FormKind::sum_with_product, a, sign * at->a, at->b});
+              propose(a + sign * product->value, {FormKind::sum_with_product, a, sign * product->a, product->b});
         }
     }
   }
@@ -77,11 +83,11 @@ bool ConstantForms::rests_on(double constant, double other, int depth) const {
 
 void ConstantForms::propose(double value, ConstantForm const &form) {
   value = std::fabs(value);
-  auto const place = place_.find(value);
-  if (place == place_.end() || forms_.contains(value)) return;
+  std::uint32_t const place = place_of(value);
+  if (place == KeyTable::none || forms_[place]) return;
   auto is_later = [&](double operand) {
-    auto const other = place_.find(std::fabs(operand));
-    return other != place_.end() && other->second >= place->second;
+    std::uint32_t const other = place_of(std::fabs(operand));
+    return other != KeyTable::none && other >= place;
   };
   if (only_earlier_ && (is_later(form.a) || is_later(form.b) || is_later(form.c))) return;
   // Numbers of a few bits are what they are, sums and products of others everywhere; but for what rounding has left of
@@ -89,12 +95,12 @@ void ConstantForms::propose(double value, ConstantForm const &form) {
   double const shifted = std::ldexp(value, 20 - std::ilogb(value));
   if (shifted == std::floor(shifted) && value > 0x1p-50 * std::fabs(form.a)) return;
   if (rests_on(form.a, value, deepest) || rests_on(form.b, value, deepest) || rests_on(form.c, value, deepest)) return;
-  forms_.emplace(value, form);
+  forms_[place] = form;
 }
 
 ConstantForm const *ConstantForms::find(double magnitude) const {
-  auto const found = forms_.find(magnitude);
-  return found == forms_.end() ? nullptr : &found->second;
+  std::uint32_t const place = place_of(magnitude);
+  return place == KeyTable::none || !forms_[place] ? nullptr : &*forms_[place];
 }
 
 } // namespace symreal::algebra

@@ -7,9 +7,12 @@
 // chance has probability 2^-52 for each pair of numbers.
 #pragma once
 
+#include "algebra/key_table.h"
+
+#include <bit>
 #include <cstdint>
+#include <optional>
 #include <span>
-#include <unordered_map>
 #include <vector>
 
 namespace symreal::algebra {
@@ -41,11 +44,13 @@ private:
   void look_at_products();
   void propose(double value, ConstantForm const &form);
   bool rests_on(double constant, double other, int depth) const;
+  // Among the constants; KeyTable::none for a magnitude that is not one of them.
+  std::uint32_t place_of(double magnitude) const { return place_.find(std::bit_cast<std::uint64_t>(magnitude)); }
 
   std::vector<double> constants_;
-  std::unordered_map<double, std::size_t> place_;
+  std::vector<std::optional<ConstantForm>> forms_; // of each
+  KeyTable place_;
   bool only_earlier_ = true;
-  std::unordered_map<double, ConstantForm> forms_;
 };
 
 } // namespace symreal::algebra

@@ -8,6 +8,14 @@ namespace symreal::algebra {
 namespace {
 
 constexpr std::size_t longest_sum = 60;
+// Of atoms: the powers of a chain of squarings would double from one to the next.
+constexpr std::size_t longest_product = 64;
+
+std::size_t longest_term(Sum const &sum) {
+  std::size_t longest = 0;
+  for (Term const &term : sum) longest = std::max(longest, term.size());
+  return longest;
+}
 
 class Expander {
 public:
@@ -102,7 +110,10 @@ private:
       a.insert(a.end(), b.begin(), b.end());
       return collected(a);
     }
-    auto const is_long = [&] { return a.size() * b.size() > static_cast<std::size_t>(settings_.most_terms); };
+    auto const is_long = [&] {
+      return a.size() * b.size() > static_cast<std::size_t>(settings_.most_terms) ||
+             longest_term(a) + longest_term(b) > longest_product;
+    };
     if (is_long() && a.size() >= b.size()) close(node.a, a);
     if (is_long()) close(node.b, b);
     if (is_long()) close(node.a, a);

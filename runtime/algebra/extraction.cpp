@@ -17,8 +17,10 @@ std::uint64_t key_of_sum(std::uint64_t a, std::uint64_t b, bool minus) {
 } // namespace
 
 void Extraction::run() {
-  for (ExpressionId id = 0; id < expansion_.expressions.size(); ++id) count(id);
-  while (std::optional<Candidate> const best = candidates_.take()) {
+  for (ExpressionId id = 0; id < expansion_.expressions.size() && !search_.is_over(); ++id) count(id);
+  while (!search_.is_over()) {
+    std::optional<Candidate> const best = candidates_.take();
+    if (!best) return;
     if (best->is_pair)
       extract_product(*best);
     else
@@ -44,7 +46,7 @@ Candidate Extraction::divisor(Term const &x, Term const &y, Common const &common
 }
 
 void Extraction::count_pair(ExpressionId id, Term const &x, Term const &y, int sign) {
-  ++work_;
+  ++search_.work;
   Common const common = store_.common(x, y);
   // Two products and a sum become one product with the divisor.
   int const factors = common.variables + (common.constants > 0 || is_free(x, y, common));
@@ -65,17 +67,19 @@ bool Extraction::may_join(Term const &term, Atom p, Atom q) const {
 
 void Extraction::count_atoms(ExpressionId id, Term const &term, int sign) {
   std::span<Atom const> const atoms = store_.atoms(term);
-  for (std::size_t i = 0; i < atoms.size(); ++i)
+  for (std::size_t i = 0; i < atoms.size(); ++i) {
+    if (i > 0 && atoms[i] == atoms[i - 1]) continue;
     for (std::size_t j = i + 1; j < atoms.size(); ++j) {
-      bool const is_repeated = (j > i + 1 && atoms[j] == atoms[j - 1]) || (i > 0 && atoms[i] == atoms[i - 1]);
+      bool const is_repeated = j > i + 1 && atoms[j] == atoms[j - 1];
       if (is_repeated || !may_join(term, atoms[i], atoms[j])) continue;
-      ++work_;
+      ++search_.work;
       Candidate candidate{key_of_product(atoms[i], atoms[j]), true, atoms[i], atoms[j], 0, 1};
       if (sign > 0)
         candidates_.add(candidate, 1, id);
       else
         candidates_.remove(candidate.key, 1);
     }
+  }
 }
 
 // All that has to do with one term of an expression.
@@ -151,7 +155,7 @@ bool Extraction::extract_sum_once(ExpressionId id, Candidate const &candidate, A
     for (std::size_t j = i + 1; j < terms.size(); ++j) {
       Term x = terms[i], y = terms[j];
       Common const common = store_.common(x, y);
-      ++work_;
+      ++search_.work;
       if (divisor(x, y, common).key != candidate.key) continue;
       if (y.hash - common.hash < x.hash - common.hash) std::swap(x, y);
       Term rest_x = without(x, y), rest_y = without(y, x);

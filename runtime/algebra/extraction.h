@@ -3,16 +3,17 @@
 
 #include "algebra/candidates.h"
 #include "algebra/expansion.h"
+#include "algebra/search.h"
 
 namespace symreal::algebra {
 
 class Extraction {
 public:
-  Extraction(Expansion &expansion, Candidates &candidates, std::uint64_t &work)
+  Extraction(Expansion &expansion, Candidates &candidates, Search &search)
       : expansion_(expansion),
         store_(expansion.store),
         candidates_(candidates),
-        work_(work) {}
+        search_(search) {}
 
   void run();
 
@@ -38,7 +39,7 @@ private:
   Expansion &expansion_;
   TermStore &store_;
   Candidates &candidates_;
-  std::uint64_t &work_;
+  Search &search_;
 };
 
 } // namespace symreal::algebra

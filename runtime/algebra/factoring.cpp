@@ -90,11 +90,10 @@ private:
 
 } // namespace
 
-Network factored(Network const &network, FactoringSettings const &settings, std::mt19937_64 &random,
-                 std::uint64_t &work) {
+Network factored(Network const &network, FactoringSettings const &settings, Search &search) {
   Expansion expansion = expand(network, settings.expansion);
-  Candidates candidates(random, settings.noise, settings.sums_first);
-  Extraction(expansion, candidates, work).run();
+  Candidates candidates(search.random, settings.noise, settings.sums_first);
+  Extraction(expansion, candidates, search).run();
   Network result = Assembly(network, expansion).run();
   // Equal hashes of different terms would have made it something else.
   for (std::size_t i = 0; i < network.roots.size(); ++i)

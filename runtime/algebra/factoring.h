@@ -4,8 +4,7 @@
 #pragma once
 
 #include "algebra/expansion.h"
-
-#include <random>
+#include "algebra/search.h"
 
 namespace symreal::algebra {
 
@@ -15,9 +14,7 @@ struct FactoringSettings {
   bool sums_first = false;
 };
 
-// A network with the same roots; it may be larger. The same for the same state of `random`. `work` is increased by what
-// was done.
-Network factored(Network const &network, FactoringSettings const &settings, std::mt19937_64 &random,
-                 std::uint64_t &work);
+// A network with the same roots; it may be larger. The same for the same state of the search.
+Network factored(Network const &network, FactoringSettings const &settings, Search &search);
 
 } // namespace symreal::algebra

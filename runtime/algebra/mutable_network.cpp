@@ -5,6 +5,9 @@
 
 namespace symreal::algebra {
 
+// As many nodes as a window of the search has.
+static constexpr std::size_t farthest = 1000;
+
 MutableNetwork::MutableNetwork(Network const &network) : source_(network), by_value_(network.size()) {
   std::vector<char> live = live_nodes(network);
   live[network.zero().node()] = live[network.one().node()] = 1;
@@ -37,13 +40,15 @@ Index MutableNetwork::find(Residue first) const {
   return node != KeyTable::none && is_alive(node) ? node : no_index;
 }
 
-// What nobody needs any more.
-int MutableNetwork::release_operands(Index node) {
+// What no root needs any more: of these nodes the operands are released, `most` at most.
+int MutableNetwork::release_operands(Index node, std::size_t most) {
   int freed = 0;
+  released_.clear();
   open_ = {node};
-  while (!open_.empty()) {
+  while (!open_.empty() && released_.size() < most) {
     Index const at = open_.back();
     open_.pop_back();
+    released_.push_back(at);
     for_each_operand(at, [&](Literal operand) {
       if (--references_[operand.node()] != 0) return;
       freed += cost(operand.node());
@@ -53,27 +58,12 @@ int MutableNetwork::release_operands(Index node) {
   return freed;
 }
 
-int MutableNetwork::retain_operands(Index node) {
-  int needed = 0;
-  open_ = {node};
-  while (!open_.empty()) {
-    Index const at = open_.back();
-    open_.pop_back();
-    for_each_operand(at, [&](Literal operand) {
-      if (references_[operand.node()]++ != 0) return;
-      needed += cost(operand.node());
-      open_.push_back(operand.node());
-    });
-  }
-  return needed;
-}
-
 int MutableNetwork::cone_cost(Index node) { return freed(node, {}) + cost(node); }
 
 int MutableNetwork::freed(Index node, std::span<Literal const> kept) {
   for (Literal literal : kept) ++references_[literal.node()];
-  int const count = release_operands(node);
-  retain_operands(node);
+  int const count = release_operands(node, farthest);
+  for (Index released : released_) for_each_operand(released, [&](Literal operand) { ++references_[operand.node()]; });
   for (Literal literal : kept) --references_[literal.node()];
   return count;
 }
@@ -82,7 +72,8 @@ void MutableNetwork::look_for_users(Index node) {
   ++search_;
   open_ = {node};
   visited_[node] = search_;
-  while (!open_.empty()) {
+  for (std::size_t visits = 0; !open_.empty(); ++visits) {
+    far_visits_ += visits > farthest;
     Index const at = open_.back();
     open_.pop_back();
     for (Index user : users_[at]) {
@@ -129,7 +120,7 @@ void MutableNetwork::replace(Index node, Kind kind, Literal a, Literal b) {
   }
   add_user(a, node);
   add_user(b, node);
-  release_operands(node);
+  release_operands(node, nodes_.size());
   nodes_[node].kind = kind;
   nodes_[node].a = a;
   nodes_[node].b = b;

@@ -4,6 +4,8 @@
 #include "algebra/key_table.h"
 #include "algebra/network.h"
 
+#include <utility>
+
 namespace symreal::algebra {
 
 class MutableNetwork {
@@ -24,13 +26,15 @@ public:
   Index find(Residue first) const;
 
   int cost(Index node) const { return source_.cost(nodes_[node]); }
-  // The cost of what is needed for this node alone.
+  // The cost of what is needed for this node alone; of a large cone, of so many nodes of it.
   int cone_cost(Index node);
-  // The cost of what is freed when the node no longer needs its operands, while `kept` are needed anew.
+  // The cost of what is freed when the node no longer needs its operands, while `kept` are needed anew; as above.
   int freed(Index node, std::span<Literal const> kept);
   // Finds all that needs a node; then whether one does.
   void look_for_users(Index node);
   bool needs_it(Index node) const { return visited_[node] == search_; }
+  // How many nodes these have looked at beyond what the windows of a search have, since this was last asked.
+  std::uint64_t take_far_visits() { return std::exchange(far_visits_, 0); }
 
   // A node of two operands, new or one with this value.
   Literal make(Kind kind, Literal a, Literal b);
@@ -41,8 +45,7 @@ public:
   Network finished() const;
 
 private:
-  int release_operands(Index node);
-  int retain_operands(Index node);
+  int release_operands(Index node, std::size_t most);
   Index append(NetworkNode const &node);
   void add_user(Literal operand, Index user);
 
@@ -52,7 +55,8 @@ private:
   std::vector<std::vector<Index>> users_; // some may be users no longer
   std::vector<std::uint32_t> visited_;    // in which search for users
   std::uint32_t search_ = 0;
-  std::vector<Index> open_;
+  std::vector<Index> open_, released_;
+  std::uint64_t far_visits_ = 0;
   KeyTable by_value_;
   std::vector<Literal> roots_;
 };

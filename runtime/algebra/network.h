@@ -73,6 +73,7 @@ public:
   NetworkNode const &operator[](Index node) const { return nodes_[node]; }
   NetworkNode const &operator[](Literal literal) const { return nodes_[literal.node()]; }
   Function const &function_of(NetworkNode const &node) const { return functions_[node.a.bits]; }
+  std::size_t function_count() const { return functions_.size(); }
   Value value(Literal literal) const;
   // The node with this value or its negative.
   std::optional<Literal> find(Value const &value) const;

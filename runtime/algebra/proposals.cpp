@@ -19,7 +19,7 @@ Proposal Proposals::best_for(Index target) {
   look_around();
   network_.look_for_users(target);
   std::erase_if(near_, [&](Index near) { return network_.needs_it(near); });
-  search_.work += 2 * near_.size();
+  search_.work += 2 * near_.size() + network_.take_far_visits() / 8;
   for (Index other : near_) {
     try_sum(other);
     try_product(other);

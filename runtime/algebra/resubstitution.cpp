@@ -18,6 +18,7 @@ public:
 
   Network run() {
     for (Index node : order()) {
+      if (search_.is_over()) break;
       if (!network_.is_alive(node)) continue;
       Proposal const best = proposals_.best_for(node);
       if (best.gain > 0 || (best.gain == 0 && chance() < settings_.sideways)) apply(node, best);

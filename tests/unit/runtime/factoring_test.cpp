@@ -18,7 +18,7 @@ protected:
     return network.leaf(100 + slot, Attribute::parametric, no_hazard, random_parameter(slot));
   }
   Network factor(ExpansionSettings const &settings = {}) {
-    return rebuilt(factored(network, {.expansion = settings}, search.random, search.work));
+    return rebuilt(factored(network, {.expansion = settings}, search));
   }
   void expect_same_roots(Network const &made) const {
     for (std::size_t i = 0; i < network.roots.size(); ++i)
