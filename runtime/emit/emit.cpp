@@ -1,5 +1,6 @@
 #include "emit/emit.h"
 
+#include "emit/print/external_names.h"
 #include "emit/print/requirements.h"
 #include "emit/print/single_requirements.h"
 #include "emit/print/source.h"
@@ -15,6 +16,7 @@ static std::vector<EmittedFile> print(Schedule const &plan, Language const &lang
   for (Companion const &companion : language.files.companions)
     if (companion.option.empty() || options.extras.contains(companion.option))
       files.push_back({options.base_name + std::string(companion.suffix), companion.text(emission)});
+  require_other_names(emission, files);
   return files;
 }
 

@@ -1,4 +1,6 @@
 #include "graph/graph_line.h"
+#include "graph/implicit.h"
+#include "graph/validate.h"
 
 #include <array>
 #include <ostream>
@@ -35,7 +37,6 @@ ExternalValue read_value(Line &line) {
       value.type = line.string("the type of the integer");
     else if (known.kind != Kind::number)
       value.count = line.count("number of doubles");
-    if (value.count == 0) line.error("an object without doubles cannot be a parameter");
     return value;
   }
   line.error("'" + word + "' is not a kind of parameter");
@@ -67,7 +68,6 @@ void read_external(Line &line, std::vector<External> &externals) {
   if (line.count("function") != externals.size()) line.error("functions must follow each other from 0 on");
   External external{line.string("the function's name"), line.accept("pure"), {}, {}, {}};
   if (line.accept("returns")) external.returned = read_value(line);
-  if (external.returned.is_pointer()) line.error("a function returns a number, an integer or an object");
   if (line.accept("takes"))
     while (!line.done() && line.peek() != "at" && line.peek() != "derivative")
       external.parameters.push_back(read_value(line));
@@ -75,7 +75,8 @@ void read_external(Line &line, std::vector<External> &externals) {
     bool const is_returned = line.accept("returned");
     external.derivatives.push_back({line.string("the name of its derivative"), is_returned});
   }
-  if (!external.derivatives.empty() && !external.pure) line.error("a function with effects has no derivative");
+  std::string const violation = is_implicit(external) ? "" : find_violation(external);
+  if (!violation.empty()) line.error(violation);
   external.place = line.optional_place();
   externals.push_back(std::move(external));
 }

@@ -15,7 +15,6 @@
 
 namespace symreal {
 
-// The words of one line. A quoted string is one word, kept with its opening quote to tell it from a bare one.
 // The whole text as a number from 0 on that the type has.
 template <class Number = std::uint32_t> std::optional<Number> parse_natural(std::string_view text) {
   Number value = 0;
@@ -23,8 +22,10 @@ template <class Number = std::uint32_t> std::optional<Number> parse_natural(std:
   return failed == std::errc() && end == text.data() + text.size() ? std::optional(value) : std::nullopt;
 }
 
+// The words of one line. A quoted string is one word, kept with its opening quote to tell it from a bare one.
 class Line {
 public:
+  // A place without a column is that of a line of a file: an error has the column of the word that was read last.
   Line(std::string_view text, Place place) : place_(std::move(place)) {
     words_.reserve(8); // those of a node
     for (std::size_t i = 0; i < text.size();) {
@@ -33,24 +34,25 @@ public:
         ++i;
         continue;
       }
+      std::size_t const column = i + 1;
       std::string word(1, text[i++]);
       if (word[0] == '"') {
         while (i < text.size() && text[i] != '"') {
           if (text[i] == '\\' && i + 1 < text.size()) ++i;
           word += text[i++];
         }
-        if (i++ >= text.size()) error("a string is not closed");
+        if (i++ >= text.size()) fail_at(column, "a string is not closed");
       } else {
         std::size_t const end = std::min(text.find_first_of(" \t\r;", i), text.size());
         word.append(text, i, end - i);
         i = end;
       }
-      words_.push_back(std::move(word));
+      words_.push_back({std::move(word), column});
     }
   }
 
   bool done() const { return next_ == words_.size(); }
-  std::string const &peek() const { return words_[next_]; }
+  std::string const &peek() const { return words_[next_].text; }
   bool accept(std::string_view word) {
     if (done() || peek() != word) return false;
     ++next_;
@@ -58,7 +60,7 @@ public:
   }
   std::string const &word(char const *what) {
     if (done()) error(std::string(what) + " is missing");
-    return words_[next_++];
+    return words_[next_++].text;
   }
   std::string string(char const *what) {
     std::string const &text = word(what);
@@ -95,11 +97,28 @@ public:
     }
     return result;
   }
-  [[noreturn]] void error(std::string const &message) const { fail(DiagnosticId::graph_syntax, place_, message); }
+  [[noreturn]] void error(std::string const &message) const {
+    fail_at(words_.empty() ? 0 : words_[next_ == 0 ? 0 : next_ - 1].column, message);
+  }
+  // For the word that has not been read.
+  [[noreturn]] void unexpected() const {
+    fail_at(words_[next_].column, "'" + words_[next_].text + "' is unexpected here");
+  }
 
 private:
+  struct Word {
+    std::string text;
+    std::size_t column;
+  };
+
+  [[noreturn]] void fail_at(std::size_t column, std::string const &message) const {
+    Place place = place_;
+    if (place.column == 0) place.column = static_cast<unsigned>(column);
+    fail(DiagnosticId::graph_syntax, place, message);
+  }
+
   Place place_;
-  std::vector<std::string> words_;
+  std::vector<Word> words_;
   std::size_t next_ = 0;
 };
 

@@ -1,10 +1,13 @@
 #include "graph/graph_line.h"
 #include "graph/graph_text.h"
 #include "graph/node_table.h"
+#include "graph/states.h"
 #include "graph/validate.h"
 #include "support/number.h"
 
+#include <algorithm>
 #include <map>
+#include <set>
 
 namespace symreal {
 
@@ -17,10 +20,11 @@ public:
     while (!text.empty()) {
       std::size_t end = std::min(text.find('\n'), text.size());
       Line line(text.substr(0, end), {file_name, ++number, 0});
+      number_ = number;
       text.remove_prefix(std::min(end + 1, text.size()));
       if (line.done()) continue;
       read_line(line);
-      if (!line.done()) line.error("'" + line.peek() + "' is unexpected here");
+      if (!line.done()) line.unexpected();
     }
     Line end("", {file_name, number, 0});
     if (!headed_) end.error("the file is not a graph: its first line must be 'symreal-graph 1'");
@@ -34,7 +38,15 @@ public:
       graph_.node_name = std::move(names_);
     }
     if (!graph_.node_exact.empty()) graph_.node_exact.resize(graph_.nodes.size(), 0);
-    if (std::string violation = find_violation(graph_); !violation.empty()) end.error(violation);
+    NodeId node = no_node;
+    if (std::string const violation = find_violation(graph_, &node); !violation.empty()) {
+      auto const named = std::ranges::find(named_, node);
+      if (named == named_.end()) end.error(violation);
+      std::size_t const k = static_cast<std::size_t>(named - named_.begin());
+      Line("", {file_name, line_of_[k], 0})
+          .error("node %" + std::to_string(k) + violation.substr(violation.find(' ', 5)));
+    }
+    check_states(file_name);
     return std::move(graph_);
   }
 
@@ -47,9 +59,9 @@ private:
       if (head != "symreal-graph" || line.count("version") != 1) line.error("the first line must be 'symreal-graph 1'");
       headed_ = true;
     } else if (head == "kernel")
-      graph_.kernel = line.string("the kernel's name");
+      once(line, head), graph_.kernel = line.string("the kernel's name");
     else if (head == "decisions")
-      graph_.decisions = line.word("a policy");
+      once(line, head), read_decisions(line);
     else if (head == "from" && line.word("a kind of recording") == "instructions")
       graph_.from_instructions = true;
     else if (head == "input")
@@ -81,13 +93,31 @@ private:
     else if (head == "external")
       read_external(line, graph_.externals);
     else if (head == "effect")
-      graph_.last_effect = read_operand(line);
+      once(line, head), graph_.last_effect = read_operand(line);
     else if (head == "location")
       read_location(line);
     else if (head[0] == '%')
       read_node(line, head);
     else
       line.error("'" + head + "' does not begin a line of a graph");
+  }
+
+  void check_states(std::string const &file_name) {
+    std::vector<StatePair> const states = graph_.states;
+    for (std::size_t k = 0; k < states.size(); ++k) graph_.states[k].place = {file_name, state_lines_[k], 0};
+    (void)find_states(graph_);
+    graph_.states = states;
+  }
+
+  void once(Line const &line, std::string const &head) {
+    if (!once_.insert(head).second) line.error("a graph has one line '" + head + "'");
+  }
+
+  void read_decisions(Line &line) {
+    static constexpr std::array<std::string_view, 5> policies = {"error", "guard", "select", "explore", "auto"};
+    graph_.decisions = line.word("a policy");
+    if (std::ranges::find(policies, graph_.decisions) == policies.end())
+      line.error("'" + graph_.decisions + "' is no policy of decisions");
   }
 
   static void read_object(Line &line, std::vector<Object> &objects, std::vector<double> *values) {
@@ -103,6 +133,7 @@ private:
     if (line.accept("range")) {
       double low = line.number("lower end of the range");
       object.range = {low, line.number("upper end of the range")};
+      if (!is_range(*object.range)) line.error("the range holds no number");
     }
     object.count = static_cast<std::uint32_t>(count);
     object.first = static_cast<std::uint32_t>(before);
@@ -150,6 +181,7 @@ private:
   void read_state(Line &line) {
     StatePair pair{line.string("the state"), line.string("its derivative"), {}};
     pair.place = line.optional_place();
+    state_lines_.push_back(number_);
     graph_.states.push_back(std::move(pair));
   }
 
@@ -163,7 +195,8 @@ private:
   }
 
   void read_executed(Line &line) {
-    Op op = read_operation(line);
+    Op const op = read_operation(line);
+    if (graph_.executed[op] != 0) line.error("the operation has been counted already");
     graph_.executed[op] = line.count("count");
   }
 
@@ -178,6 +211,7 @@ private:
     if (head != "%" + std::to_string(named_.size()))
       line.error("nodes are numbered from %0 on; expected %" + std::to_string(named_.size()));
     if (!line.accept("=")) line.error("'=' is missing");
+    line_of_.push_back(number_);
     if (line.accept("input")) return named_.push_back(table_.append(Node::input(line.count("slot"))));
     if (line.accept("parameter")) return named_.push_back(table_.append(Node::parameter(line.count("slot"))));
     Op op = read_operation(line);
@@ -251,6 +285,9 @@ private:
   Graph graph_;
   NodeTable table_;
   std::vector<NodeId> named_; // the node behind %k
+  std::vector<unsigned> line_of_, state_lines_;
+  unsigned number_ = 0; // of the line
+  std::set<std::string> once_;
   LongArray<LocationId> locations_;
   LongArray<NameId> names_;
   std::map<std::string, NameId> name_ids_;

@@ -9,99 +9,26 @@
 namespace symreal {
 
 static constexpr auto c_keywords = std::to_array<std::string_view>({
-    "alignas",
-    "alignof",
-    "and",
-    "and_eq",
-    "asm",
-    "auto",
-    "bitand",
-    "bitor",
-    "bool",
-    "break",
-    "case",
-    "catch",
-    "char",
-    "char16_t",
-    "char32_t",
-    "char8_t",
-    "class",
-    "co_await",
-    "co_return",
-    "co_yield",
-    "compl",
-    "concept",
-    "const",
-    "const_cast",
-    "consteval",
-    "constexpr",
-    "constinit",
-    "continue",
-    "decltype",
-    "default",
-    "delete",
-    "do",
-    "double",
-    "dynamic_cast",
-    "else",
-    "enum",
-    "explicit",
-    "export",
-    "extern",
-    "false",
-    "float",
-    "for",
-    "friend",
-    "goto",
-    "if",
-    "inline",
-    "int",
-    "long",
-    "mutable",
-    "namespace",
-    "new",
-    "noexcept",
-    "not",
-    "not_eq",
-    "nullptr",
-    "operator",
-    "or",
-    "or_eq",
-    "private",
-    "protected",
-    "public",
-    "register",
-    "reinterpret_cast",
-    "requires",
-    "restrict",
-    "return",
-    "short",
-    "signed",
-    "sizeof",
-    "static",
-    "static_assert",
-    "static_cast",
-    "struct",
-    "switch",
-    "template",
-    "this",
-    "thread_local",
-    "throw",
-    "true",
-    "try",
-    "typedef",
-    "typeid",
-    "typename",
-    "union",
-    "unsigned",
-    "using",
-    "virtual",
-    "void",
-    "volatile",
-    "wchar_t",
-    "while",
-    "xor",
-    "xor_eq",
+    "alignas",   "alignof",   "and",           "and_eq",       "asm",
+    "auto",      "bitand",    "bitor",         "bool",         "break",
+    "case",      "catch",     "char",          "char16_t",     "char32_t",
+    "char8_t",   "class",     "co_await",      "co_return",    "co_yield",
+    "compl",     "concept",   "const",         "const_cast",   "consteval",
+    "constexpr", "constinit", "continue",      "decltype",     "default",
+    "delete",    "do",        "double",        "dynamic_cast", "else",
+    "enum",      "explicit",  "export",        "extern",       "false",
+    "float",     "for",       "friend",        "goto",         "i386",
+    "if",        "inline",    "int",           "linux",        "long",
+    "mutable",   "namespace", "new",           "noexcept",     "not",
+    "not_eq",    "nullptr",   "operator",      "or",           "or_eq",
+    "private",   "protected", "public",        "register",     "reinterpret_cast",
+    "requires",  "restrict",  "return",        "short",        "signed",
+    "sizeof",    "static",    "static_assert", "static_cast",  "struct",
+    "switch",    "template",  "this",          "thread_local", "throw",
+    "true",      "try",       "typedef",       "typeid",       "typename",
+    "typeof",    "union",     "unix",          "unsigned",     "using",
+    "virtual",   "void",      "volatile",      "wchar_t",      "while",
+    "xor",       "xor_eq",
 });
 static_assert(std::ranges::is_sorted(c_keywords));
 constinit NameRules const c_names = {c_keywords};
@@ -125,6 +52,16 @@ std::string NameRules::spelled(std::string_view name) const {
   return text;
 }
 
+static bool is_identifier(std::string_view name) {
+  auto const is_part = [](unsigned char c) { return c < 0x80 && (std::isalnum(c) || c == '_'); };
+  return !name.empty() && !std::isdigit(static_cast<unsigned char>(name[0])) && std::ranges::all_of(name, is_part);
+}
+
+// The compilers of C and C++ have such names for themselves.
+static bool is_reserved(std::string_view name) {
+  return name.size() > 1 && name[0] == '_' && (name[1] == '_' || std::isupper(static_cast<unsigned char>(name[1])));
+}
+
 bool NameRules::is_keyword(std::string_view word) const { return std::ranges::binary_search(keywords, key(word)); }
 
 std::string identifier(std::string const &label, NameRules const &rules) {
@@ -140,8 +77,7 @@ std::string identifier(std::string const &label, NameRules const &rules) {
     if (c == ']') --brackets;
   }
   while (!name.empty() && name.back() == '_') name.pop_back();
-  if (name.empty() || std::isdigit(static_cast<unsigned char>(name[0])) || rules.is_keyword(name))
-    name = "value_" + name;
+  if (!is_identifier(name) || is_reserved(name) || rules.is_keyword(name)) name = "value_" + name;
   while (name.back() == '_') name.pop_back();
   return name;
 }
@@ -172,9 +108,8 @@ std::vector<std::string> identifiers(std::vector<Object> const &objects, NameRul
 std::vector<std::string> identifiers(std::vector<Member> const &members, NameRules const &rules) {
   std::vector<std::string> names;
   for (Member const &member : members) {
-    bool const is_plain = std::all_of(member.name.begin(), member.name.end(),
-                                      [](unsigned char c) { return std::isalnum(c) || c == '_'; });
-    names.push_back(is_plain && !rules.is_keyword(member.name) ? member.name : identifier(member.name, rules));
+    bool const is_plain = is_identifier(member.name) && !is_reserved(member.name) && !rules.is_keyword(member.name);
+    names.push_back(is_plain ? member.name : identifier(member.name, rules));
   }
   return numbered(std::move(names), rules);
 }

@@ -51,13 +51,29 @@ char const *lookup_violation(Graph const &graph, Node const &node) {
                                                                        : "has not as many indices as its table";
 }
 
+// Whether what is constant of the arguments is whole where the function takes integers.
+bool fit(Graph const &graph, External const &external, std::vector<NodeId> const &arguments) {
+  std::size_t next = 0;
+  for (ExternalValue const &parameter : external.parameters) {
+    if (!parameter.is_given()) continue;
+    Node const &argument = graph.nodes[arguments[next]];
+    if (parameter.kind == ExternalValue::Kind::integer && argument.is_constant()) {
+      double const value = argument.value();
+      if (value != std::trunc(value) || !(std::fabs(value) < 0x1p127)) return false;
+    }
+    next += parameter.count;
+  }
+  return true;
+}
+
 char const *call_violation(Graph const &graph, Node const &node) {
   if (!is_number_below(graph, node.operand[1], graph.externals.size())) return "calls a function that does not exist";
   if (!is_list(graph, node.operand[0])) return "has no list of arguments";
   External const &external = graph.externals[function_of(graph, node)];
   if (external.pure != (node.op == Op::call)) return "is not the kind of call that its function needs";
-  if (arguments_of(graph, node.operand[0]).size() != external.argument_count())
-    return "has not as many arguments as its function takes";
+  std::vector<NodeId> const arguments = arguments_of(graph, node.operand[0]);
+  if (arguments.size() != external.argument_count()) return "has not as many arguments as its function takes";
+  if (!fit(graph, external, arguments)) return "hands over a number that its function's integer cannot be";
   if (node.op == Op::call) return nullptr;
   Node const &before = graph.nodes[node.operand[2]];
   bool const is_first = before.is_constant() && before.value() == 0;

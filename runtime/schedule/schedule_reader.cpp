@@ -1,5 +1,6 @@
 #include "graph/graph_line.h"
 #include "graph/graph_text.h"
+#include "graph/opaque.h"
 #include "schedule/order.h"
 #include "schedule/parts.h"
 #include "schedule/schedule_text.h"
@@ -41,13 +42,14 @@ public:
       rest.remove_prefix(std::min(end + 1, rest.size()));
       if (line.done()) continue;
       read_line(line);
-      if (!line.done()) line.error("'" + line.peek() + "' is unexpected here");
+      if (!line.done()) line.unexpected();
     }
-    Line const end("", {file_name, number, 0});
+    Line end("", {file_name, number, 0});
     if (body_ != &plan_.compute) end.error("a schedule has the functions preprocess and compute, in this order");
     if (!plan_.compute.parts.empty() && plan_.compute.parts.back().end != plan_.compute.variables.size())
       end.error("the last statements are in no part");
     if (plan_.compute.checks.size() != graph_->guards.size()) end.error("the graph has guards that are not checked");
+    require_results(end);
     finish();
     return {std::move(graph_), std::move(plan_)};
   }
@@ -83,6 +85,7 @@ private:
     if (body_) plan_.constant_slot = constant_slots(*graph_, plan_.preprocess.results);
     body_ = next;
     is_set_.assign(graph_->nodes.size(), 0);
+    is_nested_.assign(graph_->nodes.size(), 0);
     gates_.clear();
   }
 
@@ -93,6 +96,8 @@ private:
       std::string word = line.word("a condition");
       bool const holds = word[0] != '!';
       literals.push_back({value(line, holds ? word : word.substr(1)), holds});
+      NodeId const condition = literals.back().condition;
+      if (!body_->regions.is_gate(condition)) require_number(line, condition);
     }
     body_->regions.regions.push_back(std::move(literals));
   }
@@ -111,10 +116,15 @@ private:
     if (is_gate) gates_.resize(body_->regions.gates.size());
     char &is_set = is_gate ? gates_[id - body_->regions.node_count] : is_set_[id];
     if (is_set) line.error("this is set already");
+    if (!is_gate) require_statement(line, id);
     RegionId const region = line.accept("in") ? read_region_use(line) : everywhere;
     for (Literal const &literal : body_->regions.literals(region)) require_set(line, literal.condition);
     for_each_operand(plan_of_body(), *body_, body_ == &plan_.compute, id, [&](NodeId use) { require_set(line, use); });
-    if (line.accept("returned")) body_->wanted_returns.insert(id);
+    if (line.accept("returned")) {
+      if (!is_call_node(plan_of_body(), *body_, id) || returned_count(id) == 0)
+        line.error("only a call returns something");
+      body_->wanted_returns.insert(id);
+    }
     is_set = 1;
     body_->variables.push_back(id);
     body_->region.push_back(region);
@@ -153,8 +163,34 @@ private:
     if (line.count("slot") != body_->results.size()) line.error("slots must follow each other from 0 on");
     NodeId const id = value(line, line.word("a node"));
     if (body_->regions.is_gate(id)) line.error("a gate is no number");
+    if (graph_->nodes[id].is_constant()) line.error("a constant needs no slot");
+    if (!is_wide(graph_->nodes[id].op)) require_number(line, id);
     require_set(line, id);
     body_->results.push_back(id);
+  }
+
+  std::size_t returned_count(NodeId call) const {
+    return graph_->externals[function_of(*graph_, graph_->nodes[call])].returned_count();
+  }
+
+  void require_number(Line const &line, NodeId id) const {
+    Op const op = graph_->nodes[id].op;
+    if (!is_leaf(op) && info(op).has(flag::STRUCTURE | flag::WIDE)) line.error("this is no number");
+  }
+
+  // What may stand behind `set`.
+  void require_statement(Line const &line, NodeId id) {
+    if (graph_->nodes[id].op == Op::argument) line.error("a list of arguments is part of its call");
+    if (is_nested_[id]) line.error("a statement above has computed this for itself: set it before that");
+    require_visible(line, id);
+  }
+
+  void require_visible(Line const &line, NodeId id) {
+    Node const &node = graph_->nodes[id];
+    if (body_ == &plan_.preprocess && node.attribute == Attribute::variable)
+      line.error("preprocess sees no inputs, which this depends on");
+    if (body_ == &plan_.compute && node.op == Op::parameter && !plan_of_body().element(id))
+      line.error("compute sees no parameters, but what preprocess stores");
   }
 
   RegionId read_region_use(Line &line) {
@@ -193,10 +229,35 @@ private:
     for_each_read(
         *graph_, use, is_above,
         [&](NodeId id) {
-          if (is_call(graph_->nodes[id].op)) line.error("a call that this needs is not set above");
-          return is_read(plan, in_compute, id);
+          require_visible(line, id);
+          Node const &node = graph_->nodes[id];
+          if (is_call(node.op)) line.error("a call that this needs is not set above");
+          is_nested_[id] = !node.is_constant();
+          if (is_read(plan, in_compute, id)) return true;
+          if (node.op == Op::returned && is_set_[node.operand[0]]) require_returned(line, node);
+          return false;
         },
         [](NodeId) {});
+  }
+
+  // Of a call that is set above: whether it keeps this one of its results.
+  void require_returned(Line const &line, Node const &node) const {
+    NodeId const call = node.operand[0];
+    if (result_of(*graph_, node) < returned_count(call) && !body_->wanted_returns.contains(call))
+      line.error("the call that this needs does not say 'returned'");
+  }
+
+  // The outputs are stored at the end, when all that they need from inputs has been read.
+  void require_results(Line &line) {
+    Schedule const &plan = plan_of_body();
+    for (std::size_t slot = 0; slot < graph_->results.size(); ++slot) {
+      NodeId const id = graph_->results[slot];
+      Node const &node = graph_->nodes[id];
+      if (!is_set_[id] && !node.is_constant() && node.op != Op::returned && !plan.element(id))
+        line.error("result " + std::to_string(slot) + " is not set");
+      require_set(line, id);
+    }
+    if (graph_->last_effect != no_node && !is_set_[graph_->last_effect]) line.error("the last effect is not set");
   }
 
   // Of which the order of statements asks for the graph and the slots.
@@ -217,6 +278,7 @@ private:
   FunctionBody *body_ = nullptr;
   std::vector<NodeId> nodes_;        // behind %k
   std::vector<char> is_set_, gates_; // by a statement above, in this function
+  std::vector<char> is_nested_;      // in a statement above
 };
 
 } // namespace

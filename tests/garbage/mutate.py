@@ -115,3 +115,112 @@ def mutate(random, text):
     for _ in range(random.choice([1, 1, 1, 2, 3])):
         text = random.choice(MUTATIONS)(random, text)
     return text
+
+
+# What a graph may call things: names that C has, names that it cannot have, and what would end a line, a string or a comment.
+NAMES = ["x", "f", "compute", "preprocess", "t1", "v", "input", "sin", "main", "double", "1x", "", "a b", "_Bool", "__x", "NAN", "M_PI", "isnan",
+         "unix", "f(void); int g", "*/ int z; /*", "x\\\\", "x\\\"; int z = \\\"", "??/", "%s%n", "\r int z;", "caf\xe9", "table_0", "compute_1", "x[0]",
+         "count"]
+TYPES = ["int", "unsigned int", "long long", "_Bool"]
+NO_TYPES = ["size_t", "int); int z(int", "struct s", ""]
+OPERATIONS = [("add", 2), ("sub", 2), ("mul", 2), ("div", 2), ("neg", 1), ("abs", 1), ("sin", 1), ("pow", 2), ("fmin", 2), ("lt", 2), ("eq", 2),
+              ("logical_and", 2), ("logical_or", 2), ("logical_not", 1), ("select", 3), ("int32", 1), ("within_int32", 1), ("wrap_uint8", 1),
+              ("f32", 1), ("copysign", 2), ("fma", 3), ("int_div", 2)]
+# The second of these takes what the first gives; no number does.
+INTEGERS = [("wide_int {0}", "wide_value {1}"), ("wide_uint {0}", "wide_less {1} {1}"), ("wide 1 2", "wide_low {1}"), ("wide_int {0}", "neg {1}")]
+
+
+class HostileGraph:
+    """A graph whose lines are well formed; what it means need not be."""
+
+    def __init__(self, random):
+        self.random, self.count, self.numbers, self.effect = random, 0, [], "0"
+        self.lines = ["symreal-graph 1", f"kernel {self.called('k', 0.1)}", f"input {self.called('x', 0.2)} [3]{self.range()}", 'parameter "p" [2]',
+                      f"output {self.called('y', 0.2)} [4]"]
+        results = 4
+        if self.strange(0.2):
+            self.lines.append(f"output {self.quoted()} {{ {self.quoted()} [0] {self.quoted()} }}")
+            results += 1
+        self.lines.append(f"table 0 {self.quoted()} [3] = 1 2 4")
+        self.functions = [self.function(k) for k in range(random.randrange(3))]
+        for slot in range(3):
+            self.node(f"input {slot}")
+        for slot in range(2):
+            self.node(f"parameter {slot}")
+        for _ in range(random.choice([6, 12, 30])):
+            self.operation()
+        for slot in range(results):
+            self.lines.append(f"result {slot} {self.operand()}")
+        if self.strange(0.3):
+            self.lines.append(f"guard 0 {self.operand()} {self.quoted()}")
+        if self.effect != "0" and not self.strange(0.1):
+            self.lines.append("effect " + self.effect)
+        if self.strange(0.1):
+            self.lines[random.randrange(len(self.lines))] = random.choice(self.lines)
+
+    def strange(self, likely):
+        return self.random.random() < likely
+
+    def quoted(self):
+        return f'"{self.random.choice(NAMES)}"'
+
+    def called(self, name, strange):
+        return self.quoted() if self.strange(strange) else f'"{name}"'
+
+    def range(self):
+        return " range " + self.random.choice(["0 1", "1 0", "nan 1", "-inf inf"]) if self.strange(0.1) else ""
+
+    def integer(self):
+        return f'integer "{self.random.choice(NO_TYPES if self.strange(0.1) else TYPES)}"'
+
+    def function(self, k):
+        """Whether it is pure, and how many arguments it takes."""
+        returns = self.random.choice(["returns number ", "returns number ", "returns object 2 ", f"returns {self.integer()} ", ""])
+        kinds = ["number"] + [self.random.choice(["number", "number", "input 2", "output 1", "updated 1", "object 2", self.integer()])
+                              for _ in range(self.random.randrange(3))]
+        is_pure = self.strange(0.5)
+        self.lines.append(f"external {k} {self.called(f'f{k}', 0.3)} {'pure ' if is_pure else ''}{returns}takes {' '.join(kinds)}")
+        given = sum(0 if kind.startswith("output") else 2 if kind.endswith(" 2") else 1 for kind in kinds)
+        return is_pure, given
+
+    def node(self, text):
+        is_leaf = text.startswith(("input", "parameter"))
+        self.lines.append(f"%{self.count} = {text}" + (" " + self.quoted() if self.strange(0.15) and not is_leaf else ""))
+        self.count += 1
+        if text.split()[0] not in ("argument", "call", "call_in_order") and not re.match("wide(_u?int)? ", text):
+            self.numbers.append(f"%{self.count - 1}")
+        return f"%{self.count - 1}"
+
+    def operand(self):
+        if self.strange(0.2):
+            return self.random.choice(["0", "-0", "1", "2.5", "inf", "nan"])
+        return f"%{self.random.randrange(self.count)}" if self.strange(0.02) else self.random.choice(self.numbers[-8:])
+
+    def operation(self):
+        kind = self.random.random()
+        if kind < 0.05:
+            first, second = self.random.choice(INTEGERS)
+            integer = self.node(first.format(self.operand()))
+            self.node(second.format("", integer))
+        elif kind < 0.1:
+            self.node(f"lookup 0 {self.operand()}")
+        elif kind < 0.25 and self.functions:
+            self.call(self.random.randrange(len(self.functions)))
+        else:
+            name, arity = self.random.choice(OPERATIONS)
+            self.node(" ".join([name] + [self.operand() for _ in range(arity)]))
+
+    def call(self, k):
+        is_pure, given = self.functions[k]
+        arguments = "0"
+        for _ in range(given + self.strange(0.05)):
+            arguments = self.node(f"argument {arguments} {self.operand()}")
+        call = self.node(f"call {arguments} {k}" if is_pure else f"call_in_order {arguments} {k} {self.effect}")
+        if not is_pure and not self.strange(0.05):
+            self.effect = call
+        if not self.strange(0.1):
+            self.node(f"returned {call} 0")
+
+
+def hostile_graph(random):
+    return "\n".join(HostileGraph(random).lines) + "\n"

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Breaks sources, graphs and command lines, and runs symreal on them:
-run.py --symreal TOOL --count N [--seed S] [--jobs J] [--keep DIR] [--only K]
+run.py --symreal TOOL --count N [--graphs] [--seed S] [--jobs J] [--keep DIR] [--only K]
 
 Each must end with status 0 and what was asked for, or with a diagnostic and nothing written: no crash, no internal error, no
 time-out, no half-written file, no directory left behind. The numbers K of mutants at fault are printed; --only K makes one again, and
@@ -23,7 +23,7 @@ import threading
 import time
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-from mutate import FLAGS, OPTIONS, mutate  # noqa: E402
+from mutate import FLAGS, OPTIONS, hostile_graph, mutate  # noqa: E402
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 SECONDS, MEMORY = 90, 3 << 30
@@ -81,8 +81,8 @@ def run(command, directory, environment):
 
 
 class Mutant:
-    def __init__(self, symreal, seed, number, programs):
-        self.symreal, self.number, self.random = symreal, number, random.Random(f"{seed} {number}")
+    def __init__(self, symreal, seed, number, programs, graphs):
+        self.symreal, self.number, self.graphs, self.random = symreal, number, graphs, random.Random(f"{seed} {number}")
         self.name, self.text = self.random.choice(programs)
 
     def test(self, directory):
@@ -91,7 +91,9 @@ class Mutant:
         work.mkdir()
         self.temporary.mkdir()
         self.environment = dict(os.environ, TMPDIR=str(self.temporary), XDG_CACHE_HOME=str(directory / "cache"))
-        kind = self.random.choice(["generate"] * 6 + ["scan", "rewrite", "opt", "opt", "verify"])
+        kind = self.random.choice(["generate"] * 6 + ["scan", "rewrite", "opt", "opt", "verify"]) if not self.graphs else "graph"
+        if kind == "graph":
+            return kind, *self.of_hostile_graph(work)
         if kind in ("opt", "verify"):
             return kind, *self.of_generated(kind, work)
         is_whole = self.random.random() < 0.2  # the command line alone is broken
@@ -104,6 +106,14 @@ class Mutant:
         if self.random.random() < 0.25:
             command += ["--"] + self.random.choice(FLAGS)
         return kind, *self.judge(command, work)
+
+    def of_hostile_graph(self, work):
+        """A graph that is well formed: what is taken gives code that compiles."""
+        self.write(work / "hostile.graph", hostile_graph(self.random))
+        language = self.random.choice(["c"] * 6 + ["cpp", "python", "graph"])
+        command = [str(self.symreal), "opt", "hostile.graph", "-o", "out." + {"python": "py"}.get(language, language), "--lang=" + language]
+        command += self.random.choice([[], [], ["--fp=fast", "--effort=1"], ["--passes=none"], ["--passes=none", "--fp=strict"], ["--vector=2"], ["--mainline"]])
+        return self.judge(command, work)
 
     def of_generated(self, kind, work):
         """What reads the files that symreal writes."""
@@ -143,12 +153,26 @@ class Mutant:
         new = [path for path in work.rglob("*") if path.is_file() and path.read_bytes() != before.get(path)]
         if status == 1 and new:
             return ended, f"failed and has written {new[0].name}"
-        if (work / "out.c").exists() and command[1] == "generate" and not any("--lang" in word or "float" in word for word in command):
-            files = list((work / "out.c").glob("*.c")) or [work / "out.c"]  # several kernels stand in a directory
-            compiled = subprocess.run(["cc", "-std=c99", "-fsyntax-only", "-w", *files], cwd=work, capture_output=True, text=True)
-            if compiled.returncode != 0:
-                return ended, "generated code does not compile: " + compiled.stderr.strip().split("\n")[0]
+        if fault := self.compile(command, work):
+            return ended, fault
         return ended, None
+
+
+    def compile(self, command, work):
+        """Why code does not compile."""
+        if any("float" in word for word in command) or command[1] not in ("generate", "opt"):
+            return None
+        compilers = {"out.c": ["gcc", "-std=c99"], "out.cpp": ["g++", "-std=c++17"], "out.py": [sys.executable, "-m", "py_compile"]}
+        for name, compiler in compilers.items():
+            path = work / name
+            if not path.exists() or (name == "out.c" and any("--lang" in word and word != "--lang=c" for word in command)):
+                continue
+            files = list(path.glob("*" + path.suffix)) or [path]  # several kernels stand in a directory
+            flags = [] if name == "out.py" else ["-fsyntax-only", "-w"]
+            compiled = subprocess.run([*compiler, *flags, *files], cwd=work, capture_output=True, text=True)
+            if compiled.returncode != 0:
+                return "generated code does not compile: " + compiled.stderr.strip().split("\n")[0]
+        return None
 
 
 def main():
@@ -156,6 +180,7 @@ def main():
     parser.add_argument("--symreal", type=pathlib.Path, required=True)
     parser.add_argument("--count", type=int, default=100)
     parser.add_argument("--seed", default="1")
+    parser.add_argument("--graphs", action="store_true", help="graphs alone, each well formed, of any meaning")
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
     parser.add_argument("--keep", type=pathlib.Path)
     parser.add_argument("--only", type=int)
@@ -165,7 +190,7 @@ def main():
     numbers = [options.only] if options.only is not None else range(options.count)
 
     def one(number):
-        mutant = Mutant(options.symreal, options.seed, number, programs)
+        mutant = Mutant(options.symreal, options.seed, number, programs, options.graphs)
         with tempfile.TemporaryDirectory(prefix="garbage-") as directory:
             kind, ended, wrong = mutant.test(pathlib.Path(directory))
             if options.keep and (wrong or options.only is not None):

@@ -155,7 +155,8 @@ void run(CLI::App &command, Options const &options) {
     }
   }
   if (options.statistics) print_table(std::cerr, report, true);
-  if (options.json) std::cout << to_json(report).dump(2) << "\n";
+  if (options.json) // labels are bytes of the source
+    std::cout << to_json(report).dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << "\n";
 }
 
 } // namespace

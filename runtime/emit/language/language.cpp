@@ -1,5 +1,6 @@
 #include "emit/language/language.h"
 
+#include "emit/language/words.h"
 #include "support/number.h"
 
 #include <algorithm>
@@ -82,11 +83,21 @@ static std::string without(std::string line, std::string_view mark) {
   return line;
 }
 
+// A line that ends in a backslash would go on in the next, C replaces trigraphs, and Java reads \u wherever it stands.
+static std::string commented(Language const &language, std::string const &line) {
+  auto const &[open, next, close] = language.comment;
+  std::string text = printable(line);
+  for (std::string_view mark : {close, open, std::string_view("\\u"), std::string_view("??")})
+    text = without(std::move(text), mark);
+  if (text.ends_with('\\')) text += ' ';
+  return text;
+}
+
 std::string comment(Language const &language, std::vector<std::string> const &lines, bool closed_apart) {
   auto const &[open, next, close] = language.comment;
   std::string text;
   for (std::string const &line : lines)
-    text.append(text.empty() ? open : next).append(without(without(line, close), open)) += '\n';
+    text.append(text.empty() ? open : next).append(commented(language, line)) += '\n';
   text.pop_back();
   if (closed_apart && !close.empty()) text += "\n";
   return text += closed_apart ? close.substr(std::min(close.size(), close.find_first_not_of(' '))) : close;
@@ -96,8 +107,7 @@ std::string literal(Language const &language, std::string_view text) {
   StringSyntax const &syntax = language.strings;
   std::string result(syntax.quote);
   std::size_t length = 0;
-  for (char c : text) {
-    if (c == '\n') c = ' ';
+  for (char const c : printable(text)) {
     if (syntax.most != 0 && ++length > syntax.most) {
       result.append(syntax.quote).append(syntax.joint).append(syntax.quote);
       length = 1;

@@ -5,6 +5,10 @@
 
 namespace symreal {
 
+// The user's text as any language may have it: valid UTF-8, in which a blank stands for whatever ends a line or turns
+// the direction of writing.
+std::string printable(std::string_view text);
+
 // Neither the end of a comment nor its beginning.
 std::string in_comment(std::string const &text);
 

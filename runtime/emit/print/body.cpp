@@ -157,7 +157,8 @@ void BodyPrinter::check_value(std::size_t statement, std::size_t indent, CodeTex
   std::string text = name;
   if (!is_leaf(graph.nodes[id].op)) text += " = " + std::string(info(graph.nodes[id].op).name);
   if (std::string const place = describe_locations(graph, locations_of(graph, {id})); !place.empty())
-    text += " at " + place;
+    text += " at " + printable(place);
+  for (std::size_t at = 0; (at = text.find("??", at)) != text.npos;) text.insert(++at, " "); // C's trigraphs
   LineLimits const &lines = language_.lines;
   out.lines(std::string(lines.base + indent / 2 * lines.step, ' ') +
             fill(language_, language_.statements.value_check, {{"name", name}, {"text", escaped(text)}}) + "\n");

@@ -36,7 +36,7 @@ std::vector<std::string> CallStatement::print() const {
   for (NodeId value : values) {
     bool const is_integer =
         !has_bridge && graph.nodes[value].is_constant() && function_.takes_integer(call.arguments.size());
-    std::string const use = is_integer ? shortest(graph.nodes[value].value()) : print_use(context_, value);
+    std::string const use = is_integer ? shortest(graph.nodes[value].value()) : print_argument(context_, value);
     uses.hidden = uses.hidden || value == hidden;
     call.arguments.push_back(value == hidden ? fill(language, language.expressions.hidden, {{"x", use}}) : use);
   }

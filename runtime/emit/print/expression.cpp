@@ -1,6 +1,7 @@
 // The nodes of an expression, and what asks for one.
 #include "emit/print/expression_printer.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -64,6 +65,24 @@ bool ExpressionPrinter::is_plain(Item const &item) const {
   return item.as != As::truth && !item.spelled_out && !spelled_out(item.node) && !is_truth(item.node);
 }
 
+// A truth value that the language counts as an integer.
+bool ExpressionPrinter::is_integer(NodeId id) const {
+  bool const is_copied = !context_.copied.empty() && !context_.is_gate(id) && context_.copied[id] != no_slot;
+  return language_.expressions.truth_as_number.empty() && is_truth(id) && !is_kept(id) && !is_copied &&
+         !is_precomputed(id);
+}
+
+// On integers alone the language would compute with integers, which have other quotients and no -0.
+void ExpressionPrinter::convert_integers(OperationInfo const &operation, std::span<Item> operands) const {
+  bool const is_typed_by_operands =
+      operation.form == Form::infix || operation.form == Form::prefix || operation.form == Form::select;
+  if (!is_typed_by_operands || operation.has(flag::BOOLEAN)) return;
+  auto const is_number = [](Item const &operand) { return operand.as == As::number; };
+  auto const is_other = [&](Item const &operand) { return is_number(operand) && !is_integer(operand.node); };
+  auto const first = std::ranges::find_if(operands, is_number);
+  if (first != operands.end() && std::ranges::none_of(operands, is_other)) first->as = As::converted;
+}
+
 void ExpressionPrinter::print_node(Item const &item) {
   bool const is_truth = this->is_truth(item.node) && !is_element(item);
   if (item.as == As::truth && !is_truth) {
@@ -71,7 +90,14 @@ void ExpressionPrinter::print_node(Item const &item) {
     push(")");
     return push_comparison(Op::ne, item.node);
   }
-  if (item.as != As::number || !is_truth || language_.expressions.truth_as_number.empty()) return print_itself(item);
+  if (item.as == As::converted && is_integer(item.node)) {
+    text_.append("(").append(language_.number.name).append(")(");
+    push(")");
+    stack_.push_back({.node = item.node, .spelled_out = item.spelled_out});
+    return;
+  }
+  bool const is_number = item.as == As::number || item.as == As::converted;
+  if (!is_number || !is_truth || language_.expressions.truth_as_number.empty()) return print_itself(item);
   std::string_view const as_number = lasting(with_words(language_, language_.expressions.truth_as_number));
   std::size_t const place = as_number.find("$x");
   text_.append(as_number.substr(0, place));
@@ -123,6 +149,12 @@ std::string print_condition(FunctionContext &context, Literal literal) {
 
 void print_use(FunctionContext &context, NodeId node, std::string &text) {
   ExpressionPrinter(context, text).print({.node = node, .as = ExpressionPrinter::As::number});
+}
+
+std::string print_argument(FunctionContext &context, NodeId node) {
+  std::string text;
+  ExpressionPrinter(context, text).print({.node = node, .as = ExpressionPrinter::As::converted});
+  return text;
 }
 
 std::string print_use(FunctionContext &context, NodeId node) {

@@ -26,8 +26,9 @@ private:
 // What is still to be printed of an expression: text, or a node that needs parentheses unless it binds at least this
 // tightly.
 struct ExpressionItem {
-  // What stands at a place of the text: a number, a truth value, or the node as it is.
-  enum class As : std::uint8_t { number, truth, itself };
+  // What stands at a place of the text: a number, a truth value, or the node as it is. `converted`: a number of the
+  // language's type of numbers, also where truth values count as integers.
+  enum class As : std::uint8_t { number, truth, itself, converted };
 
   std::string_view text = {};
   NodeId node = no_node;
@@ -75,5 +76,7 @@ std::string print_gate(FunctionContext &context, NodeId gate);
 // spelled out.
 void print_use(FunctionContext &context, NodeId node, std::string &text);
 std::string print_use(FunctionContext &context, NodeId node);
+// As a function or a list of numbers takes it.
+std::string print_argument(FunctionContext &context, NodeId node);
 
 } // namespace symreal

@@ -44,6 +44,8 @@ private:
   bool is_truth(NodeId id) const;
   bool is_element(Item const &item) const;
   bool is_plain(Item const &item) const;
+  bool is_integer(NodeId id) const;
+  void convert_integers(OperationInfo const &operation, std::span<Item> operands) const;
   void print_variable(NodeId id) { context_.spelling.append_to(text_, context_.variable[id]); }
 
   void print_node(Item const &item);

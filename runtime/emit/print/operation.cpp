@@ -50,6 +50,7 @@ void ExpressionPrinter::print_operation(Node const &node, int binding) {
     As const as = decides ? As::truth : is_integer ? As::itself : As::number;
     operands[i] = {.node = node.operand[i], .as = as};
   }
+  convert_integers(operation, std::span(operands).first(operation.arity));
   push_pattern(node.op, std::span(operands).first(operation.arity), hidden);
 }
 

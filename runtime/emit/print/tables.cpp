@@ -26,10 +26,8 @@ std::string print_values(Language const &language, std::string const &name, std:
 std::string print_table(Emission const &emission, std::size_t number) {
   Language const &language = emission.language;
   Table const &table = emission.graph().tables[number];
-  std::string label; // a comment must not end in the user's text
-  for (char c : table.name) label += c == '*' || c == '/' ? ' ' : c;
   std::string const name = table_name(language, number);
-  std::string text = comment(language, {label}) + "\n";
+  std::string text = comment(language, {in_comment(table.name)}) + "\n";
   std::size_t const row = table.extents.back();
   std::span<double const> const values = table.values;
   std::size_t const most = language.tables.most_values;

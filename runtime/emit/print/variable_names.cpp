@@ -28,10 +28,35 @@ static std::vector<std::string> words_in(std::string const &text) {
   return words;
 }
 
+// Macros of <math.h>, <stdint.h> and of the generated file that are no functions.
+static bool is_macro(std::string_view name) {
+  static constexpr std::string_view macros[] = {
+      "NAN",    "INFINITY", "HUGE_VAL", "HUGE_VALF", "HUGE_VALL", "M_E",    "M_LOG2E",         "M_LOG10E", "M_LN2",
+      "M_LN10", "M_PI",     "M_PI_2",   "M_PI_4",    "M_1_PI",    "M_2_PI", "M_2_SQRTPI",      "M_SQRT2",  "M_SQRT1_2",
+      "DOMAIN", "SING",     "OVERFLOW", "UNDERFLOW", "PLOSS",     "TLOSS",  "math_errhandling"};
+  static constexpr std::string_view beginnings[] = {"FP_",     "MATH_",   "SYMREAL_", "INT_",     "INT8_",   "INT16_",
+                                                    "INT32_",  "INT64_",  "INTPTR_",  "INTMAX_",  "UINT_",   "UINT8_",
+                                                    "UINT16_", "UINT32_", "UINT64_",  "UINTPTR_", "UINTMAX_"};
+  return std::ranges::find(macros, name) != std::end(macros) ||
+         std::ranges::any_of(beginnings, [&](std::string_view beginning) { return name.starts_with(beginning); });
+}
+
+// Functions and types of the generated file, whose names end in a number.
+static bool is_of_file(Emission const &emission, std::string_view name) {
+  for (std::string const &beginning : {emission.name("compute"), emission.name("preprocess"), std::string("load"),
+                                       std::string("store"), std::string(emission.language.number.name)}) {
+    std::string_view const number = name.substr(std::min(name.size(), beginning.size() + 1));
+    if (name.starts_with(beginning + "_") && number.find_first_not_of("0123456789") == number.npos) return true;
+  }
+  return false;
+}
+
 // Names of the generated functions' own, besides keywords: arrays, the status, the operations, and words that some
 // compilers predefine.
 static std::set<std::string> own_names(Emission const &emission) {
-  std::set<std::string> names = {"input", "output", "constants", "parameters", "v", "failed", "unix", "linux", "i386"};
+  std::set<std::string> names = {"input",        "output",       "constants",    "parameters", "v",
+                                 "failed",       "unix",         "linux",        "i386",       "at_run",
+                                 "kept_integer", "keep_integer", "report_value", "all_finite"};
   if (emission.plan.angles.size() != 0)
     names.insert({"sine", "cosine", "angle", "sines_and_cosines", "sines_and_cosines_within", computed_angles});
   names.insert(emission.local_names.begin(), emission.local_names.end());
@@ -62,12 +87,13 @@ VariableNames::VariableNames(Emission const &emission, FunctionBody const &body)
     std::string base = name;
     // C reserves what begins with an underscore; other letters than ASCII's are not C99.
     for (char &c : base)
-      if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
-    if (base[0] == '_') base = "u" + base;
+      if (static_cast<unsigned char>(c) >= 0x80 || !std::isalnum(static_cast<unsigned char>(c))) c = '_';
+    if (base.empty() || !std::isalpha(static_cast<unsigned char>(base[0]))) base = "u" + base;
     base = rules.spelled(base);
     std::string const key = rules.key(base);
-    bool const is_taken = is_numbered(key) || key.starts_with(rules.spelled("table_")) || rules.is_keyword(key) ||
-                          own.contains(key) || !given.insert(key).second;
+    bool const is_taken = is_numbered(key) || is_macro(base) || is_of_file(emission, base) ||
+                          key.starts_with(rules.spelled("table_")) || rules.is_keyword(key) || own.contains(key) ||
+                          !given.insert(key).second;
     if (is_taken || (base != name && all.contains(key))) base += mark;
     while (base != name && !all.insert(rules.key(base)).second) base += mark;
     bases_.push_back(base);

@@ -23,9 +23,7 @@ std::string rust_end(Emission const &emission) {
   if (graph.guards.empty()) return {};
   std::string list;
   for (Guard const &guard : graph.guards) {
-    std::string text = guard_text(graph, guard);
-    std::ranges::replace(text, '\n', ' ');
-    list += "        " + in_quotes(text) + ",\n";
+    list += "        " + in_quotes(printable(guard_text(graph, guard))) + ",\n";
   }
   return fmt::format(
       "\n/// The condition of a guard and its places in the source.\npub fn {0}(guard: i32) -> &'static str {{\n"
