@@ -1,7 +1,6 @@
 #include "program/derivative_verification.h"
 
 #include "differentiate/differentiate.h"
-#include "differentiate/dual_numbers.h"
 #include "differentiate/stored_matrix.h"
 #include "graph/evaluate.h"
 #include "graph/extended.h"
@@ -10,15 +9,21 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace symreal::program {
 
 namespace {
 
-constexpr std::size_t most_samples = 200;
-constexpr double most_operations = 4e7;  // in extended precision: a few seconds
+constexpr std::size_t least_samples = 4, most_samples = 200;
+constexpr double usual_operations = 4e7; // in extended precision: a few seconds
+constexpr double most_operations = 4e8;  // for as many samples as are required, or as judge each element
 constexpr double most_off_duals = 1e-12; // of the larger of the magnitude and 1, where equal numbers are promised
-constexpr double most_rounding = 64;     // times as much as the derivative loses before any pass
+constexpr double far = 1024; // of an input: steps that are in proportion to it may leap over what the function does
+constexpr double low_kink = 1000;    // times as much as differences may be off
+constexpr double most_rounding = 64; // times as much as the derivative loses before any pass
+
+constexpr std::uint32_t no_input = ~std::uint32_t{0};
 
 std::string obstacle(Differences const &differences, Banner const &banner) {
   if (banner.is_single) return "the code is in single precision";
@@ -29,9 +34,9 @@ std::string obstacle(Differences const &differences, Banner const &banner) {
 
 DerivativeVerification::DerivativeVerification(Graph const &recorded, Graph const &marked, std::string const &path,
                                                Banner const &banner, double tolerance, CallExternal const &call)
-    : recorded_(recorded),
-      call_(call),
+    : call_(call),
       differences_(recorded, banner.derivatives, call),
+      duals_(recorded, differences_.requests(), call),
       differentiated_(differentiate(marked, banner.derivatives, [](Diagnostic const &) {})),
       mode_(banner.mode),
       is_implicit_(std::ranges::any_of(marked.externals, is_implicit)) {
@@ -46,12 +51,28 @@ DerivativeVerification::DerivativeVerification(Graph const &recorded, Graph cons
     double const times = request.kind == DerivativeKind::hessian ? PointDifferences::second : 1;
     off_differences_.resize(off_differences_.size() + whole.count, times * tolerance);
     result_.objects.push_back(std::move(whole));
+    std::vector<std::uint32_t> const &inputs = request.input_slots;
+    bool const is_hessian = request.kind == DerivativeKind::hessian;
+    std::size_t const rows = is_hessian ? inputs.size() : request.is_matrix() ? request.output_slots.size() : 1;
+    if (request.kind == DerivativeKind::jvp) // along a direction: by all of them
+      by_.resize(off_differences_.size(), {no_input, no_input});
+    else
+      for (std::size_t i = 0; i < rows; ++i)
+        for (std::uint32_t const input : inputs) by_.emplace_back(is_hessian ? inputs[i] : input, input);
   }
   result_.elements.resize(next - recorded.output_count());
   for (std::size_t k = 0; k < differences_.seed_count(); ++k) // between -1 and 1, no two alike
     seeds_.push_back(std::remainder(0.3 + 0.6180339887498949 * static_cast<double>(k), 1.0) * 2);
-  double const each = static_cast<double>(recorded.nodes.size() * differences_.evaluations());
-  most_ = std::clamp(static_cast<std::size_t>(most_operations / std::max(each, 1.0)), least_judged * 2, most_samples);
+  std::size_t const passes = differences_.evaluations() + duals_.passes();
+  double const each = std::max(1.0, static_cast<double>(recorded.nodes.size() * passes));
+  most_ = std::clamp(static_cast<std::size_t>(most_operations / each), least_samples, most_samples);
+  usual_ = std::clamp(static_cast<std::size_t>(usual_operations / each), std::min(least_judged * 2, most_), most_);
+}
+
+bool DerivativeVerification::is_at_end() const {
+  if (result_.tried < usual_) return false;
+  auto const is_judged = [](DerivativeElement const &element) { return element.judged >= least_judged; };
+  return result_.tried >= most_ || std::ranges::all_of(result_.elements, is_judged);
 }
 
 std::vector<double> DerivativeVerification::with_seeds(std::vector<double> inputs) const {
@@ -75,7 +96,7 @@ std::vector<double> DerivativeVerification::unpacked(std::vector<double> const &
 }
 
 // As of any kernel, but that the reference is the graph with its derivatives.
-void DerivativeVerification::compare_with_formulas(Sample const &sample, std::span<double const> promised,
+void DerivativeVerification::compare_with_formulas(Shared const &sample, std::span<double const> promised,
                                                    std::span<double const> found) {
   for (std::size_t k = 0; k < found.size(); ++k) {
     if (same(promised[k], found[k], mode_, 0)) continue;
@@ -85,13 +106,14 @@ void DerivativeVerification::compare_with_formulas(Sample const &sample, std::sp
 }
 
 void DerivativeVerification::compare(Sample const &sample, std::span<double const> stored) {
-  if (result_.tried == most_) return;
+  if (is_at_end()) return void(++result_.left_out);
   std::vector<double> const inputs = with_seeds(sample.inputs);
   std::vector<double> const values = evaluate(differentiated_, inputs, sample.parameters, call_);
   auto const exact =
       evaluate_extended(differentiated_, std::span<double const>(inputs), sample.parameters, values, call_);
   if (!exact) return; // at a decision
   ++result_.tried;
+  auto const shared = std::make_shared<Sample const>(sample);
   std::vector<double> formulas, rounding; // of what is stored: the numbers of the formulas, and how far off they are
   std::size_t const first = differentiated_.results.size() - stored.size();
   for (std::size_t k = 0; k < stored.size(); ++k) {
@@ -102,34 +124,55 @@ void DerivativeVerification::compare(Sample const &sample, std::span<double cons
   std::vector<double> const found = unpacked({stored.begin(), stored.end()});
   if (mode_ != FloatingPoint::fast && check_premises(differentiated_, values).hold_in(mode_)) {
     ++result_.promised;
-    compare_with_formulas(sample, formulas, found);
+    compare_with_formulas(shared, formulas, found);
   }
   auto const seeds = differences_.seeds_of_requests(seeds_);
   std::vector<long double> const duals =
-      dual_numbers(recorded_, differences_.requests(), seeds, sample.inputs, sample.parameters, call_);
+      is_implicit_ ? std::vector<long double>(found.size()) : duals_.at(seeds, sample.inputs, sample.parameters);
   std::vector<SharpNumber> const sharp = differences_.at(inputs, sample.parameters, result_.tolerance);
   internal_check(sharp.size() == found.size() && duals.size() == found.size());
   double const least = mode_ == FloatingPoint::fast ? result_.tolerance : most_off_duals;
   for (std::size_t k = 0; k < found.size(); ++k) {
     DerivativeElement &element = result_.elements[k];
     auto const dual = static_cast<double>(duals[k]);
-    if (std::isfinite(dual) && !is_implicit_) judge(element, sample, dual, found[k], least, rounding[k], false);
-    SharpNumber const &difference = sharp[k];
-    if (!difference) continue;
+    bool const has_dual = std::isfinite(dual) && !is_implicit_;
+    if (has_dual) judge(element, shared, dual, found[k], least, rounding[k], false);
+    if (!sharp[k]) continue;
+    auto const difference = static_cast<double>(*sharp[k]);
+    // Differences that leap agree with each other and with nothing else, and a low kink is hidden behind what bends:
+    // there dual numbers decide.
+    bool const may_err =
+        is_far(k, sample) || !is_off(difference, found[k], low_kink * off_differences_[k], rounding[k]);
+    if (has_dual && may_err && is_off(difference, found[k], off_differences_[k], rounding[k]) &&
+        !is_off(dual, found[k], least, rounding[k]))
+      continue;
     ++element.judged;
-    judge(element, sample, static_cast<double>(*difference), found[k], off_differences_[k], rounding[k], true);
+    judge(element, shared, difference, found[k], off_differences_[k], rounding[k], true);
   }
 }
 
-// The error that is kept is that from dual numbers, which have no steps, unless the differences tell another story.
-void DerivativeVerification::judge(DerivativeElement &element, Sample const &sample, double wanted, double found,
+bool DerivativeVerification::is_far(std::size_t element, Sample const &sample) const {
+  auto const [one, other] = by_[element];
+  auto const beyond = [](double input) { return std::abs(input) > far; };
+  if (one == no_input) return std::ranges::any_of(sample.inputs, beyond);
+  return beyond(sample.inputs[one]) || beyond(sample.inputs[other]);
+}
+
+bool DerivativeVerification::is_off(double wanted, double found, double allowed, double rounding) {
+  double const scale = std::max(1.0, std::abs(wanted));
+  return !(std::abs(found - wanted) / scale <= allowed + most_rounding * rounding / scale);
+}
+
+void DerivativeVerification::judge(DerivativeElement &element, Shared const &sample, double wanted, double found,
                                    double allowed, double rounding, bool is_by_differences) {
   double const scale = std::max(1.0, std::abs(wanted)), error = std::abs(found - wanted) / scale;
-  bool const is_different = !(error <= allowed + most_rounding * rounding / scale);
-  if (is_by_differences && !is_different) return;
+  double const most = allowed + most_rounding * rounding / scale;
+  bool const is_different = is_off(wanted, found, allowed, rounding);
   element.different += is_different;
-  if (error <= element.error || (!is_different && element.different != 0)) return;
-  element.error = error, element.expected = wanted, element.found = found;
+  double share = is_different ? std::max(error / most, std::nextafter(1.0, 2.0)) : std::isinf(most) ? 0 : error / most;
+  if (std::isnan(share)) share = std::numeric_limits<double>::infinity();
+  if (share <= element.error) return;
+  element.error = share, element.expected = wanted, element.found = found;
   element.is_by_differences = is_by_differences;
   element.worst = sample;
 }

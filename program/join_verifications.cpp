@@ -53,7 +53,7 @@ static void join(BranchResult &all, BranchResult const &other) {
 }
 
 static void join(DerivativeElement &all, DerivativeElement const &other) {
-  if (std::pair(other.different != 0, other.error) > std::pair(all.different != 0, all.error)) {
+  if (other.error > all.error) {
     all.error = other.error, all.expected = other.expected, all.found = other.found;
     all.is_by_differences = other.is_by_differences, all.worst = other.worst;
   }
@@ -66,6 +66,7 @@ static void join(DerivativeElement &all, DerivativeElement const &other) {
 static void join(DerivativeResult &all, DerivativeResult const &other) {
   all.tried += other.tried;
   all.promised += other.promised;
+  all.left_out += other.left_out;
   for (std::size_t k = 0; k < all.elements.size(); ++k) join(all.elements[k], other.elements.at(k));
 }
 

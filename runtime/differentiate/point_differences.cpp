@@ -1,8 +1,5 @@
 #include "differentiate/point_differences.h"
 
-#include "graph/evaluate.h"
-#include "graph/extended.h"
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -59,38 +56,35 @@ private:
 
 std::size_t const PointDifferences::evaluations = 2 * (levels + perturbations + std::size(probes));
 
-PointDifferences::PointDifferences(Graph const &graph, std::span<double const> inputs,
-                                   std::span<double const> parameters, double tolerance, CallExternal call)
-    : graph_(graph),
-      inputs_(inputs.begin(), inputs.end()),
-      parameters_(parameters),
+PointDifferences::PointDifferences(Graph const &graph, std::vector<NodeId> const &nodes, std::span<double const> inputs,
+                                   std::span<double const> parameters, double tolerance, CallExternal const &call)
+    : inputs_(inputs.begin(), inputs.end()),
       tolerance_(tolerance / 16),
-      call_(std::move(call)),
-      values_(evaluate(graph, inputs, parameters, call_)),
-      middle_(evaluate_extended(graph, std::span<long double const>(inputs_), parameters, values_, 0, call_)
-                  .value_or(Vector())) {}
+      neighbourhood_(graph, nodes, parameters, evaluate(graph, inputs, parameters, call), call),
+      middle_(neighbourhood_.at(inputs_)) {}
 
 std::vector<SharpNumber> PointDifferences::along(Vector const &direction, int order) const {
   std::vector<Neighbours> const neighbours = neighbours_along(direction);
-  Vector const noise = neighbours.empty() ? Vector() : noise_beside(direction, neighbours.front());
+  Vector const noise = noise_beside(direction, neighbours.front());
   std::vector<SharpNumber> result;
-  for (std::size_t k = 0; k < graph_.results.size(); ++k) result.push_back(sharp(neighbours, noise, k, order));
+  for (std::size_t k = 0; k < middle_.size(); ++k) result.push_back(sharp(neighbours, noise, k, order));
   return result;
 }
 
-SharpNumber PointDifferences::sharp(std::vector<Neighbours> const &neighbours, Vector const &noise, std::size_t output,
+SharpNumber PointDifferences::sharp(std::vector<Neighbours> const &neighbours, Vector const &noise, std::size_t node,
                                     int order) const {
+  if (!std::isfinite(middle_[node])) return {};
   Extrapolation number;
   std::vector<Quotient> smaller;
   bool has_kink = false;
   long double bend = 0, last = unknown;
   for (std::size_t level = 0; level < neighbours.size(); ++level) {
     Neighbours const &pair = neighbours[level];
-    if (!pair.are_finite()) {
+    if (!pair.are_finite(node)) {
       number = Extrapolation();
       continue;
     }
-    Quotient const found = quotient(pair, noise, output, order);
+    Quotient const found = quotient(pair, noise, node, order);
     if (level >= levels) {
       smaller.push_back(found);
       continue;
@@ -98,22 +92,22 @@ SharpNumber PointDifferences::sharp(std::vector<Neighbours> const &neighbours, V
     number.add(found.value, found.noise);
     last = found.value;
     // What bends is bent less by a quarter of the step; a kink is as sharp as before.
-    long double const before = std::exchange(bend, std::abs(bend_of(pair, output)) / pair.step);
+    long double const before = std::exchange(bend, std::abs(bend_of(pair, node)) / pair.step);
     has_kink = bend > tolerance_ && 2 * bend > before && level != 0;
   }
   SharpNumber const result = order == 1 && has_kink ? std::nullopt : number.result(tolerance_of(order));
   return result && is_confirmed(smaller, *result, last, tolerance_of(order)) ? result : std::nullopt;
 }
 
-long double PointDifferences::bend_of(Neighbours const &pair, std::size_t output) const {
-  return pair.high[output] - 2 * middle_[output] + pair.low[output];
+long double PointDifferences::bend_of(Neighbours const &pair, std::size_t node) const {
+  return pair.high[node] - 2 * middle_[node] + pair.low[node];
 }
 
-PointDifferences::Quotient PointDifferences::quotient(Neighbours const &pair, Vector const &noise, std::size_t output,
+PointDifferences::Quotient PointDifferences::quotient(Neighbours const &pair, Vector const &noise, std::size_t node,
                                                       int order) const {
   long double const step = pair.step;
-  if (order == 1) return {(pair.high[output] - pair.low[output]) / (2 * step), noise[output] / step};
-  return {bend_of(pair, output) / (step * step), 4 * noise[output] / (step * step)};
+  if (order == 1) return {(pair.high[node] - pair.low[node]) / (2 * step), noise[node] / step};
+  return {bend_of(pair, node) / (step * step), 4 * noise[node] / (step * step)};
 }
 
 bool PointDifferences::is_confirmed(std::vector<Quotient> const &smaller, long double result, long double last,
@@ -132,9 +126,8 @@ long double PointDifferences::scale(std::uint32_t slot) const {
   return std::exp2(std::floor(std::log2(std::max(1.0L, std::abs(inputs_[slot])))));
 }
 
-bool PointDifferences::Neighbours::are_finite() const {
-  auto const is_finite = [](long double number) { return std::isfinite(number); };
-  return !high.empty() && !low.empty() && std::ranges::all_of(high, is_finite) && std::ranges::all_of(low, is_finite);
+bool PointDifferences::Neighbours::are_finite(std::size_t node) const {
+  return std::isfinite(high[node]) && std::isfinite(low[node]);
 }
 
 long double PointDifferences::first_step(Vector const &direction) const {
@@ -148,7 +141,6 @@ std::vector<PointDifferences::Neighbours> PointDifferences::neighbours_along(Vec
   std::vector<Neighbours> all;
   long double const step = first_step(direction);
   auto const add = [&](long double size) { all.push_back({size, moved(direction, size), moved(direction, -size)}); };
-  if (middle_.empty()) return all;
   for (int level = 0; level < levels; ++level) add(std::ldexp(step, -2 * level));
   for (int const level : probes) add(std::ldexp(step, -2 * level));
   return all;
@@ -162,19 +154,17 @@ Vector PointDifferences::moved(Vector const &direction, long double step, std::u
     if (perturbation != 0 && at[k] - inputs_[k] != change)
       at[k] = std::nextafter(at[k], perturbation % 2 == 0 ? 0 : 2 * at[k]);
   }
-  return evaluate_extended(graph_, std::span<long double const>(at), parameters_, values_, perturbation, call_)
-      .value_or(Vector());
+  return neighbourhood_.at(at, perturbation);
 }
 
-// How far rounding moves each output, from results that are moved by as much.
+// How far rounding moves each node, from results that are moved by as much.
 Vector PointDifferences::noise_beside(Vector const &direction, Neighbours const &pair) const {
-  Vector noise(graph_.results.size(), 0);
+  Vector noise(middle_.size(), 0);
   for (auto const &[side, step] : {std::pair(&pair.high, pair.step), std::pair(&pair.low, -pair.step)})
     for (std::uint64_t perturbation = 1; perturbation <= perturbations; ++perturbation) {
       Vector const other = moved(direction, step, perturbation);
       for (std::size_t k = 0; k < noise.size(); ++k) {
-        long double const seen =
-            side->empty() || other.empty() ? unknown : most_noise * std::abs(other[k] - (*side)[k]);
+        long double const seen = most_noise * std::abs(other[k] - (*side)[k]);
         noise[k] = seen <= noise[k] ? noise[k] : std::isnan(seen) ? unknown : seen;
       }
     }

@@ -46,7 +46,7 @@ Dual evaluate_dual(Op op, Duals const &operands) {
 } // namespace
 
 PointDuals::PointDuals(Graph const &graph, std::span<double const> inputs, std::span<double const> parameters,
-                       CallExternal const &call)
+                       int order, CallExternal const &call)
     : graph_(graph),
       value_(graph.nodes.size(), 0),
       slope_(graph.nodes.size()) {
@@ -84,7 +84,26 @@ PointDuals::PointDuals(Graph const &graph, std::span<double const> inputs, std::
     duals[3].value = value_[id] = evaluate_extended(node.op, duals[0].value, duals[1].value, duals[2].value);
     for (std::size_t i = 0; i < arity(node.op); ++i)
       if (slope_of(node.op, i) == Slope::formula) slope_[id][i] = evaluate_dual(derivative_of(node.op, i), duals).value;
+    if (order > 1) add_curvature(static_cast<NodeId>(id));
   }
+}
+
+void PointDuals::add_curvature(NodeId id) {
+  Node const &node = graph_.nodes[id];
+  if (node.op == Op::add || node.op == Op::sub || node.op == Op::neg) return;
+  Curvature curvature{id, {}};
+  bool is_bent = false;
+  for (std::size_t j = 0; j < arity(node.op); ++j) {
+    Duals duals;
+    for (std::size_t i = 0; i < arity(node.op); ++i) duals[i] = {value_[node.operand[i]], i == j ? 1.0L : 0.0L};
+    duals[3] = {value_[id], slope_[id][j]};
+    for (std::size_t i = 0; i < arity(node.op); ++i) {
+      if (slope_of(node.op, i) != Slope::formula) continue;
+      curvature.by[i][j] = evaluate_dual(derivative_of(node.op, i), duals).slope;
+      is_bent |= curvature.by[i][j] != 0;
+    }
+  }
+  if (is_bent) curvatures_.push_back(curvature);
 }
 
 PointDuals::Vector PointDuals::tangents(Vector const &direction) const {
@@ -128,8 +147,10 @@ PointDuals::Vector PointDuals::second(Vector const &weights, Vector const &direc
   std::vector<Dual> adjoint(value_.size());
   Vector result(graph_.input_count(), 0);
   for (std::size_t k = 0; k < weights.size(); ++k) adjoint[graph_.results[k]].value += weights[k];
+  auto bent = curvatures_.rbegin();
   for (std::size_t id = adjoint.size(); id-- > 0;) {
     Node const &node = graph_.nodes[id];
+    while (bent != curvatures_.rend() && bent->node > id) ++bent;
     auto const [weight, change] = adjoint[id];
     if (node.op == Op::input) result[node.slot()] += change;
     if (is_leaf(node.op) || (weight == 0 && change == 0)) continue;
@@ -144,15 +165,13 @@ PointDuals::Vector PointDuals::second(Vector const &weights, Vector const &direc
       }
       continue;
     }
-    Duals duals;
-    for (std::size_t i = 0; i < arity(node.op); ++i) duals[i] = {value_[node.operand[i]], tangent[node.operand[i]]};
-    duals[3] = {value_[id], tangent[id]};
+    bool const is_bent = bent != curvatures_.rend() && bent->node == id;
     for (std::size_t i = 0; i < arity(node.op); ++i) {
-      if (slope_of(node.op, i) != Slope::formula) continue;
-      Dual const slope = evaluate_dual(derivative_of(node.op, i), duals);
       Dual &sum = adjoint[node.operand[i]];
-      sum.value += times(weight, slope.value);
-      sum.slope += times(change, slope.value) + times(weight, slope.slope);
+      sum.value += times(weight, slope_[id][i]);
+      sum.slope += times(change, slope_[id][i]);
+      for (std::size_t j = 0; is_bent && j < arity(node.op); ++j)
+        sum.slope += times(weight, times(bent->by[i][j], tangent[node.operand[j]]));
     }
   }
   return result;

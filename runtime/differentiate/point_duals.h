@@ -16,8 +16,8 @@ class PointDuals {
 public:
   using Vector = std::vector<long double>;
 
-  // Extended precision can evaluate `graph`, which outlives this.
-  PointDuals(Graph const &graph, std::span<double const> inputs, std::span<double const> parameters,
+  // Extended precision can evaluate `graph`, which outlives this. `order`: of the derivatives, 1 or 2.
+  PointDuals(Graph const &graph, std::span<double const> inputs, std::span<double const> parameters, int order,
              CallExternal const &call = {});
 
   // The slopes of all outputs along a direction of the inputs.
@@ -34,11 +34,19 @@ private:
     Vector first, second;
   };
 
+  // How the slopes of an operation change by each operand.
+  struct Curvature {
+    NodeId node;
+    std::array<std::array<long double, 3>, 3> by;
+  };
+
+  void add_curvature(NodeId id);
   Vector tangents(Vector const &direction) const;
 
   Graph const &graph_;
   Vector value_;                                  // per node
   std::vector<std::array<long double, 3>> slope_; // by each operand
+  std::vector<Curvature> curvatures_;             // of those that have one, ascending
   std::map<NodeId, CallSlopes> call_slopes_;
 };
 

@@ -78,11 +78,13 @@ template <class Number> Number choice_of(Op op, Number const &x, Number const &y
   }
 }
 
-// One number per node that is active where `values` are those in double precision; nothing where one makes another
-// choice than there. `leaf` gives those of inputs, parameters and what the graph calls; `moved` may change each result.
-template <class Number, class Leaf, class Moved> std::optional<std::vector<Number>>
-evaluate_nodes(Graph const &graph, std::span<double const> values, Leaf const &leaf, Moved const &moved) {
-  std::vector<char> const active = active_nodes(graph, values);
+// One number per node that is `active` where `values` are those in double precision. `leaf` gives those of inputs,
+// parameters and what the graph calls; `moved` may change each result. Nothing where a node makes another choice than
+// there and `otherwise` does not take it.
+template <class Number, class Leaf, class Moved, class Otherwise>
+std::optional<std::vector<Number>> evaluate_nodes(Graph const &graph, std::span<double const> values,
+                                                  std::span<char const> active, Leaf const &leaf, Moved const &moved,
+                                                  Otherwise const &otherwise) {
   std::vector<Number> wide(graph.nodes.size());
   Number const zero{};
   for (std::size_t id = 0; id < graph.nodes.size(); ++id) {
@@ -102,10 +104,17 @@ evaluate_nodes(Graph const &graph, std::span<double const> values, Leaf const &l
     auto const in_double = [&](std::size_t i) { return node.operand[i] == no_node ? 0 : values[node.operand[i]]; };
     wide[id] = evaluate_in<Number>(node.op, operand(0), operand(1), operand(2));
     double const chosen = choice_of<double>(node.op, in_double(0), in_double(1), values[id]);
-    if (choice_of<Number>(node.op, operand(0), operand(1), wide[id]) != chosen) return std::nullopt;
+    if (choice_of<Number>(node.op, operand(0), operand(1), wide[id]) != chosen && !otherwise(static_cast<NodeId>(id)))
+      return std::nullopt;
     moved(static_cast<NodeId>(id), wide[id]);
   }
   return wide;
+}
+
+// The same where no node may make another choice.
+template <class Number, class Leaf, class Moved> std::optional<std::vector<Number>>
+evaluate_nodes(Graph const &graph, std::span<double const> values, Leaf const &leaf, Moved const &moved) {
+  return evaluate_nodes<Number>(graph, values, active_nodes(graph, values), leaf, moved, [](NodeId) { return false; });
 }
 
 } // namespace

@@ -73,30 +73,67 @@ std::string obstacle_to_extended(Graph const &graph, bool calls) {
 std::optional<std::vector<long double>> evaluate_extended(Graph const &graph, std::span<double const> inputs,
                                                           std::span<double const> parameters,
                                                           std::span<double const> values, CallExternal const &call) {
-  std::vector<long double> const wide(inputs.begin(), inputs.end());
-  return evaluate_extended(graph, std::span<long double const>(wide), parameters, values, 0, call);
-}
-
-std::optional<std::vector<long double>> evaluate_extended(Graph const &graph, std::span<long double const> inputs,
-                                                          std::span<double const> parameters,
-                                                          std::span<double const> values, std::uint64_t perturbation,
-                                                          CallExternal const &call) {
-  ExtendedCalls calls(graph, call, perturbation);
+  ExtendedCalls calls(graph, call, 0);
   auto const leaf = [&](NodeId id, Node const &node, std::vector<long double> const &wide) -> long double {
     if (node.op == Op::input) return inputs[node.slot()];
     if (node.op == Op::parameter) return parameters[node.slot()];
     return calls.value(id, wide);
   };
-  auto const move = [&](NodeId id, long double &number) {
-    Op const op = graph.nodes[id].op;
-    if (perturbation != 0 && reality_of(op) == Reality::formula && !info(op).has(flag::QUIET))
-      number = moved(number, id, perturbation);
-  };
-  std::optional<std::vector<long double>> const wide = evaluate_nodes<long double>(graph, values, leaf, move);
+  std::optional<std::vector<long double>> const wide =
+      evaluate_nodes<long double>(graph, values, leaf, [](NodeId, long double) {});
   if (!wide) return std::nullopt;
   std::vector<long double> outputs;
   for (NodeId result : graph.results) outputs.push_back((*wide)[result]);
   return outputs;
+}
+
+ExtendedNeighbourhood::ExtendedNeighbourhood(Graph const &graph, std::vector<NodeId> const &nodes,
+                                             std::span<double const> parameters, std::vector<double> values,
+                                             CallExternal call)
+    : graph_(graph),
+      nodes_(nodes),
+      parameters_(parameters),
+      values_(std::move(values)),
+      call_(std::move(call)),
+      active_(active_nodes(graph, values_)) {}
+
+std::vector<long double> ExtendedNeighbourhood::at(std::span<long double const> inputs,
+                                                   std::uint64_t perturbation) const {
+  ExtendedCalls calls(graph_, call_, perturbation);
+  auto const leaf = [&](NodeId id, Node const &node, std::vector<long double> const &wide) -> long double {
+    if (node.op == Op::input) return inputs[node.slot()];
+    if (node.op == Op::parameter) return parameters_[node.slot()];
+    return calls.value(id, wide);
+  };
+  auto const move = [&](NodeId id, long double &number) {
+    Op const op = graph_.nodes[id].op;
+    if (perturbation != 0 && reality_of(op) == Reality::formula && !info(op).has(flag::QUIET))
+      number = moved(number, id, perturbation);
+  };
+  std::vector<char> others;
+  auto const otherwise = [&](NodeId id) {
+    others.resize(graph_.nodes.size(), 0);
+    others[id] = 1;
+    return true;
+  };
+  std::vector<long double> const wide = *evaluate_nodes<long double>(graph_, values_, active_, leaf, move, otherwise);
+  if (!others.empty()) spread(others);
+  std::vector<long double> result;
+  for (NodeId const node : nodes_)
+    result.push_back(others.empty() || !others[node] ? wide[node] : std::numeric_limits<long double>::quiet_NaN());
+  return result;
+}
+
+// To all that depends on one that has made another choice, but by the arm of a select that was not taken.
+void ExtendedNeighbourhood::spread(std::vector<char> &otherwise) const {
+  for (std::size_t id = 0; id < otherwise.size(); ++id) {
+    Node const &node = graph_.nodes[id];
+    if (!active_[id] || is_leaf(node.op)) continue;
+    for (std::size_t i = 0; i < arity(node.op); ++i) {
+      bool const is_left = node.op == Op::select && i != 0 && (i == 1) != (values_[node.operand[0]] != 0);
+      if (!is_left && node.operand[i] != no_node) otherwise[id] |= otherwise[node.operand[i]];
+    }
+  }
 }
 
 } // namespace symreal

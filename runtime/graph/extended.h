@@ -29,11 +29,28 @@ std::optional<std::vector<long double>> evaluate_extended(Graph const &graph, st
                                                           std::span<double const> parameters,
                                                           std::span<double const> values,
                                                           CallExternal const &call = {});
-// The same at inputs in extended precision, near those at which the nodes have these values. With a `perturbation`
-// other than 0 every result is moved by a unit in the last place, by 1 up, by others as its number says: so rounding
-// shows. Of a call that is a unit of a double.
-std::optional<std::vector<long double>>
-evaluate_extended(Graph const &graph, std::span<long double const> inputs, std::span<double const> parameters,
-                  std::span<double const> values, std::uint64_t perturbation = 0, CallExternal const &call = {});
+
+// Nodes of a graph in extended precision, at many points near one.
+class ExtendedNeighbourhood {
+public:
+  // `values`: those of all nodes in double precision at that one. All but `call` and `values` outlive this.
+  ExtendedNeighbourhood(Graph const &graph, std::vector<NodeId> const &nodes, std::span<double const> parameters,
+                        std::vector<double> values, CallExternal call = {});
+
+  // One number per node of `nodes`; not a number where one that it depends on makes another choice than at the one
+  // point. With a `perturbation` other than 0 every result is moved by a unit in the last place, by 1 up, by others as
+  // its number says: so rounding shows. Of a call that is a unit of a double.
+  std::vector<long double> at(std::span<long double const> inputs, std::uint64_t perturbation = 0) const;
+
+private:
+  void spread(std::vector<char> &otherwise) const;
+
+  Graph const &graph_;
+  std::vector<NodeId> const &nodes_;
+  std::span<double const> parameters_;
+  std::vector<double> values_;
+  CallExternal call_;
+  std::vector<char> active_;
+};
 
 } // namespace symreal

@@ -31,7 +31,7 @@ std::size_t worst_of(Result const &result, Object const &object) {
   std::size_t const first = first_of(result, object);
   auto key = [&](std::size_t k) {
     Element const &element = result.elements[k];
-    return std::tuple(element.different != 0, element.broken != 0, std::isnan(element.error), element.error);
+    return std::tuple(element.different != 0, element.broken != 0, element.error);
   };
   std::size_t worst = first;
   for (std::size_t k = first; k < first + object.count; ++k)
@@ -58,7 +58,7 @@ std::optional<Diagnostic> off_differences(Result const &result, std::string cons
                       fmt::format("{}: {} give {}, generated {}, inputs {}", name_of(result, worst),
                                   element.is_by_differences ? "differences" : "dual numbers",
                                   shortest(element.expected), shortest(element.found),
-                                  number_list(element.worst.inputs)));
+                                  number_list(element.worst->inputs)));
   }
   return {};
 }
@@ -70,23 +70,26 @@ std::optional<Diagnostic> off_formulas(Result const &result, std::string const &
   return mismatch(file, count_of(result, &Element::broken) + " differ from their formulas before any pass",
                   fmt::format("{}: the formulas give {}, generated {}, inputs {}", name_of(result, k),
                               shortest(broken->promised), shortest(broken->given),
-                              number_list(broken->first_broken.inputs)));
+                              number_list(broken->first_broken->inputs)));
 }
 
 } // namespace
 
 void print_derivatives(std::ostream &out, Result const &result) {
-  fmt::print(out, "  {:<28}{:>10}{:>22}{:>12}{:>16}\n", "derivative", "elements", "worst relative error", "different",
+  fmt::print(out, "  {:<28}{:>10}{:>22}{:>12}{:>16}\n", "derivative", "elements", "worst error/allowed", "different",
              "samples judged");
   for (Object const &object : result.objects) {
     std::size_t const worst = worst_of(result, object);
     auto const elements = std::span(result.elements).subspan(first_of(result, object), object.count);
     auto const is_wrong = [](Element const &element) { return element.different != 0 || element.broken != 0; };
     auto const least = std::ranges::min_element(elements, {}, &Element::judged);
-    fmt::print(out, "  {:<28}{:>10}{:>22.1e}{:>12}{:>16}\n", name_of(result, worst), object.count,
+    fmt::print(out, "  {:<28}{:>10}{:>22.2g}{:>12}{:>16}\n", name_of(result, worst), object.count,
                result.elements[worst].error, std::ranges::count_if(elements, is_wrong),
                fmt::format("{} of {}", least->judged, result.tried));
   }
+  if (result.left_out != 0)
+    fmt::print(out, "  derivatives are compared on {} of {} samples, as many as their size allows\n", result.tried,
+               result.tried + result.left_out);
 }
 
 static Json number_json(double value) { return std::isfinite(value) ? Json(value) : Json(shortest(value)); }
@@ -115,6 +118,7 @@ static Sample sample_of(Json const &json) {
 Json to_json(Result const &result) {
   Json json = {{"samples", result.tried},
                {"samples_compared_with_formulas", result.promised},
+               {"samples_left_out", result.left_out},
                {"tolerance", result.tolerance},
                {"objects", Json::array()},
                {"elements", Json::array()}};
@@ -126,16 +130,16 @@ Json to_json(Result const &result) {
                                 {"judged", element.judged},
                                 {"different", element.different},
                                 {"different_from_formulas", element.broken},
-                                {"worst_relative_error", number_json(element.error)}});
+                                {"worst_error_by_allowed", number_json(element.error)}});
     if (element.different != 0)
       json["elements"].back()["worst"] = {{"by_differences", element.is_by_differences},
                                           {"expected", number_json(element.expected)},
                                           {"found", number_json(element.found)},
-                                          {"sample", sample_json(element.worst)}};
+                                          {"sample", sample_json(*element.worst)}};
     if (element.broken != 0)
       json["elements"].back()["off_formulas"] = {{"expected", number_json(element.promised)},
                                                  {"found", number_json(element.given)},
-                                                 {"sample", sample_json(element.first_broken)}};
+                                                 {"sample", sample_json(*element.first_broken)}};
   }
   return json;
 }
@@ -144,6 +148,7 @@ Result derivatives_of(Json const &json, std::size_t outputs) {
   Result result;
   result.tried = json.at("samples");
   result.promised = json.at("samples_compared_with_formulas");
+  result.left_out = json.at("samples_left_out");
   result.tolerance = json.at("tolerance");
   auto next = static_cast<std::uint32_t>(outputs);
   for (Json const &one : json.at("objects")) {
@@ -157,19 +162,19 @@ Result derivatives_of(Json const &json, std::size_t outputs) {
     element.judged = one.at("judged");
     element.different = one.at("different");
     element.broken = one.at("different_from_formulas");
-    element.error = number_of(one.at("worst_relative_error"));
+    element.error = number_of(one.at("worst_error_by_allowed"));
     if (one.contains("worst")) {
       Json const &worst = one["worst"];
       element.is_by_differences = worst.at("by_differences");
       element.expected = number_of(worst.at("expected"));
       element.found = number_of(worst.at("found"));
-      element.worst = sample_of(worst.at("sample"));
+      element.worst = std::make_shared<Sample const>(sample_of(worst.at("sample")));
     }
     if (one.contains("off_formulas")) {
       Json const &broken = one["off_formulas"];
       element.promised = number_of(broken.at("expected"));
       element.given = number_of(broken.at("found"));
-      element.first_broken = sample_of(broken.at("sample"));
+      element.first_broken = std::make_shared<Sample const>(sample_of(broken.at("sample")));
     }
   }
   if (result.objects.empty() || result.elements.size() + outputs != next) throw std::invalid_argument("no derivatives");

@@ -78,7 +78,7 @@ TEST(Differentiate, EachRowIsAsItsDifferences) {
 
 // Where rounding swallows each step, equal numbers on both sides are no derivative of 0.
 TEST(Differentiate, DifferencesKnowWhatRoundingHides) {
-  for (char const *const lines : {"%3 = add %0 1e22\n%4 = sub %3 %1\n", "%3 = add %0 1e22\n%4 = sub %3 1e22\n"}) {
+  for (char const *const lines : {"%3 = add %0 1e22\n%4 = mul %3 %1\n", "%3 = add %0 1e22\n%4 = abs %3\n"}) {
     Graph const graph = function(lines, "%4");
     std::vector<std::string> const request = {"gradient(y)"};
     std::vector<double> const x = {0.5, 0.25, 0};
@@ -118,7 +118,7 @@ TEST(Differentiate, DualNumbersAreAsFormulas) {
         std::vector<double> const inputs = at;
         at.insert(at.end(), seeds.begin(), seeds.end());
         std::vector<double> const found = outputs(both, at);
-        auto const duals = dual_numbers(graph, requests.requests(), requests.seeds_of_requests(seeds), inputs, {});
+        auto const duals = DualNumbers(graph, requests.requests()).at(requests.seeds_of_requests(seeds), inputs, {});
         ASSERT_EQ(duals.size() + 1, found.size());
         for (std::size_t k = 0; k < duals.size(); ++k)
           if (auto const value = static_cast<double>(duals[k]); std::isfinite(value) && std::isfinite(found[1 + k]))
@@ -126,6 +126,71 @@ TEST(Differentiate, DualNumbersAreAsFormulas) {
       }
     }
   }
+}
+
+// y[i] of x[i] and x[i + 1], then y[count - 1], the sum of all y[i], and x[0] times each x[i]: an arrow.
+Graph chain(std::size_t count) {
+  std::string const size = "[" + std::to_string(count) + "]\n";
+  std::string text = "symreal-graph 1\nkernel \"k\"\ninput \"x\" " + size + "output \"y\" " + size, results;
+  std::size_t next = 0;
+  auto const add = [&](std::string const &line) {
+    text += "%" + std::to_string(next) + " = " + line + "\n";
+    return "%" + std::to_string(next++);
+  };
+  std::vector<std::string> x;
+  for (std::size_t k = 0; k < count; ++k) x.push_back(add("input " + std::to_string(k)));
+  std::string sum = "0";
+  for (std::size_t k = 0; k + 1 < count; ++k) {
+    std::string const product = add("mul " + x[k] + " " + x[k + 1]), sine = add("sin " + product);
+    std::string const own = add("sub " + sine + " " + add("mul " + x[k] + " " + x[k]));
+    results += "result " + std::to_string(k) + " " + own + "\n";
+    sum = add("add " + sum + " " + add("mul 0.5 " + own));
+    sum = add("sub " + sum + " " + add("mul " + x[0] + " " + x[k + 1]));
+  }
+  return read_graph(text + results + "result " + std::to_string(count - 1) + " " + sum + "\n", "test");
+}
+
+TEST(Differentiate, StructureIsThatOfTheGraph) {
+  Graph const graph = chain(70); // more than one word of bits
+  Pattern const rows = inputs_of(graph, graph.results);
+  EXPECT_EQ(rows[64], (std::vector<std::uint32_t>{64, 65}));
+  EXPECT_EQ(rows[69].size(), 70u);
+  Pattern const coupled = coupled_inputs(graph, std::span(graph.results).first(69));
+  EXPECT_EQ(coupled[64], (std::vector<std::uint32_t>{63, 64, 65}));
+  EXPECT_EQ(coupled_inputs(graph, std::span(graph.results).last(1))[64], (std::vector<std::uint32_t>{0, 63, 64, 65}));
+  Colouring const colours = coloured(Pattern(rows.begin(), rows.end() - 1), 70);
+  EXPECT_EQ(colours.count, 2u);
+  for (std::size_t k = 0; k + 1 < 70; ++k) EXPECT_NE(colours.colour[k], colours.colour[k + 1]);
+}
+
+// As many directions for many inputs as for few, and each element is what the formulas give.
+TEST(Differentiate, InputsMoveAtOnce) {
+  std::vector<std::string> const request = {"jacobian(y, x)", "hessian(y, x, weighted)", "vjp(y, x)", "jvp(y, x)"};
+  std::vector<std::size_t> evaluations, passes;
+  for (std::size_t const count : {20u, 80u}) {
+    Graph const graph = chain(count);
+    Differences const differences(graph, wishes(request));
+    DualNumbers const duals(graph, differences.requests());
+    evaluations.push_back(differences.evaluations()), passes.push_back(duals.passes());
+    std::vector<double> x, seeds;
+    for (std::size_t k = 0; k < count; ++k) x.push_back(std::sin(3.0 * static_cast<double>(k)) + 0.3);
+    for (std::size_t k = 0; k < differences.seed_count(); ++k) seeds.push_back(std::cos(static_cast<double>(k)));
+    std::vector<double> at = x;
+    at.insert(at.end(), seeds.begin(), seeds.end());
+    std::vector<double> const found = outputs(with(graph, request), at);
+    std::vector<SharpNumber> const sharp = differences.at(at, {}, 1e-9);
+    std::vector<long double> const exact = duals.at(differences.seeds_of_requests(seeds), x, {});
+    ASSERT_EQ(sharp.size() + count, found.size());
+    ASSERT_EQ(exact.size(), sharp.size());
+    for (std::size_t k = 0; k < exact.size(); ++k) {
+      EXPECT_NEAR(found[count + k], static_cast<double>(exact[k]), 1e-12) << "element " << k;
+      if (!sharp[k]) continue;
+      EXPECT_NEAR(found[count + k], static_cast<double>(*sharp[k]), 1e-7) << "element " << k;
+    }
+    EXPECT_GT(100 * std::ranges::count_if(sharp, &SharpNumber::has_value), 99 * std::ssize(sharp));
+  }
+  EXPECT_EQ(evaluations[0], evaluations[1]);
+  EXPECT_EQ(passes[0], passes[1]);
 }
 
 // At kinks, zeros and poles the table says what is taken, and it is a number in the Hessian, too.
