@@ -1,13 +1,17 @@
 #include "program/compile.h"
 
+#include "program/bounded_compilation.h"
 #include "program/compiler_errors.h"
 #include "program/parallel.h"
 #include "program/runtime_header.h"
 #include "rewrite/request/driver_options.h"
+#include "support/files.h"
 #include "support/installation.h"
 
 #include <algorithm>
+#include <fmt/format.h>
 #include <llvm/Support/Program.h>
+#include <mutex>
 #include <set>
 #include <thread>
 
@@ -225,9 +229,39 @@ Captured link(Command const &command) {
 
 template <class Run> std::vector<Captured> run_all(std::vector<Command> const &commands, Run run) {
   std::vector<Captured> results(commands.size());
-  in_parallel(commands.size(), std::thread::hardware_concurrency(),
-              [&](std::size_t k) { results[k] = run(commands[k]); });
+  in_parallel(commands.size(), std::thread::hardware_concurrency(), [&](std::size_t k) { results[k] = run(k); });
   return results;
+}
+
+// And with operations on numbers that are calls alone, without the decision whether there is something to record.
+Words without_optimisation(Words words) {
+  std::ranges::replace(words, "-O1", "-O0");
+  words.insert(words.begin() + 1, "-DSYMREAL_CALLED_OPERATORS");
+  return words;
+}
+
+// The source as it stands.
+Words plain_command(BuildRequest const &request, rewrite::Compilation const &source, std::string const &object) {
+  Words words = {is_c(source) ? request.c_compiler : request.compiler};
+  append(words, c_flags(source.flags));
+  append(words, {"-w", "-x", is_c(source) ? "c" : "c++", "-c", source.source, "-o", object});
+  return words;
+}
+
+BoundedCompilation bounded(BuildRequest const &request, rewrite::Compilation const &source, Command const &usual) {
+  BoundedCompilation all{usual, usual, {}, source.source};
+  all.unoptimised.arguments = without_optimisation(usual.arguments);
+  std::string const &object = usual.arguments[position_after(usual.arguments, "-o")];
+  all.original = compiler_run(plain_command(request, source, object + ".original"), source.directory);
+  return all;
+}
+
+// Of what decides how long the compiler takes.
+std::string bounded_key(Command const &command, std::string const &workspace) {
+  std::string text = "bounded " + read_file(command.arguments[position_after(command.arguments, "-c")]);
+  for (std::string const &word : command.arguments)
+    if (word.find(workspace) == word.npos) text += '\0' + word;
+  return content_id(text);
 }
 
 } // namespace
@@ -260,8 +294,22 @@ std::vector<std::string> build_variants(BuildRequest const &request, std::span<V
   FilesNow files;
   RuntimeHeader header(*request.cache, request.cache->directory(), workspace.path());
   auto const with_header = [&](Command const &compilation) { return header.use(compilation, files); };
-  std::vector<Captured> compiled = run_all(compilations, [&](Command const &compilation) {
+  auto const compile = [&](Command const &compilation) {
     return request.cache->compile(compilation, workspace.path(), files, with_header);
+  };
+  std::mutex telling;
+  auto const tell = [&](std::string const &text) {
+    std::scoped_lock const lock(telling);
+    request.note(text);
+  };
+  std::vector<Captured> compiled = run_all(compilations, [&](std::size_t k) {
+    std::size_t const place = k - request.unchanged.size();
+    if (k < request.unchanged.size() || variants[place / request.sources.size()] != Variant::symbolic)
+      return compile(compilations[k]);
+    CacheDirectory &kept = request.cache->directory();
+    return compile_bounded(
+        bounded(request, request.sources[place % request.sources.size()], compilations[k]),
+        {compile, capture, tell, kept.exists() ? &kept : nullptr, bounded_key(compilations[k], workspace.path())});
   });
   for (std::size_t i = 0; i < compiled.size(); ++i) {
     if (compiled[i].outcome.success()) continue;
@@ -271,7 +319,7 @@ std::vector<std::string> build_variants(BuildRequest const &request, std::span<V
                                        : compiler_failure(compilations[i].arguments, compiled[i], annotated,
                                                           "as the original with its annotations"));
   }
-  std::vector<Captured> linked = run_all(links, link);
+  std::vector<Captured> linked = run_all(links, [&](std::size_t k) { return link(links[k]); });
   for (std::size_t i = 0; i < linked.size(); ++i)
     if (!linked[i].outcome.success()) throw DiagnosticError(linker_failure(links[i].arguments, linked[i], rewritten));
   return executables;

@@ -172,7 +172,7 @@ Captured ObjectCache::compile(Command const &compilation, std::string const &wor
   Captured result = capture(command);
   if (result.outcome.success())
     keep(search, workspace);
-  else if (quick)
+  else if (quick && !has_reached_limit(command, result.outcome))
     return capture(compilation); // whose messages are those of the text
   return result;
 }

@@ -9,6 +9,7 @@
 #include <poll.h>
 #include <sys/personality.h>
 #include <sys/prctl.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -75,6 +76,11 @@ private:
   if (!command.directory.empty() && chdir(command.directory.c_str()) != 0) give_up();
   int input = open(command.standard_input.empty() ? "/dev/null" : command.standard_input.c_str(), O_RDONLY);
   if (input < 0 || dup2(input, 0) < 0 || dup2(output.write_end, 1) < 0 || dup2(output.write_end, 2) < 0) give_up();
+  if (command.processor_limit > 0) {
+    auto const seconds = static_cast<rlim_t>(command.processor_limit) + 1;
+    rlimit const limit = {seconds, seconds};
+    setrlimit(RLIMIT_CPU, &limit);
+  }
   // What lies on a stack may depend on where it lies.
   if (command.at_fixed_addresses) personality(ADDR_NO_RANDOMIZE);
   for (int descriptor : command.inherited) fcntl(descriptor, F_SETFD, 0);
@@ -123,13 +129,13 @@ bool read_to_end(int descriptor, Lines &lines, Clock::time_point start, double l
 }
 
 // The exit status, or nothing when the time limit came first (a process may close its output and run on).
-bool wait_for(pid_t child, int &status, Clock::time_point start, double limit) {
+bool wait_for(pid_t child, int &status, rusage &used, Clock::time_point start, double limit) {
   while (limit > 0) {
-    if (waitpid(child, &status, WNOHANG) == child) return true;
+    if (wait4(child, &status, WNOHANG, &used) == child) return true;
     if (seconds_since(start) >= limit) return false;
     usleep(2000);
   }
-  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  while (wait4(child, &status, 0, &used) < 0 && errno == EINTR) {
   }
   return true;
 }
@@ -155,8 +161,9 @@ Outcome run(Command const &command, LineSink const &sink) {
   }
   Lines lines(sink);
   int status = 0;
+  rusage used = {};
   bool ended = read_to_end(output.read_end, lines, start, command.time_limit) &&
-               wait_for(child, status, start, command.time_limit);
+               wait_for(child, status, used, start, command.time_limit);
   if (!ended) {
     kill(-child, SIGKILL);
     waitpid(child, &status, 0);
@@ -164,8 +171,17 @@ Outcome run(Command const &command, LineSink const &sink) {
   lines.finish();
   double seconds = seconds_since(start);
   if (!ended) return {Ending::timed_out, 0, seconds};
-  if (WIFSIGNALED(status)) return {Ending::signalled, WTERMSIG(status), seconds};
-  return {Ending::exited, WEXITSTATUS(status), seconds};
+  auto const in_seconds = [](timeval const &time) {
+    return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+  };
+  double const processor = in_seconds(used.ru_utime) + in_seconds(used.ru_stime);
+  std::size_t const memory = static_cast<std::size_t>(used.ru_maxrss) * 1024;
+  if (WIFSIGNALED(status)) return {Ending::signalled, WTERMSIG(status), seconds, processor, memory};
+  return {Ending::exited, WEXITSTATUS(status), seconds, processor, memory};
+}
+
+bool has_reached_limit(Command const &command, Outcome const &outcome) {
+  return command.processor_limit > 0 && !outcome.success() && outcome.processor_seconds >= command.processor_limit;
 }
 
 Captured capture(Command const &command) {

@@ -15,6 +15,7 @@ struct Command {
   std::vector<std::string> environment = {}; // "NAME=value", added to the current one
   std::string standard_input = {};           // a file; empty: no input at all
   double time_limit = 0;                     // seconds; 0: none
+  double processor_limit = 0;                // seconds of each of its processes; 0: none
   bool at_fixed_addresses = false;           // where the system can do that
   std::vector<int> inherited = {};           // descriptors that stay open, with their numbers, besides 0, 1 and 2
 };
@@ -30,6 +31,8 @@ struct Outcome {
   Ending ending;
   int status = 0;
   double seconds = 0;
+  double processor_seconds = 0; // of it and of the processes that it waited for, where it ended by itself
+  std::size_t most_memory = 0;  // in bytes, of the largest of them
 
   bool success() const { return ending == Ending::exited && status == 0; }
 };
@@ -45,6 +48,9 @@ struct Captured {
   std::string output;
 };
 Captured capture(Command const &command);
+
+// Whether it ended because of its processor_limit.
+bool has_reached_limit(Command const &command, Outcome const &outcome);
 
 // The command as a line that can be pasted into a shell.
 std::string shell_line(std::vector<std::string> const &arguments);

@@ -55,6 +55,9 @@ extern __thread std::uint64_t executed[static_cast<unsigned>(Op::count)];
 
 // Slow paths, in the library. `record` makes or finds the node of an operation.
 [[gnu::noinline]] RealNumber record(Op op, RealNumber x, RealNumber y, RealNumber z) noexcept;
+// An operation whether or not an operand is a node: for sources in which a decision at each would be too much for the
+// compiler (SYMREAL_CALLED_OPERATORS).
+[[gnu::noinline]] RealNumber operate(Op op, RealNumber x, RealNumber y) noexcept;
 [[gnu::noinline]] double carried_value(RealNumber x) noexcept;
 // As carried_value, for something that needs it: an input without a value is an error here.
 [[gnu::noinline]] double needed_value(RealNumber x) noexcept;
@@ -174,6 +177,13 @@ public:
     }
     return -x.value_;
   }
+#ifdef SYMREAL_CALLED_OPERATORS
+#define SYMREAL_ARITHMETIC(op, id)                                                                                     \
+  [[gnu::always_inline]] friend constexpr RealNumber operator op(RealNumber x, RealNumber y) noexcept {                \
+    if (!__builtin_is_constant_evaluated()) return detail::operate(Op::id, x, y);                                      \
+    return x.value_ op y.value_;                                                                                       \
+  }
+#else
 #define SYMREAL_ARITHMETIC(op, id)                                                                                     \
   [[gnu::always_inline]] friend constexpr RealNumber operator op(RealNumber x, RealNumber y) noexcept {                \
     if (!__builtin_is_constant_evaluated()) {                                                                          \
@@ -182,6 +192,7 @@ public:
     }                                                                                                                  \
     return x.value_ op y.value_;                                                                                       \
   }
+#endif
   SYMREAL_ARITHMETIC(+, add)
   SYMREAL_ARITHMETIC(-, sub)
   SYMREAL_ARITHMETIC(*, mul)

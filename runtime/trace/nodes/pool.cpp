@@ -238,6 +238,24 @@ RealNumber record(Op op, RealNumber x, RealNumber y, RealNumber z) noexcept {
   }
 }
 
+RealNumber operate(Op op, RealNumber x, RealNumber y) noexcept {
+  ++executed[static_cast<unsigned>(op)];
+  if (x.is_node() || y.is_node()) {
+    Pool &pool = Pool::current();
+    try {
+      return pool.record(op, x, y, 0.0, __builtin_return_address(0));
+    } catch (std::bad_alloc const &) {
+      pool.run_out();
+    }
+  }
+  switch (op) {
+  case Op::add: return x.plain() + y.plain();
+  case Op::sub: return x.plain() - y.plain();
+  case Op::mul: return x.plain() * y.plain();
+  default: return x.plain() / y.plain();
+  }
+}
+
 double carried_value(RealNumber x) noexcept { return Pool::current().carried_value(x); }
 
 } // namespace detail

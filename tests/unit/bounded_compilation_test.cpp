@@ -1,0 +1,91 @@
+#include "program/bounded_compilation.h"
+
+#include <gtest/gtest.h>
+#include <map>
+
+namespace symreal::program {
+namespace {
+
+class Memory : public rewrite::KeptTexts {
+public:
+  std::optional<std::string> find(std::string const &key) override {
+    auto const found = texts_.find(key);
+    return found == texts_.end() ? std::nullopt : std::optional(found->second);
+  }
+  void keep(std::string const &key, std::string const &text) override { texts_[key] = text; }
+
+private:
+  std::map<std::string, std::string> texts_;
+};
+
+// A compiler that takes so long, as it would be seen through a limit.
+class Compiler {
+public:
+  Compiler(double usual, double unoptimised, double original)
+      : seconds_{{"usual", usual}, {"unoptimised", unoptimised}, {"original", original}} {}
+
+  Captured compile() {
+    BoundedRun run;
+    run.compile = run.measure = [this](Command const &command) { return ended(command); };
+    run.tell = [this](std::string const &text) { told.push_back(text); };
+    run.kept = &kept_;
+    run.key = "key";
+    return compile_bounded({{{"usual"}}, {{"unoptimised"}}, {{"original"}}, "model.c"}, run);
+  }
+
+  std::vector<std::string> ran, told;
+
+private:
+  Captured ended(Command const &command) {
+    std::string const &name = command.arguments[0];
+    ran.push_back(name);
+    double const takes = seconds_.at(name);
+    bool const ends = command.processor_limit == 0 || takes < command.processor_limit;
+    return {{Ending::exited, ends ? 0 : 1, takes, ends ? takes : command.processor_limit, 100}, {}};
+  }
+
+  std::map<std::string, double> seconds_;
+  Memory kept_;
+};
+
+using Words = std::vector<std::string>;
+
+TEST(BoundedCompilation, WhatIsQuickIsNotMeasured) {
+  Compiler compiler(9, 3, 0.1);
+  EXPECT_TRUE(compiler.compile().outcome.success());
+  EXPECT_EQ(compiler.ran, Words{"usual"});
+  EXPECT_TRUE(compiler.told.empty());
+}
+
+TEST(BoundedCompilation, TenTimesTheOriginalAreWithinTheBound) {
+  Compiler compiler(40, 10, 4);
+  EXPECT_TRUE(compiler.compile().outcome.success());
+  EXPECT_EQ(compiler.ran, (Words{"usual", "original", "usual"}));
+  EXPECT_TRUE(compiler.told.empty());
+}
+
+TEST(BoundedCompilation, BeyondThemOptimisationGoesAndIsToldOf) {
+  Compiler compiler(145, 9, 1);
+  EXPECT_TRUE(compiler.compile().outcome.success());
+  EXPECT_EQ(compiler.ran, (Words{"usual", "original", "unoptimised"}));
+  ASSERT_EQ(compiler.told.size(), 1u);
+  EXPECT_EQ(compiler.told[0], "model.c is compiled without optimisation in symbolic mode: with it the compiler takes "
+                              "more than 10 s, where the original at -O1 takes 1.0 s");
+  // Another time nothing is tried, and the same is said.
+  EXPECT_TRUE(compiler.compile().outcome.success());
+  EXPECT_EQ(compiler.ran, (Words{"usual", "original", "unoptimised", "unoptimised"}));
+  ASSERT_EQ(compiler.told.size(), 2u);
+  EXPECT_EQ(compiler.told[1], compiler.told[0]);
+}
+
+TEST(BoundedCompilation, WhereThatDoesNotSufficeTheFigureIsTold) {
+  Compiler compiler(900, 70, 4);
+  EXPECT_TRUE(compiler.compile().outcome.success());
+  EXPECT_EQ(compiler.ran, (Words{"usual", "original", "usual", "unoptimised"}));
+  ASSERT_EQ(compiler.told.size(), 2u);
+  EXPECT_NE(compiler.told[1].find("takes 70 s"), std::string::npos) << compiler.told[1];
+  EXPECT_NE(compiler.told[1].find("--via-ir"), std::string::npos) << compiler.told[1];
+}
+
+} // namespace
+} // namespace symreal::program
