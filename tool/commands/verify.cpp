@@ -148,6 +148,7 @@ std::string bisected(program::Recorded const &recorded, program::Banner const &b
 bool confirms(std::string const &path, nlohmann::ordered_json const &wanted, nlohmann::ordered_json const &run,
               Console &console) {
   std::vector<std::string> const found = differences(wanted, run);
+  if (std::string const other = other_mathematics(wanted, run); !other.empty()) console.note(other);
   if (found.empty()) {
     console.note("certificate " + path + " holds");
     return true;

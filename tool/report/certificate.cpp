@@ -3,6 +3,7 @@
 #include "graph/graph_text.h"
 #include "program/durable_files.h"
 #include "support/files.h"
+#include "support/math_library.h"
 #include "support/version.h"
 
 #include <fmt/format.h>
@@ -60,7 +61,8 @@ std::string first_difference(Json const &one, Json const &other, std::string con
 } // namespace
 
 Json certificate(Verified const &verified, std::vector<VerificationRecord> const &records) {
-  Json json = {{"symreal_certificate", form}, {"version", version}, {"flags", verified.flags}};
+  Json json = {
+      {"symreal_certificate", form}, {"version", version}, {"flags", verified.flags}, {"mathematics", math_library()}};
   for (char const *hashed : {"sources", "generated", "graphs"}) json[hashed] = Json::object();
   for (rewrite::File const &file : verified.front->rewritten.files)
     json["sources"][file.display_path] = program::content_hash(file.original);
@@ -111,6 +113,12 @@ std::vector<std::string> differences(Json const &certificate, Json const &run) {
   Json const one = repeatable(certificate)["verified"], other = repeatable(run)["verified"];
   if (std::string const figure = first_difference(one, other, "figure "); !figure.empty()) found.push_back(figure);
   return found;
+}
+
+std::string other_mathematics(Json const &certificate, Json const &run) {
+  std::string const before = certificate.value("mathematics", ""), now = run.value("mathematics", "");
+  if (before.empty() || before == now) return {};
+  return fmt::format("the certificate was written with {}; these functions are those of {}", before, now);
 }
 
 } // namespace symreal::tool
