@@ -48,7 +48,7 @@ public:
   void builtin(clang::DeclRefExpr const *name);
   void function_value(clang::DeclRefExpr const *name);
   void dependent_variadic_call(clang::CallExpr const *call);
-  void variadic_definition(clang::FunctionDecl const *function);
+  void argument_list(clang::FunctionDecl const *function);
   void converting_construction(clang::CXXConstructExpr const *construction);
   void converted_operand(clang::UnaryOperator const *operation);
   void removed_member(clang::CXXMemberCallExpr const *call);

@@ -1,6 +1,7 @@
 // What goes through `...`: no parameter says there what type it arrives as.
 #include "rewrite/collect/collector.h"
 #include "rewrite/model/conditions.h"
+#include "rewrite/model/text_functions.h"
 #include "rewrite/source/walk.h"
 
 namespace symreal::rewrite {
@@ -8,21 +9,102 @@ using namespace clang;
 
 namespace {
 
-class NumberReads : public Walk {
+// std::va_list, or something that leads to one.
+bool is_list(QualType type) {
+  type = type.getCanonicalType();
+  while (true) {
+    if (type->isReferenceType() || type->isPointerType())
+      type = type->getPointeeType();
+    else if (auto const *array = type->getAsArrayTypeUnsafe())
+      type = array->getElementType();
+    else
+      break;
+  }
+  auto const *record = type->getAsRecordDecl();
+  return record && record->getDeclName().isIdentifier() &&
+         (record->getName() == "__va_list_tag" || record->getName() == "__va_list");
+}
+
+// Where the lists go that a function has.
+class Lists : public Walk {
 public:
+  Lists(SourceMap const &map, Reals const &reals, ListFact &fact) : map_(map), reals_(reals), fact_(fact) {}
+
   bool VisitVAArgExpr(VAArgExpr *read) override {
-    found = found || Reals::is_double(read->getType());
+    fact_.reads = fact_.reads || read->getType()->isDependentType() || reals_.carries_real(read->getType());
+    known_.insert(named(read->getSubExpr()));
     return true;
   }
-  bool found = false;
+  bool VisitCallExpr(CallExpr *call) override {
+    FunctionDecl const *function = call->getDirectCallee();
+    for (unsigned i = 0; i < call->getNumArgs(); ++i)
+      if (Expr const *list = named(call->getArg(i)); list && function && hands(call, function, list))
+        known_.insert(list);
+    return true;
+  }
+  bool VisitDeclRefExpr(DeclRefExpr *name) override { return meet(name); }
+  bool VisitMemberExpr(MemberExpr *member) override { return meet(member); }
+
+  void finish() {
+    if (llvm::all_of(met_, [&](Expr const *list) { return known_.contains(list); })) return;
+    fact_.reads = true;
+    fact_.handed.insert(""); // to any
+  }
+
+private:
+  bool meet(Expr const *list) {
+    if (is_list(list->getType())) met_.push_back(list);
+    return true;
+  }
+  static Expr const *named(Expr const *list) {
+    list = list->IgnoreParenCasts();
+    while (auto const *through = dyn_cast<UnaryOperator>(list)) {
+      if (through->getOpcode() != UO_AddrOf && through->getOpcode() != UO_Deref) break;
+      list = through->getSubExpr()->IgnoreParenCasts();
+    }
+    return is_list(list->getType()) && isa<DeclRefExpr, MemberExpr>(list) ? list : nullptr;
+  }
+
+  // Does the source say which function it is that takes a list?
+  bool hands(CallExpr const *call, FunctionDecl const *function, Expr const *list) {
+    llvm::StringRef const name = function->getIdentifier() ? function->getName() : "";
+    if (name.contains("va_end")) return true;
+    if (name.contains("va_start") || name.contains("va_copy")) { // into what others do not see
+      auto const *variable = dyn_cast<DeclRefExpr>(list);
+      auto const *local = variable ? dyn_cast<VarDecl>(variable->getDecl()) : nullptr;
+      return local && local->hasLocalStorage() && !local->getType()->isReferenceType();
+    }
+    auto const *method = dyn_cast<CXXMethodDecl>(function);
+    if (Reals::pattern(function) != function || (method && (method->isVirtual() || method->getParent()->isLambda())))
+      return false;
+    if (reals_.in_roots(function))
+      fact_.handed.insert(function->getQualifiedNameAsString());
+    else if (TextUse const use = text_use(function); use == TextUse::memory || use == TextUse::outside)
+      fact_.prints = true;
+    else if (use != TextUse::reader) {
+      bool const leaves = function->hasAttr<FormatAttr>() || function->getReturnType()->isVoidType();
+      Place const place = map_.place(call->getBeginLoc());
+      fact_.outside[to_string(place)] = {place, function->getQualifiedNameAsString(), leaves};
+    }
+    return true;
+  }
+
+  SourceMap const &map_;
+  Reals const &reals_;
+  ListFact &fact_;
+  llvm::SmallPtrSet<Expr const *, 8> known_; // names of lists in a place that is looked at
+  std::vector<Expr const *> met_;
 };
 
 } // namespace
 
-void Collector::variadic_definition(FunctionDecl const *function) {
-  NumberReads reads;
-  reads.TraverseStmt(function->getBody());
-  if (reads.found) facts_.number_readers.insert(function->getQualifiedNameAsString());
+void Collector::argument_list(FunctionDecl const *function) {
+  bool const takes_list = llvm::any_of(
+      function->parameters(), [](ParmVarDecl const *parameter) { return is_list(parameter->getOriginalType()); });
+  if (!function->isVariadic() && !takes_list) return;
+  Lists lists(map_, reals_, facts_.lists[function->getQualifiedNameAsString()]);
+  lists.TraverseStmt(function->getBody());
+  lists.finish();
 }
 
 // An integer for which the symbolic program has a class: a comparison, isnan, what truth values and rounding make. In
@@ -47,10 +129,11 @@ void Collector::dependent_variadic_call(CallExpr const *call) {
   FunctionDecl const *function = call->getDirectCallee();
   if (auto const *names = dyn_cast<UnresolvedLookupExpr>(call->getCallee()->IgnoreParenImpCasts()))
     if (names->getNumDecls() == 1) function = dyn_cast<FunctionDecl>((*names->decls_begin())->getUnderlyingDecl());
-  if (!function || !function->isVariadic() || reals_.in_roots(function)) return;
+  if (!function || !function->isVariadic()) return;
+  std::string const reader = reals_.in_roots(function) ? function->getQualifiedNameAsString() : "";
   for (unsigned i = function->getNumParams(); i < call->getNumArgs(); ++i)
     if (call->getArg(i)->isTypeDependent() && !isa<PackExpansionExpr>(call->getArg(i)))
-      wrap_for(call->getRParenLoc(), call->getArg(i), Use::value);
+      wrap_for(call->getRParenLoc(), call->getArg(i), Use::value, reader);
 }
 
 } // namespace symreal::rewrite

@@ -1,5 +1,6 @@
 #include "rewrite/decide/decide.h"
 
+#include "rewrite/decide/argument_lists.h"
 #include "rewrite/decide/original_text.h"
 #include "rewrite/decide/text_calls.h"
 #include "rewrite/decide/use_text.h"
@@ -97,7 +98,7 @@ void add_wraps(Facts const &facts, std::set<Span> const &pragmas, ByFile &reword
     if (again || is_rewritten(facts.files.at(wrap.span.file).text, wrap.span)) continue;
     if (is_inserted(facts.files.at(wrap.span.file).text, wrap)) continue;
     // The function reads the REALs itself, as REALs.
-    if (wrap.use == Use::value && facts.number_readers.count(wrap.detail) != 0) continue;
+    if (wrap.use == Use::value && reads_numbers(facts, wrap.detail)) continue;
     bool const is_name = wrap.use == Use::name || wrap.use == Use::own_name;
     if (wrap.use == Use::own_name && !is_defined(facts, wrap)) continue;
     if (wrap.use == Use::of_library && is_defined(facts, wrap)) continue;
@@ -304,6 +305,7 @@ Result decide(Facts facts, Request const &request) {
   std::set<Span> pragmas;
   for (auto const &[span, pragma] : facts.pragmas)
     if (!pragma.configured) pragmas.insert(span);
+  follow_argument_lists(facts, result);
   if (!facts.makes_text)
     std::erase_if(facts.wraps, [](Wrap const &wrap) {
       return wrap.use == Use::formatting || wrap.use == Use::shown || wrap.use == Use::text;

@@ -188,6 +188,20 @@ struct ClassFact {
   std::vector<Part<std::string>> fields = {};
 };
 
+// A function that takes arguments through `...`, or the list of another's: where what it is given goes.
+struct ListFact {
+  // Outside the roots, and to what does not only write it as text.
+  struct Outside {
+    Place place;
+    std::string function;
+    bool leaves = false; // nothing comes back from there
+  };
+  bool reads = false;                     // numbers, or it hands the list on where the source does not say to whom
+  bool prints = false;                    // by a function of the C library
+  std::set<std::string> handed;           // to functions of the program, by qualified name; empty: to any
+  std::map<std::string, Outside> outside; // by place
+};
+
 // Of a REAL to an integer, to float or to long double.
 struct ConversionFact {
   Span span;
@@ -207,17 +221,17 @@ struct Facts {
   std::set<Span> skipped;                           // parts of an #if that are not taken
   std::map<Span, Consumed> consumed;                // tokens that may not have reached the parser
   std::set<ConversionFact> conversions;
-  std::set<Span> comparisons;           // of REALs, by the operator
-  std::set<Span> printed;               // declarations whose text the program prints
-  std::set<Span> quoted;                // arguments that a macro stringifies or pastes: their text is data
-  std::set<Span> pasted;                // those of them that a macro pastes
-  std::set<Span> text_calls;            // calls of macros that stringify an argument
-  std::map<Span, PragmaFact> pragmas;   // by the span of the directive, or of the function's brace
-  std::set<std::string> number_readers; // variadic functions that read doubles themselves, by qualified name
-  std::vector<Kernel> by_hand;          // generate_code("...") in a symbolic main that was written by hand
-  std::set<std::string> definitions;    // mangled names of the functions that the sources define
-  std::set<std::string> exported;       // those that carry REAL and that other sources can use
-  std::map<std::string, UseFact> uses;  // by mangled name, the first use
+  std::set<Span> comparisons;            // of REALs, by the operator
+  std::set<Span> printed;                // declarations whose text the program prints
+  std::set<Span> quoted;                 // arguments that a macro stringifies or pastes: their text is data
+  std::set<Span> pasted;                 // those of them that a macro pastes
+  std::set<Span> text_calls;             // calls of macros that stringify an argument
+  std::map<Span, PragmaFact> pragmas;    // by the span of the directive, or of the function's brace
+  std::map<std::string, ListFact> lists; // by the qualified name of the function
+  std::vector<Kernel> by_hand;           // generate_code("...") in a symbolic main that was written by hand
+  std::set<std::string> definitions;     // mangled names of the functions that the sources define
+  std::set<std::string> exported;        // those that carry REAL and that other sources can use
+  std::map<std::string, UseFact> uses;   // by mangled name, the first use
   // By symbol that the source defines, with an empty one for what runs at the program's start: the symbols that it
   // needs and that the source does not define. And for each of these a word that the text of a definition has.
   std::map<std::string, std::set<std::string>> links;

@@ -94,8 +94,8 @@ void add_diagnostic(Facts &facts, Diagnostic const &diagnostic) {
 void merge(Facts &facts, Facts &&other) {
   // Named one by one, so that a new kind of fact does not compile until it is merged as well.
   auto &[files, types, doubles, wraps, shared, members, reached, skipped, consumed, conversions, comparisons, printed,
-         quoted, pasted, text_calls, pragmas, number_readers, by_hand, definitions, exported, uses, links, linked_words,
-         names, deciding, decisions, externals, configured_externals, kernel_functions, taken_names, include_dirs, read,
+         quoted, pasted, text_calls, pragmas, lists, by_hand, definitions, exported, uses, links, linked_words, names,
+         deciding, decisions, externals, configured_externals, kernel_functions, taken_names, include_dirs, read,
          diagnostics, broken, makes_text] = other;
   use_known_names(diagnostics, files, facts.files);
   for (auto &[path, file] : files)
@@ -120,7 +120,13 @@ void merge(Facts &facts, Facts &&other) {
   for (auto &[span, pragma] : pragmas)
     if (auto const [at, is_new] = facts.pragmas.try_emplace(span, std::move(pragma)); !is_new)
       merge_pragma(at->second, std::move(pragma));
-  facts.number_readers.merge(number_readers);
+  for (auto &[name, fact] : lists) {
+    ListFact &known = facts.lists[name];
+    known.reads |= fact.reads;
+    known.prints |= fact.prints;
+    known.handed.merge(fact.handed);
+    known.outside.merge(fact.outside);
+  }
   facts.by_hand.insert(facts.by_hand.end(), by_hand.begin(), by_hand.end());
   facts.definitions.merge(definitions);
   facts.exported.merge(exported);

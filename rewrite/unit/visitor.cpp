@@ -216,7 +216,7 @@ public:
   bool VisitFunctionDecl(FunctionDecl *function) override {
     if (!function->doesThisDeclarationHaveABody()) return true;
     definitions.push_back(function);
-    if (function->isVariadic()) collect_.variadic_definition(function);
+    collect_.argument_list(function);
     if (!passive_ && function->getDeclaredReturnType()->getContainedAutoType())
       collect_.deduced_return(function->getBody());
     return true;

@@ -20,7 +20,7 @@ std::map<std::string, std::function<void(Facts &)>> const others = {
     {"text_calls", [](Facts &facts) { facts.text_calls.clear(); }},
     {"selects", [](Facts &facts) { facts.decisions.clear(); }},
     {"boundaries", [](Facts &facts) { facts.uses.clear(); }},
-    {"number_readers", [](Facts &facts) { facts.number_readers.clear(); }},
+    {"number_readers", [](Facts &facts) { facts.lists.clear(); }},
 };
 
 std::set<Use> uses_of(std::string_view rule) {

@@ -34,6 +34,31 @@ extern __thread Shown shown;
 void made_text(char const *text, std::size_t size, Shown value, char const *used_at) noexcept;
 void made_file(std::FILE *file, Shown value) noexcept;
 void made_length(Shown value, char const *used_at) noexcept;
+
+// What a list of arguments prints that has a symbolic value among its numbers, with the value that it carries.
+class ListText {
+public:
+  ListText(char const *format, std::va_list list) {
+    if (recording) value_ = print(format, list, text_);
+  }
+  explicit operator bool() const noexcept { return value_.number != 0; }
+  Shown value() const noexcept { return value_; }
+  std::string const &text() const noexcept { return text_; }
+  int length() const noexcept { return static_cast<int>(text_.size()); }
+  int copy(char *to, std::size_t size) const noexcept {
+    if (size == 0) return length();
+    std::size_t const copied = text_.size() < size ? text_.size() : size - 1;
+    std::memcpy(to, text_.data(), copied);
+    to[copied] = '\0';
+    return length();
+  }
+
+private:
+  static Shown print(char const *format, std::va_list list, std::string &text);
+
+  std::string text_;
+  Shown value_;
+};
 // The value that the text, or a part of it, is of, if any.
 Shown value_in(char const *text, std::size_t size) noexcept;
 
@@ -130,9 +155,13 @@ public:
     return made(to, size, std::snprintf(to, size, format, values...), value(values...));
   }
   int symreal_print_vsprintf(char *to, char const *format, std::va_list list) const {
+    if (detail::ListText const list_text(format, list); list_text)
+      return made(to, list_text.copy(to, list_text.text().size() + 1), list_text.value());
     return made(to, std::vsprintf(to, format, list), listed());
   }
   int symreal_print_vsnprintf(char *to, std::size_t size, char const *format, std::va_list list) const {
+    if (detail::ListText const list_text(format, list); list_text)
+      return made(to, size, list_text.copy(to, size), list_text.value());
     return made(to, size, std::vsnprintf(to, size, format, list), listed());
   }
 #ifdef __GLIBC__
@@ -141,6 +170,10 @@ public:
     return made(*to, length, value(values...));
   }
   int symreal_print_vasprintf(char **to, char const *format, std::va_list list) const {
+    if (detail::ListText const list_text(format, list); list_text) {
+      *to = static_cast<char *>(std::malloc(list_text.text().size() + 1));
+      return *to ? made(*to, list_text.copy(*to, list_text.text().size() + 1), list_text.value()) : -1;
+    }
     int const length = ::vasprintf(to, format, list);
     return made(*to, length, listed());
   }
@@ -148,6 +181,10 @@ public:
     return written(said(value(values...), format, values...), ::dprintf(file, format, values...));
   }
   int symreal_print_vdprintf(int file, char const *format, std::va_list list) const {
+    if (detail::ListText const list_text(format, list); list_text) {
+      detail::made_string(list_text.text(), RealNumber::from_bits(list_text.value().number));
+      return written(list_text.value(), ::dprintf(file, "%s", list_text.text().c_str()));
+    }
     said_list(format, list);
     return written(listed(), ::vdprintf(file, format, list));
   }
@@ -166,6 +203,7 @@ public:
     return written(value(values...), std::printf(format, values...));
   }
   int symreal_print_vprintf(char const *format, std::va_list list) const {
+    if (detail::ListText const list_text(format, list); list_text) return put(list_text, stdout);
     return written(listed(), std::vprintf(format, list));
   }
   template <class... T> int symreal_print_fprintf(std::FILE *file, char const *format, T... values) const {
@@ -173,6 +211,13 @@ public:
     return written(value(values...), std::fprintf(file, format, values...));
   }
   int symreal_print_vfprintf(std::FILE *file, char const *format, std::va_list list) const {
+    if (detail::ListText const list_text(format, list); list_text) {
+      if (is_file(file)) {
+        detail::made_string(list_text.text(), RealNumber::from_bits(list_text.value().number));
+        detail::made_file(file, list_text.value());
+      }
+      return put(list_text, file);
+    }
     if (is_file(file)) {
       said_list(format, list);
       detail::made_file(file, listed());
@@ -247,6 +292,11 @@ private:
   int written(detail::Shown value, int length) const noexcept {
     if (detail::recording && value.number) detail::made_length(value, place_);
     return length;
+  }
+
+  int put(detail::ListText const &list, std::FILE *file) const {
+    std::string const &text = list.text();
+    return written(list.value(), std::fwrite(text.data(), 1, text.size(), file) == text.size() ? list.length() : -1);
   }
 
   // What goes to a file: it may be read back by other means.
