@@ -112,6 +112,14 @@ Other other_type(Expr const *expression, SourceMap const &map) {
   return name && isa<EnumConstantDecl>(name->getDecl()) ? Other::enumeration : Other::none;
 }
 
+// An object whose type follows from an expression, and which may be an integer that stays symbolic.
+bool may_be_symbolic(Expr const *expression) {
+  auto const *name = dyn_cast<DeclRefExpr>(expression->IgnoreParenImpCasts());
+  auto const *variable = name ? dyn_cast<VarDecl>(name->getDecl()) : nullptr;
+  if (!variable || !variable->getType()->isIntegerType()) return false;
+  return variable->getType()->getContainedAutoType() || variable->getType()->getAs<TypeOfExprType>();
+}
+
 } // namespace
 
 // The integer that an expression of an enumeration stands for.
@@ -166,7 +174,7 @@ void Collector::c_operation(UnaryOperator const *operation) {
 
 void Collector::c_type_asked(Expr const *operand, bool is_size) {
   if (map_.language().CPlusPlus || !map_.in_roots(operand->getBeginLoc())) return;
-  Other const other = other_type(operand, map_);
+  Other const other = is_size && may_be_symbolic(operand) ? Other::truth : other_type(operand, map_);
   if (other == Other::none) return;
   if (other == Other::enumeration) {
     EnumDecl const *enumeration = enumeration_in_cpp(operand);
@@ -181,11 +189,36 @@ void Collector::c_type_asked(Expr const *operand, bool is_size) {
                                             : context_.UnsignedLongLongTy;
     return wrap(operand->IgnoreParens(), Use::cast, spelled(type));
   }
-  // A type that is asked for takes part in more, and that of a comparison of REALs must stay theirs.
+  // A type that is asked for takes part in more: an object of it holds what depends on REALs, without a decision.
   if (auto const *comparison = dyn_cast<BinaryOperator>(operand->IgnoreParenImpCasts());
       !is_size && comparison && (reals_.is_real(comparison->getLHS()) || reals_.is_real(comparison->getRHS())))
-    return;
-  wrap(operand->IgnoreParens(), Use::of_c, spelled(operand->getType()));
+    return wrap(operand->IgnoreParens(), Use::of_c, "SYMREAL_REAL_INT(int)");
+  wrap(operand->IgnoreParens(), Use::of_c, spelled(operand->getType().getCanonicalType()));
+}
+
+// NULL is a pointer there, and an integer in C++.
+static void null_control(Expr const *null, SourceMap const &map, Facts &facts) {
+  SourceManager const &sources = map.sources();
+  SourceLocation at = null->getBeginLoc();
+  std::optional<Span> token;
+  while (at.isMacroID() && !token) { // up to the name
+    at = sources.isMacroArgExpansion(at) ? sources.getImmediateSpellingLoc(at)
+                                         : sources.getImmediateExpansionRange(at).getBegin();
+    token = map.token(at, "NULL");
+  }
+  if (token && !map.is_argument_of(at, "REAL_EITHER")) facts.wraps.insert({*token, Use::instead, "((void *)0)"});
+}
+
+// The controlling expression of _Generic; an integer that stays symbolic counts as what it stands for (of_c.h).
+void Collector::c_control(Expr const *control) {
+  if (map_.language().CPlusPlus || !map_.in_roots(control->getBeginLoc())) return;
+  Expr const *written = control->IgnoreParenImpCasts();
+  // In C++ the elements are const.
+  if (isa<StringLiteral>(written)) return wrap(written, Use::cast, spelled(control->getType()));
+  if (control->getType()->isVoidPointerType() &&
+      control->isNullPointerConstant(context_, Expr::NPC_NeverValueDependent))
+    return null_control(written, map_, facts_);
+  if (!control->getType()->isPointerType()) c_type_asked(control, /*is_size=*/false);
 }
 
 // Before C99 a decimal number that is too large for long is an unsigned long, later a larger type.

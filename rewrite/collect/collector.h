@@ -92,6 +92,7 @@ public:
   void c_operation(clang::UnaryOperator const *operation);
   void c_operand(clang::SourceLocation operation, clang::Expr const *operand);
   void c_type_asked(clang::Expr const *operand, bool is_size);
+  void c_control(clang::Expr const *control);
   void c_literal(clang::IntegerLiteral const *literal);
   clang::QualType counted_as(clang::Expr const *enumeration) const;
   // Bit-fields that are wider than int (c_widths.cpp).

@@ -192,6 +192,8 @@ public:
   bool VisitVarDecl(VarDecl *variable) override {
     if (passive_ == constant_variable || passive_ == static_member) collect_.constant_initializer(variable->getInit());
     if (!passive_) collect_.deduced_variable(variable);
+    if (variable->hasInit() && variable->getType()->getContainedAutoType())
+      collect_.c_type_asked(variable->getInit(), /*is_size=*/false);
     if (!passive_) collect_.named_variable(variable);
     if (!passive_ && !no_state_ && depends(variable->getType())) collect_.dependent_value(variable->getInit());
     return true;
@@ -259,6 +261,10 @@ public:
   bool VisitForStmt(ForStmt *statement) override { return decide(statement->getCond()); }
   bool VisitTypeOfExprTypeLoc(TypeOfExprTypeLoc type) override {
     collect_.c_type_asked(type.getUnderlyingExpr(), /*is_size=*/false);
+    return true;
+  }
+  bool VisitGenericSelectionExpr(GenericSelectionExpr *selection) override {
+    if (selection->isExprPredicate()) collect_.c_control(selection->getControllingExpr());
     return true;
   }
   bool VisitIntegerLiteral(IntegerLiteral *literal) override {

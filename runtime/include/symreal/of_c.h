@@ -30,10 +30,11 @@ template <class T> [[gnu::always_inline]] constexpr auto symreal_promoted(T cons
 }
 
 // A narrow integer or an enumerator, of type C there; an array that is a pointer there; a comparison of
-// REALs, by a decision, unless only its size is asked for.
+// REALs or a symbolic integer, by a decision unless C is symbolic too or only its size is asked for.
 template <class C, class T> [[gnu::always_inline]] constexpr auto symreal_of_c(T const &value) noexcept {
   using From = std::remove_cv_t<T>;
-  if constexpr (detail::is_narrow<From> || std::is_enum_v<From> || std::is_same_v<From, SymbolicBool>)
+  if constexpr (detail::is_narrow<From> || std::is_enum_v<From> || std::is_same_v<From, SymbolicBool> ||
+                detail::is_symbolic_int<From>)
     return static_cast<C>(value);
   else
     return static_cast<detail::Value<T>>(value);
@@ -93,11 +94,53 @@ template <class Array> struct SymrealArray {
   constexpr operator std::remove_extent_t<Array> *() noexcept { return elements; }
 };
 
-// Of _Generic: is it the type of the controlling expression's value? The default is looked at last.
+namespace detail {
+
+// The type that C has for what stands for it here: a comparison of REALs, an integer that stays symbolic.
+template <class T> struct TypeInC {
+  using Type = T;
+};
+template <class T> struct TypeInC<T const> {
+  using Type = typename TypeInC<T>::Type const;
+};
+template <class T> struct TypeInC<T *> {
+  using Type = typename TypeInC<T>::Type *;
+};
+template <> struct TypeInC<SymbolicBool> {
+  using Type = int;
+};
+template <class T> struct TypeInC<SymbolicInt<T>> {
+  using Type = T;
+};
+
+// An enumeration is compatible with its integer there, and an array of unknown bound with any.
+template <class A, class B> constexpr bool is_compatible() noexcept {
+  if constexpr (std::is_same_v<A, B>)
+    return true;
+  else if constexpr (std::is_enum_v<A> && std::is_integral_v<B>)
+    return std::is_same_v<std::underlying_type_t<A>, B>;
+  else if constexpr (std::is_enum_v<B> && std::is_integral_v<A>)
+    return std::is_same_v<A, std::underlying_type_t<B>>;
+  else if constexpr (std::is_array_v<A> && std::is_array_v<B> && (std::extent_v<A> == 0 || std::extent_v<B> == 0))
+    return is_compatible<std::remove_extent_t<A>, std::remove_extent_t<B>>();
+  else
+    return false;
+}
+
+} // namespace detail
+
+template <class A, class B> inline constexpr bool symreal_compatible =
+    detail::is_compatible<typename detail::TypeInC<std::remove_cv_t<std::remove_reference_t<A>>>::Type,
+                          typename detail::TypeInC<std::remove_cv_t<std::remove_reference_t<B>>>::Type>();
+
+// Of _Generic: is it the type of the controlling expression's value? The default is looked at last, when no other is.
 struct SymrealOtherwise {};
 template <class Control, bool is_last, class Type> constexpr bool symreal_is_associated() noexcept {
-  bool const is_default = std::is_same_v<Type, SymrealOtherwise>;
-  return is_last ? is_default : !is_default && std::is_same_v<std::decay_t<Control>, Type>;
+  if constexpr (std::is_same_v<Type, SymrealOtherwise>)
+    return is_last;
+  else
+    return !is_last && detail::is_compatible<typename detail::TypeInC<std::decay_t<Control>>::Type,
+                                             typename detail::TypeInC<Type>::Type>();
 }
 
 } // namespace symreal
@@ -120,6 +163,16 @@ template <class Control, bool is_last, class Type> constexpr bool symreal_is_ass
 #define SYMREAL_THRICE(...) SYMREAL_ONCE(SYMREAL_ONCE(SYMREAL_ONCE(__VA_ARGS__)))
 #define SYMREAL_ONCE(...) __VA_ARGS__
 
+// Both are words of C alone.
+#define __builtin_types_compatible_p(...) (::symreal::symreal_compatible<__VA_ARGS__>)
+#define __builtin_choose_expr(condition, chosen, ...)                                                                  \
+  ([&]() -> decltype(auto) {                                                                                           \
+    if constexpr (condition)                                                                                           \
+      return (chosen);                                                                                                 \
+    else                                                                                                               \
+      return (__VA_ARGS__);                                                                                            \
+  }())
+
 // Words of C, as gcc has them in C++. What `restrict` promises to the compiler means nothing for the values.
 #ifndef SYMREAL_BEFORE_C99
 #define restrict
@@ -131,3 +184,4 @@ template <class Control, bool is_last, class Type> constexpr bool symreal_is_ass
 #define _Alignof alignof
 #define _Alignas alignas
 #define _Static_assert static_assert
+#define __auto_type auto
