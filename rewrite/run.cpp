@@ -4,6 +4,7 @@
 #include "rewrite/reading.h"
 #include "rewrite/rewrite.h"
 #include "rewrite/source/source_map.h"
+#include "rewrite/unit/rewritten_choices.h"
 
 #include <algorithm>
 
@@ -20,6 +21,17 @@ Scope scope_of(Request const &request, std::vector<Compilation> const &sources) 
   return scope;
 }
 
+std::vector<Compilation> sources_of(Request const &request) {
+  std::vector<Compilation> sources = compilations_of(request);
+  std::erase_if(sources, [&](Compilation const &one) { return request.exclude.matches(real_source(one)); });
+  return sources;
+}
+
+bool has_errors(Result const &result) {
+  return std::any_of(result.diagnostics.begin(), result.diagnostics.end(),
+                     [](symreal::Diagnostic const &one) { return one.severity == Severity::error; });
+}
+
 // The number's name goes to compilers as a word of the command line.
 void require_type_name(std::string const &name) {
   if (name.empty()) return;
@@ -33,8 +45,7 @@ void require_type_name(std::string const &name) {
 } // namespace
 
 Collected collect(Request const &request) {
-  std::vector<Compilation> sources = compilations_of(request);
-  std::erase_if(sources, [&](Compilation const &one) { return request.exclude.matches(real_source(one)); });
+  std::vector<Compilation> const sources = sources_of(request);
   Scope const scope = scope_of(request, sources);
   Reading reading(request, sources, scope);
   Facts facts = reading.all();
@@ -50,6 +61,10 @@ Result run(Request const &request) {
   require_type_name(request.type_name);
   Collected collected = collect(request);
   Result result = decide(std::move(collected.facts), request);
+  if (!request.annotations_only && !has_errors(result)) {
+    std::vector<Compilation> const sources = sources_of(request);
+    compare_choices(sources, scope_of(request, sources), request, result);
+  }
   result.left_out = std::move(collected.left_out);
   result.unreached = std::move(collected.unreached);
   result.sources_read = collected.read;

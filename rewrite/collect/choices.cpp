@@ -1,0 +1,236 @@
+#include "rewrite/collect/choices.h"
+
+#include "rewrite/source/walk.h"
+
+#include <regex>
+
+namespace symreal::rewrite {
+namespace {
+
+using namespace clang;
+
+// The names of our types, as the original has them.
+std::string in_original(std::string name) {
+  static constexpr std::pair<llvm::StringLiteral, llvm::StringLiteral> names[] = {
+      {"class ", ""},
+      {"symreal::types::RealNumber", "double"},
+      {"symreal::types::SymbolicBool", "bool"},
+  };
+  for (auto const &[ours, original] : names)
+    for (std::size_t at; (at = name.find(ours)) != name.npos;) name.replace(at, ours.size(), original.str());
+  static std::regex const integer("symreal::types::SymbolicInt<([a-z ]+)>");
+  return std::regex_replace(name, integer, "$1");
+}
+
+bool is_about_numbers(std::string const &name) { return name.find("double") != name.npos; }
+
+// A class or function without a name of its own prints with a place.
+bool is_nameless(std::string const &name) {
+  return name.find("(lambda") != name.npos || name.find("(anonymous") != name.npos ||
+         name.find("(unnamed") != name.npos;
+}
+
+class Walker : public Walk {
+public:
+  Walker(ASTContext &context, SourceMap const &map, Choices &choices)
+      : context_(context),
+        map_(map),
+        choices_(choices),
+        policy_(map.language()) {
+    policy_.PrintCanonicalTypes = true;
+    policy_.SuppressTagKeyword = true;
+  }
+
+  bool asks = false; // about types
+
+  bool shouldVisitTemplateInstantiations() const override { return true; }
+  bool TraverseDecl(Decl *declaration) override {
+    if (!declaration) return true;
+    if (!isa<TranslationUnitDecl>(declaration) && declaration->getLexicalDeclContext()->isFileContext() &&
+        !map_.in_roots(declaration->getLocation()) && !map_.in_roots(declaration->getBeginLoc()))
+      return true;
+    auto const *function = dyn_cast<FunctionDecl>(declaration);
+    if (!function || is_of_lambda(function)) return Walk::TraverseDecl(declaration);
+    if (function->isDependentContext()) return true; // its instantiations are walked
+    std::string outer = std::exchange(function_, name_of(function));
+    bool const more = Walk::TraverseDecl(declaration);
+    function_ = std::move(outer);
+    return more;
+  }
+  bool TraverseStaticAssertDecl(StaticAssertDecl *) override { return true; } // one that fails is an error
+
+  bool VisitCallExpr(CallExpr *call) override {
+    FunctionDecl const *function = call->getDirectCallee();
+    auto const *name = dyn_cast<DeclRefExpr>(call->getCallee()->IgnoreParenImpCasts());
+    if (function) chosen(call->getBeginLoc(), function, name && name->hadMultipleCandidates());
+    return true;
+  }
+  bool VisitCXXConstructExpr(CXXConstructExpr *construction) override {
+    CXXConstructorDecl const *constructor = construction->getConstructor();
+    if (!constructor->isImplicit() && !constructor->isCopyOrMoveConstructor())
+      chosen(construction->getBeginLoc(), constructor, construction->hadMultipleCandidates());
+    return true;
+  }
+  bool VisitIfStmt(IfStmt *statement) override {
+    Expr const *condition = statement->getCond();
+    bool value = false;
+    if (statement->isConstexpr() && is_about_numbers(function_) && !condition->isValueDependent() &&
+        condition->EvaluateAsBooleanCondition(value, context_)) {
+      add(statement->getIfLoc(), "the condition of this `if constexpr`", value ? "true" : "false");
+      asks = true;
+    }
+    return true;
+  }
+  // A constant of a template: is_class<double>::value, is_class_v<double>.
+  bool VisitDeclRefExpr(DeclRefExpr *reference) override {
+    ValueDecl const *constant = reference->getDecl();
+    auto const *variable = dyn_cast<VarDecl>(constant);
+    bool const is_constant = isa<EnumConstantDecl>(constant) ||
+                             (variable && variable->hasGlobalStorage() && variable->getType().isConstQualified());
+    if (!is_constant || !reference->getType()->isIntegralOrEnumerationType()) return true;
+    // As it is written: true_type::value says nothing about what is asked.
+    NestedNameSpecifier const *qualifier = reference->getQualifier();
+    Type const *scope = qualifier ? qualifier->getAsType() : nullptr;
+    std::string const name =
+        scope ? name_of(QualType(scope, 0)) + "::" + constant->getNameAsString() : name_of(constant);
+    if (!is_about_numbers(name) || is_nameless(name)) return true;
+    value(reference, "'" + name + "'", name.find("numeric_limits") == name.npos);
+    return true;
+  }
+  bool VisitTypeTraitExpr(TypeTraitExpr *trait) override {
+    bool const about = llvm::any_of(trait->getArgs(), [&](TypeSourceInfo const *argument) {
+      return is_about_numbers(name_of(argument->getType()));
+    });
+    return answer(trait, "this trait", about);
+  }
+  bool VisitRequiresExpr(RequiresExpr *requirement) override { return answer(requirement, "this requirement", false); }
+  bool VisitConceptSpecializationExpr(ConceptSpecializationExpr *satisfied) override {
+    return answer(satisfied, "this concept", are_about_numbers(satisfied->getTemplateArguments()));
+  }
+  bool VisitCXXNoexceptExpr(CXXNoexceptExpr *expression) override { return answer(expression, "this noexcept", false); }
+  bool VisitVarDecl(VarDecl *variable) override {
+    if (is_about_numbers(function_) && !isa<ParmVarDecl>(variable))
+      type(variable, variable->getType(), "the type of '" + variable->getNameAsString() + "'");
+    return true;
+  }
+  bool VisitFieldDecl(FieldDecl *field) override {
+    std::string const name = name_of(field);
+    if (is_about_numbers(name)) type(field, field->getType(), "the type of '" + name + "'");
+    return true;
+  }
+  bool VisitFunctionDecl(FunctionDecl *function) override {
+    if (is_about_numbers(function_) && !is_of_lambda(function) && !function->getReturnType()->getContainedAutoType())
+      type(function, function->getReturnType(), "the type of what '" + function->getNameAsString() + "' returns");
+    return true;
+  }
+
+private:
+  static bool is_of_lambda(FunctionDecl const *function) {
+    auto const *method = dyn_cast<CXXMethodDecl>(function);
+    return method && method->getParent()->isLambda();
+  }
+  std::string name_of(NamedDecl const *declaration) const {
+    std::string name;
+    llvm::raw_string_ostream out(name);
+    declaration->getNameForDiagnostic(out, policy_, /*Qualified=*/true);
+    return in_original(std::move(name));
+  }
+
+  void add(SourceLocation at, std::string const &what, std::string const &result) {
+    if (!map_.in_roots(at)) return;
+    Place const place = map_.place(at);
+    // Columns move where text is inserted.
+    std::string const key = place.file + ":" + std::to_string(place.line) + "|" + function_ + "|" + what;
+    Choice &choice = choices_[key];
+    if (choice.results.empty()) {
+      choice.place = place;
+      choice.what = what;
+    }
+    choice.results.insert(result);
+  }
+
+  bool value(Expr const *expression, std::string const &what, bool is_question) {
+    Expr::EvalResult result;
+    if (expression->isValueDependent() || !expression->EvaluateAsInt(result, context_)) return true;
+    add(expression->getBeginLoc(), what, llvm::toString(result.Val.getInt(), 10));
+    asks = asks || is_question;
+    return true;
+  }
+  bool answer(Expr const *question, char const *what, bool is_about_them) {
+    return (!is_about_them && !is_about_numbers(function_)) || value(question, what, true);
+  }
+  bool are_about_numbers(llvm::ArrayRef<TemplateArgument> arguments) const {
+    return llvm::any_of(arguments, [&](TemplateArgument const &argument) {
+      return argument.getKind() == TemplateArgument::Type && is_about_numbers(name_of(argument.getAsType()));
+    });
+  }
+  std::string name_of(QualType type) const { return in_original(type.getCanonicalType().getAsString(policy_)); }
+  void type(ValueDecl const *declaration, QualType type, std::string const &what) {
+    std::string const name = name_of(type);
+    // What is deduced may be a class of the runtime.
+    if (type->getContainedAutoType() || is_nameless(name) || name.find("symreal") != name.npos) return;
+    add(declaration->getLocation(), what, "'" + name + "'");
+  }
+
+  // May overload resolution go by what type an argument of the template is, or whether it converts?
+  static bool is_selective(FunctionTemplateDecl const *declaration) {
+    if (declaration->hasAssociatedConstraints()) return true;
+    for (NamedDecl const *parameter : *declaration->getTemplateParameters()) {
+      auto const *of_type = dyn_cast<TemplateTypeParmDecl>(parameter);
+      auto const *of_value = dyn_cast<NonTypeTemplateParmDecl>(parameter);
+      if ((of_type && of_type->hasDefaultArgument()) || (of_value && of_value->getType()->isDependentType()))
+        return true;
+    }
+    std::string const signature = declaration->getTemplatedDecl()->getType().getAsString();
+    constexpr llvm::StringLiteral words[] = {"::*", "decltype", "typename ", "enable_if", "sizeof"};
+    return llvm::any_of(words, [&](llvm::StringRef word) { return llvm::StringRef(signature).contains(word); });
+  }
+  // A class of a template that has partial specialisations.
+  static bool is_specialised(DeclContext const *scope) {
+    auto const *record = dyn_cast<ClassTemplateSpecializationDecl>(scope);
+    llvm::SmallVector<ClassTemplatePartialSpecializationDecl *> partial;
+    if (record) record->getSpecializedTemplate()->getPartialSpecializations(partial);
+    return !partial.empty();
+  }
+  static bool selects(FunctionDecl const *function) {
+    unsigned candidates = 0;
+    bool any = false;
+    for (NamedDecl const *found : function->getDeclContext()->lookup(function->getDeclName())) {
+      ++candidates;
+      FunctionDecl const *one = found->getAsFunction();
+      auto const *of_template = dyn_cast<FunctionTemplateDecl>(found);
+      any = any || (of_template && is_selective(of_template)) || (one && one->isVariadic());
+    }
+    return any && candidates > 1;
+  }
+
+  void chosen(SourceLocation at, FunctionDecl const *function, bool overloaded) {
+    if (function->isImplicit() || is_of_lambda(function)) return;
+    FunctionDecl const *pattern = function;
+    if (FunctionDecl const *from = function->getTemplateInstantiationPattern()) pattern = from;
+    if (!map_.in_roots(pattern->getLocation())) return;
+    std::string const name = name_of(function);
+    if (is_nameless(name) || (!overloaded && !is_about_numbers(name) && !is_about_numbers(function_))) return;
+    Place const place = map_.place(pattern->getLocation());
+    add(at, "the function '" + function->getNameAsString() + "'",
+        "that of " + place.file + ":" + std::to_string(place.line));
+    asks = asks || selects(pattern) || is_specialised(function->getDeclContext());
+  }
+
+  ASTContext &context_;
+  SourceMap const &map_;
+  Choices &choices_;
+  PrintingPolicy policy_;
+  std::string function_; // what is walked is a part of it
+};
+
+} // namespace
+
+void collect_choices(ASTContext &context, SourceMap const &map, bool of_rewritten, Choices &choices) {
+  if (!map.language().CPlusPlus) return; // _Generic is translated by what C says
+  Walker walker(context, map, choices);
+  walker.TraverseDecl(context.getTranslationUnitDecl());
+  if (!walker.asks && !of_rewritten) choices.clear();
+}
+
+} // namespace symreal::rewrite
