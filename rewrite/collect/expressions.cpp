@@ -203,6 +203,7 @@ bool Collector::has_operator(OverloadedOperatorKind kind, DeclContext const *fro
 bool Collector::is_pointer_of_c(ImplicitCastExpr const *cast) const {
   QualType const from = cast->getSubExpr()->getType()->getPointeeType(), to = cast->getType()->getPointeeType();
   if (map_.language().CPlusPlus || from.isNull() || to.isNull() || !cast->getType()->isPointerType()) return false;
+  if (from->isFunctionType() != to->isFunctionType()) return true;
   if (!to.isAtLeastAsQualifiedAs(from)) return true;
   return !to->isVoidType() && !context_.hasSameUnqualifiedType(from, to);
 }
@@ -211,15 +212,28 @@ void Collector::explicit_cast(ExplicitCastExpr const *cast) {
   if (!cast->isTypeDependent() && !cast->getSubExpr()->isTypeDependent()) reinterpretation(cast);
 }
 
-// sin as a value: the overload for REAL is one that has no address.
+// sin as a value: which of the overloads in the symbolic program, its type says.
 void Collector::function_value(DeclRefExpr const *name) {
   auto const *function = dyn_cast<FunctionDecl>(name->getDecl());
   if (!function || !reals_.is_math(function) || function->isVariadic()) return;
-  if (!Reals::is_double(function->getReturnType())) return;
-  for (ParmVarDecl const *parameter : function->parameters())
-    if (!Reals::is_double(parameter->getType()) || parameter->getType()->isReferenceType()) return;
-  later([this, name, count = function->getNumParams()] {
-    if (!callees_.contains(name)) wrap(name, Use::function, std::to_string(count));
+  auto const is_kept = [](QualType type) { // the overload has a number there, or what the original has
+    if (QualType const pointee = type->getPointeeType(); !pointee.isNull() && !type->isReferenceType()) type = pointee;
+    return !type->isReferenceType() && (Reals::is_double(type) || type->isSpecificBuiltinType(BuiltinType::Int));
+  };
+  QualType const result = function->getReturnType();
+  if (!Reals::is_double(result) && !result->isVoidType()) return;
+  std::string parameters;
+  bool takes_double = false;
+  for (ParmVarDecl const *parameter : function->parameters()) {
+    if (!is_kept(parameter->getType())) return;
+    takes_double |= Reals::is_double(parameter->getType());
+    parameters.append(parameters.empty() ? "" : ", ").append(spelled(parameter->getType()));
+  }
+  if (!takes_double) return;
+  bool const is_nothrow = map_.language().CPlusPlus ? function->getType()->castAs<FunctionProtoType>()->isNothrow()
+                                                    : function->hasAttr<NoThrowAttr>();
+  later([this, name, type = spelled(result) + "(" + parameters + ")" + (is_nothrow ? " noexcept" : "")] {
+    if (!callees_.contains(name)) wrap(name, Use::function, type);
   });
 }
 

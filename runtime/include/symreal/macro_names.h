@@ -19,6 +19,8 @@ inline constexpr Kind symreal_kind_constant = Kind::constant;
 inline constexpr Kind symreal_kind_scratch = Kind::scratch;
 inline constexpr Kind symreal_kind_output = Kind::output;
 
+template <class T> using symreal_pointer_to = T *;
+
 #ifdef MBD_SYMBOLIC
 using SymrealReal = RealNumber;
 template <class T> using SymrealInt = SymbolicInt<T>;

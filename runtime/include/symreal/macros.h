@@ -35,7 +35,7 @@
 #define SYMREAL_REAL_LOCAL_STATE(object, place) object
 #define SYMREAL_REAL_SCRATCH_STATE(object, place) object
 #define SYMREAL_REAL_EXTERNAL(function, ...) function
-#define SYMREAL_REAL_FUNCTION(count, ...) __VA_ARGS__
+#define SYMREAL_REAL_FUNCTION(type, ...) __VA_ARGS__
 #define SYMREAL_REAL_LINKAGE(...) __VA_ARGS__
 #define SYMREAL_REAL_INT(...) __VA_ARGS__
 #define SYMREAL_REAL_TABLE(name, place, ...) __VA_ARGS__
@@ -132,20 +132,6 @@
 #define SYMREAL_REAL_LOCAL_STATE(object, place) (::symreal::symreal_local_state(object, #object, place))
 #define SYMREAL_REAL_SCRATCH_STATE(object, place) (::symreal::symreal_scratch_state(object, #object, place))
 #define SYMREAL_REAL_EXTERNAL(function, ...) (::symreal::symreal_external(function, {__VA_ARGS__}))
-#define SYMREAL_REAL_FUNCTION(count, ...) SYMREAL_FUNCTION_##count(__VA_ARGS__)
-#define SYMREAL_FUNCTION_1(...)                                                                                        \
-  (*static_cast<SYMREAL_REAL (*)(SYMREAL_REAL)>(                                                                       \
-      [](SYMREAL_REAL symreal_x) -> SYMREAL_REAL { return __VA_ARGS__(symreal_x); }))
-#define SYMREAL_FUNCTION_2(...)                                                                                        \
-  (*static_cast<SYMREAL_REAL (*)(SYMREAL_REAL, SYMREAL_REAL)>(                                                         \
-      [](SYMREAL_REAL symreal_x, SYMREAL_REAL symreal_y) -> SYMREAL_REAL {                                             \
-        return __VA_ARGS__(symreal_x, symreal_y);                                                                      \
-      }))
-#define SYMREAL_FUNCTION_3(...)                                                                                        \
-  (*static_cast<SYMREAL_REAL (*)(SYMREAL_REAL, SYMREAL_REAL, SYMREAL_REAL)>(                                           \
-      [](SYMREAL_REAL symreal_x, SYMREAL_REAL symreal_y, SYMREAL_REAL symreal_z) -> SYMREAL_REAL {                     \
-        return __VA_ARGS__(symreal_x, symreal_y, symreal_z);                                                           \
-      }))
 #define SYMREAL_REAL_INT(...) ::symreal::SymrealInt<__VA_ARGS__>
 #define SYMREAL_REAL_TABLE(name, place, ...) (::symreal::symreal_table(__VA_ARGS__, name, place))
 #define SYMREAL_REAL_READ(name, place, ...) (::symreal::symreal_read(__VA_ARGS__, name, place))
@@ -202,7 +188,6 @@ public:                                                                         
 #define SYMREAL_REAL_LOCAL_STATE(object, place) (object)
 #define SYMREAL_REAL_SCRATCH_STATE(object, place) (object)
 #define SYMREAL_REAL_EXTERNAL(function, ...) (function)
-#define SYMREAL_REAL_FUNCTION(count, ...) __VA_ARGS__
 #define SYMREAL_REAL_INT(...) __VA_ARGS__
 #define SYMREAL_REAL_TABLE(name, place, ...) (__VA_ARGS__)
 #define SYMREAL_REAL_READ(name, place, ...) (__VA_ARGS__)
@@ -223,6 +208,9 @@ public:                                                                         
 #define SYMREAL_AROUND(...)
 #define SYMREAL_PARAMETER(...)
 #endif
+/* The overload of that type, which C++ has for a function of C as well. Its address is the same wherever the program
+   takes it, as that of the function is. */
+#define SYMREAL_REAL_FUNCTION(type, ...) (*static_cast<::symreal::symreal_pointer_to<type>>(__VA_ARGS__))
 /* A conversion by what its context expects; an enumerator as the integer that it is in C. */
 #define SYMREAL_REAL_FIT(...) (::symreal::symreal_fit(__VA_ARGS__))
 #define SYMREAL_REAL_ENUM(...) (::symreal::symreal_enumeration(__VA_ARGS__))

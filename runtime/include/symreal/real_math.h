@@ -7,42 +7,27 @@
 
 namespace symreal {
 
-// A row that is spelled as a call becomes an overload; operators belong to RealNumber itself.
+// A row that is spelled as a call becomes an overload; operators belong to RealNumber itself. They are functions of the
+// library (trace/nodes/functions.cpp) rather than inline: each has one address, and their return address is the user's
+// line.
 #define SYMREAL_FORM_infix(...)
 #define SYMREAL_FORM_prefix(...)
 #define SYMREAL_FORM_cast(...)
 #define SYMREAL_FORM_select(...)
 #define SYMREAL_FORM_local(...)
 #define SYMREAL_FORM_external(...)
-#define SYMREAL_FORM_call(id, arity, evaluate) SYMREAL_CALL_##arity(id, evaluate)
-#define SYMREAL_CALL_1(id, evaluate)                                                                                   \
-  [[gnu::always_inline]] inline RealNumber id(RealNumber real_x) noexcept {                                            \
-    ++detail::executed[static_cast<unsigned>(Op::id)];                                                                 \
-    if (real_x.is_node()) return detail::record(Op::id, real_x, 0.0, 0.0);                                             \
-    double x = real_x.plain();                                                                                         \
-    return evaluate;                                                                                                   \
-  }
-#define SYMREAL_CALL_2(id, evaluate)                                                                                   \
-  [[gnu::always_inline]] inline RealNumber id(RealNumber real_x, RealNumber real_y) noexcept {                         \
-    ++detail::executed[static_cast<unsigned>(Op::id)];                                                                 \
-    if (real_x.is_node() || real_y.is_node()) return detail::record(Op::id, real_x, real_y, 0.0);                      \
-    double x = real_x.plain(), y = real_y.plain();                                                                     \
-    return evaluate;                                                                                                   \
-  }                                                                                                                    \
+#define SYMREAL_FORM_call(id, arity) SYMREAL_CALL_##arity(id)
+#define SYMREAL_CALL_1(id) RealNumber id(RealNumber x) noexcept;
+#define SYMREAL_CALL_2(id)                                                                                             \
+  RealNumber id(RealNumber x, RealNumber y) noexcept;                                                                  \
   template <class T, class = std::enable_if_t<std::is_arithmetic_v<T>>> RealNumber id(RealNumber x, T y) noexcept {    \
     return id(x, RealNumber(y));                                                                                       \
   }                                                                                                                    \
   template <class T, class = std::enable_if_t<std::is_arithmetic_v<T>>> RealNumber id(T x, RealNumber y) noexcept {    \
     return id(RealNumber(x), y);                                                                                       \
   }
-#define SYMREAL_CALL_3(id, evaluate)                                                                                   \
-  [[gnu::always_inline]] inline RealNumber id(RealNumber real_x, RealNumber real_y, RealNumber real_z) noexcept {      \
-    ++detail::executed[static_cast<unsigned>(Op::id)];                                                                 \
-    if (real_x.is_node() || real_y.is_node() || real_z.is_node())                                                      \
-      return detail::record(Op::id, real_x, real_y, real_z);                                                           \
-    double x = real_x.plain(), y = real_y.plain(), z = real_z.plain();                                                 \
-    return evaluate;                                                                                                   \
-  }                                                                                                                    \
+#define SYMREAL_CALL_3(id)                                                                                             \
+  RealNumber id(RealNumber x, RealNumber y, RealNumber z) noexcept;                                                    \
   SYMREAL_MIXED_3(id, RealNumber, T, U)                                                                                \
   SYMREAL_MIXED_3(id, T, RealNumber, U)                                                                                \
   SYMREAL_MIXED_3(id, T, U, RealNumber)                                                                                \
@@ -55,7 +40,7 @@ namespace symreal {
   RealNumber id(X x, Y y, Z z) noexcept {                                                                              \
     return id(RealNumber(x), RealNumber(y), RealNumber(z));                                                            \
   }
-#define OPERATION(id, arity, form, c, precedence, evaluate, ...) SYMREAL_FORM_##form(id, arity, evaluate)
+#define OPERATION(id, arity, form, ...) SYMREAL_FORM_##form(id, arity)
 #include <symreal/operations.def>
 #undef OPERATION
 #undef SYMREAL_FORM_infix

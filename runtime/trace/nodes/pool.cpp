@@ -223,6 +223,15 @@ double Pool::carried_value(RealNumber number) {
   return value(checked(number));
 }
 
+RealNumber record_call(Op op, RealNumber x, RealNumber y, RealNumber z, void const *caller) noexcept {
+  Pool &pool = Pool::current();
+  try {
+    return pool.record(op, x, y, z, caller);
+  } catch (std::bad_alloc const &) {
+    pool.run_out();
+  }
+}
+
 } // namespace trace
 
 namespace detail {
@@ -230,12 +239,7 @@ namespace detail {
 using trace::Pool;
 
 RealNumber record(Op op, RealNumber x, RealNumber y, RealNumber z) noexcept {
-  Pool &pool = Pool::current();
-  try {
-    return pool.record(op, x, y, z, __builtin_return_address(0));
-  } catch (std::bad_alloc const &) {
-    pool.run_out();
-  }
+  return trace::record_call(op, x, y, z, __builtin_return_address(0));
 }
 
 RealNumber operate(Op op, RealNumber x, RealNumber y) noexcept {

@@ -118,4 +118,7 @@ private:
   NodeId error_setter_ = no_node;
 };
 
+// In the pool of this thread. `caller`: where in the program this is asked for.
+RealNumber record_call(Op op, RealNumber x, RealNumber y, RealNumber z, void const *caller) noexcept;
+
 } // namespace symreal::trace
