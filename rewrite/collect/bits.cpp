@@ -5,6 +5,8 @@
 #include "rewrite/model/library.h"
 #include "rewrite/text/pragma_text.h"
 
+#include <clang/AST/ParentMapContext.h>
+
 namespace symreal::rewrite {
 using namespace clang;
 
@@ -59,15 +61,64 @@ void Collector::atomic_builtin(AtomicExpr const *call) {
     report(DiagnosticId::reinterpretation, call->getBeginLoc(), "the bytes of a REAL are compared");
 }
 
+static FieldDecl const *field_of(MemberExpr const *member) { return dyn_cast<FieldDecl>(member->getMemberDecl()); }
+
+// A member of a union that shares its bytes with a number and holds none.
+bool Collector::shares_bytes(FieldDecl const *field) const {
+  if (!field || !field->getParent()->isUnion() || field->getType()->isDependentType()) return false;
+  QualType const type = field->getType();
+  if (reals_.mentions_real(type) || type->isPointerType()) return false;
+  return reals_.carries_real(context_.getRecordType(field->getParent()));
+}
+
+// Of a union in which it shares its bytes with something else: numbers, or what holds some.
+bool Collector::shares_number(FieldDecl const *field) const {
+  if (!field || !field->getParent()->isUnion() || field->getType()->isDependentType()) return false;
+  auto const fields = field->getParent()->fields();
+  return reals_.carries_real(field->getType()) &&
+         std::any_of(fields.begin(), fields.end(), [this](FieldDecl const *other) { return shares_bytes(other); });
+}
+
+// In u.part.low or u.bytes[i], the member for which `is` holds; null if there is none.
+template <class Is> static MemberExpr const *member_in(Expr const *object, Is is) {
+  while (true) {
+    object = object->IgnoreParenImpCasts();
+    if (auto const *element = dyn_cast<ArraySubscriptExpr>(object)) {
+      object = element->getBase()->IgnoreParenImpCasts();
+      if (!object->getType()->isArrayType()) return nullptr;
+    } else if (auto const *member = dyn_cast<MemberExpr>(object)) {
+      if (is(field_of(member))) return member;
+      if (member->isArrow()) return nullptr;
+      object = member->getBase();
+    } else {
+      return nullptr;
+    }
+  }
+}
+
+// Bits of `base`: those that `part`, a member of a member of it, names.
+static std::string bits_within(Expr const *part, Expr const *base, ASTContext &context) {
+  std::uint64_t first = 0, count = 0;
+  for (part = part->IgnoreParenImpCasts(); part != base;
+       part = cast<MemberExpr>(part)->getBase()->IgnoreParenImpCasts()) {
+    FieldDecl const *field = field_of(cast<MemberExpr>(part));
+    if (count == 0)
+      count = field->isBitField() ? field->getBitWidthValue(context) : context.getTypeSize(field->getType());
+    first += context.getFieldOffset(field);
+  }
+  return std::to_string(first) + ", " + std::to_string(count);
+}
+
 // Reading u.bits of `union { double number; uint64_t bits; }` is harmless as long as the number is an ordinary one.
 void Collector::union_member(MemberExpr const *member) {
-  auto const *field = dyn_cast<FieldDecl>(member->getMemberDecl());
-  if (!field || !field->getParent()->isUnion() || field->getType()->isDependentType()) return;
-  QualType const type = field->getType();
-  if (reals_.mentions_real(type) || type->isPointerType()) return;
-  if (!reals_.carries_real(context_.getRecordType(field->getParent()))) return;
+  FieldDecl const *field = field_of(member);
+  if (shares_number(field) && Reals::is_double(field->getType()))
+    later([this, member] {
+      if (!judged_.contains(member)) number_of_union(member);
+    });
+  if (!shares_bytes(field)) return;
   later([this, member, field] {
-    if (!judged_.contains(member)) bits_of_union(member, field);
+    if (!judged_.contains(member) && !view_of_union(whole_member(member))) bits_of_union(member, field);
   });
 }
 
@@ -76,12 +127,45 @@ void Collector::bits_of_union(MemberExpr const *member, FieldDecl const *field) 
   bool const spelled = !member->isImplicitAccess() && base->getEndLoc() != member->getEndLoc();
   auto const *within = dyn_cast<MemberExpr>(base);
   if (spelled && !(within && !within->getMemberDecl()->getDeclName()))
-    note(base, Use::bits);
+    note(base, Use::part, nullptr, "read, " + bits_within(whole_member(member), base, context_) + ", ");
   else if (!field->isBitField())
     note(member, Use::bits);
   else
     report(DiagnosticId::reinterpretation, member->getMemberLoc(),
            "'" + field->getNameAsString() + "' shares its bytes with a REAL");
+}
+
+// In u.part.low, from u.part on: the member that is meant.
+Expr const *Collector::whole_member(MemberExpr const *member) const {
+  for (Expr const *part = member;;) {
+    DynTypedNodeList const parents = context_.getParents(*part);
+    auto const *outer = parents.empty() ? nullptr : parents[0].get<Expr>();
+    auto const *further = dyn_cast_or_null<MemberExpr>(outer);
+    if (further && field_of(further) && !further->isArrow())
+      member = further;
+    else if (!outer || !isa<ParenExpr>(outer))
+      return member;
+    part = outer;
+  }
+}
+
+// What a union holds gets a new value: a number all of its bits, another member perhaps a part of them.
+void Collector::store_to_union(Expr const *left) {
+  MemberExpr const *member = member_in(left, [this](FieldDecl const *field) { return shares_bytes(field); });
+  bool const is_part = member != nullptr;
+  if (is_part) judged_.insert(member);
+  if (!member) member = member_in(left, [this](FieldDecl const *field) { return shares_number(field); });
+  if (!member) return;
+  if (IntegerState::has_address(left))
+    note(left, Use::part, nullptr, "stored, 0, 0, ");
+  else if (Expr const *base = member->getBase()->IgnoreParenImpCasts(); !member->isImplicitAccess())
+    note(base, Use::part, left, "stored, " + bits_within(left, base, context_) + ", ");
+}
+
+// A number in a union is read.
+void Collector::number_of_union(Expr const *value) {
+  if (member_in(value, [this](FieldDecl const *field) { return shares_number(field); }))
+    note(value, Use::part, nullptr, "used, 0, 0, ");
 }
 
 // What a pointer, a reference or an array leads to at last.
@@ -149,6 +233,16 @@ void Collector::pointer_cast(CastExpr const *cast) {
   if (from->getType()->isVoidPointerType() || holds_numbers) note(from, Use::bits);
 }
 
+// What (char *)&x + 4 points into.
+static Expr const *pointed_into(Expr const *pointer) {
+  while (true) {
+    pointer = pointer->IgnoreParenCasts();
+    auto const *sum = dyn_cast<BinaryOperator>(pointer);
+    if (!sum || !sum->isAdditiveOp()) return pointer;
+    pointer = sum->getLHS()->getType()->isPointerType() ? sum->getLHS() : sum->getRHS();
+  }
+}
+
 void Collector::moved_bytes(CallExpr const *call, FunctionDecl const *function) {
   if (!function->getDeclName().isIdentifier()) return;
   llvm::StringRef name = function->getName();
@@ -166,6 +260,16 @@ void Collector::moved_bytes(CallExpr const *call, FunctionDecl const *function) 
     QualType const pointee = Reals::pointee(argument);
     any = any || (!pointee.isNull() && reals_.carries_real(pointee));
   }
+  auto const *taken = dyn_cast<UnaryOperator>(pointed_into(call->getArg(0)));
+  bool const is_number = taken && taken->getOpcode() == UO_AddrOf && Reals::is_double(taken->getSubExpr()->getType());
+  if (bool const stores = how == "set" || how == "move"; stores && is_number)
+    how += "_number";
+  else if (stores && !any)
+    how += "_bytes";
+  for (unsigned index : {0u, 1u})
+    if (QualType const pointee = Reals::pointee(pointed_into(call->getArg(index)));
+        !is_file && how != "compare" && (index == 0 || how.starts_with("move")))
+      any = any || (!pointee.isNull() && reals_.carries_real(pointee));
   Expr const *callee = call->getCallee()->IgnoreParenImpCasts();
   std::optional<Span> const span = map_.range(callee->getSourceRange());
   if (!any || !span || !map_.in_roots(callee->getBeginLoc())) return;
@@ -177,8 +281,9 @@ void Collector::moved_bytes(CallExpr const *call, FunctionDecl const *function) 
     std::optional<Span> const written = map_.range(argument->getSourceRange());
     return written ? normalised(map_.text(*written, argument->getBeginLoc())) : name.str();
   };
-  std::string const what =
-      how == "compare" ? words(0) + "' or '" + words(1) : words(how == "move" || how == "into" ? 1 : 0);
+  // Of what is moved the source is looked at, and of a number the target as well.
+  std::string const what = how == "compare" ? words(0) + "' or '" + words(1)
+                                            : words(how == "move" || how == "into" || how == "move_bytes" ? 1 : 0);
   std::string detail = how + ", " + in_quotes(what);
   detail.append(", ").append(in_quotes(to_string(map_.place(call->getBeginLoc()))));
   facts_.wraps.insert({*span, Use::bytes, detail});

@@ -188,14 +188,23 @@ private:
 
   void reinterpretation(clang::ExplicitCastExpr const *cast);
   void view(clang::ExplicitCastExpr const *cast, bool of_integers);
+  bool shares_bytes(clang::FieldDecl const *field) const;
+  bool shares_number(clang::FieldDecl const *field) const;
+  clang::Expr const *whole_member(clang::MemberExpr const *member) const;
   void bits_of_union(clang::MemberExpr const *member, clang::FieldDecl const *field);
+  void store_to_union(clang::Expr const *left);
+  void number_of_union(clang::Expr const *value);
+  bool view_of_union(clang::Expr const *part);
+  // `reads`: what is stored is made of what was there.
+  void store_to_view(clang::Expr const *left, bool reads);
   bool use_of_view(clang::Expr const *value, clang::DeclRefExpr const *name);
   void uses_of_views();
   void looked_into(clang::Expr const *address);
   void moved_bytes(clang::CallExpr const *call, clang::FunctionDecl const *function);
   void given_bytes(clang::FunctionDecl const *function, unsigned index, clang::Expr const *argument);
-  // `named`: the expression that gives the name and the place, if it is another one.
-  void note(clang::Expr const *expression, Use use, clang::Expr const *named = nullptr);
+  // `named`: the expression that gives the name and the place, if it is another one. `words`: further arguments of the
+  // macro, before them.
+  void note(clang::Expr const *expression, Use use, clang::Expr const *named = nullptr, std::string const &words = "");
   bool may_outlive(clang::Expr const *expression) const;
   void integer(clang::Expr const *expression, Use use);
   // A pointer gets a new value.
@@ -248,6 +257,8 @@ private:
   llvm::SmallPtrSet<clang::Expr const *, 4> counting_casts_; // to bytes, which nobody looks at
   llvm::SmallPtrSet<clang::VarDecl const *, 4> views_;       // local pointers to integers, where numbers lie
   std::vector<std::pair<clang::Expr const *, clang::DeclRefExpr const *>> through_pointers_; // may look through those
+  std::vector<std::pair<clang::Expr const *, clang::DeclRefExpr const *>> stores_through_;   // or store
+  llvm::SmallPtrSet<clang::VarDecl const *, 4> views_of_one_;   // those where one number lies
   llvm::SmallPtrSet<clang::Expr const *, 4> compared_exactly_;  // conversions to long double that change nothing
   llvm::SmallPtrSet<clang::Expr const *, 4> compared_pointers_; // conversions that C++ makes as well
   llvm::SmallPtrSet<clang::Expr const *, 8> promoted_;          // conversions of arguments that are written out

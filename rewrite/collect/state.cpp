@@ -14,7 +14,7 @@ static bool is_library_macro(SourceLocation location, SourceMap const &map) {
 }
 
 // Wraps the expression in a macro that says what it is called and where it stands.
-void Collector::note(Expr const *expression, Use use, Expr const *named) {
+void Collector::note(Expr const *expression, Use use, Expr const *named, std::string const &words) {
   SourceLocation const begin = expression->getBeginLoc();
   if (!map_.in_roots(begin)) return;
   // Whether the bytes of an integer are also those of a number is another question.
@@ -29,10 +29,11 @@ void Collector::note(Expr const *expression, Use use, Expr const *named) {
   }
   constexpr std::size_t longest = 60;
   if (!named) named = expression;
-  std::optional<Span> const words = map_.range(named->getSourceRange());
-  std::string name = normalised(map_.text(words ? *words : *span, begin));
+  std::optional<Span> const written = map_.range(named->getSourceRange());
+  std::string name = normalised(map_.text(written ? *written : *span, begin));
   if (name.size() > longest) name.replace(longest, std::string::npos, "...");
-  facts_.wraps.insert({*span, use, in_quotes(name) + ", " + in_quotes(to_string(map_.place(named->getBeginLoc())))});
+  facts_.wraps.insert(
+      {*span, use, words + in_quotes(name) + ", " + in_quotes(to_string(map_.place(named->getBeginLoc())))});
 }
 
 // The value of an integer is used, or it gets a new one.
@@ -86,6 +87,7 @@ void Collector::read(Expr const *value) {
   } else if (Expr const *table = reals_.table_of(value)) {
     object(table, Use::read); // any of its elements
   } else if (value->isGLValue() && Reals::is_double(value->getType())) {
+    number_of_union(value);
     if (reals_.is_real(value) && may_outlive(value)) note(value, Use::read);
   } else if (value->isGLValue() && IntegerState::is_integer(value->getType()))
     integer(value, Use::read);
@@ -97,6 +99,8 @@ void Collector::assignment(BinaryOperator const *assignment) {
   Expr const *left = assignment->getLHS()->IgnoreParens();
   if (assignment->isTypeDependent() || left->isTypeDependent()) return;
   Use const use = assignment->isCompoundAssignmentOp() ? Use::read : Use::written;
+  store_to_view(left, use == Use::read);
+  if (use == Use::written) store_to_union(left);
   if (use == Use::written) // what an overwritten union holds does not matter
     for (auto const *member = dyn_cast<MemberExpr>(left); member;
          member = dyn_cast<MemberExpr>(member->getBase()->IgnoreParenImpCasts()))
@@ -114,6 +118,7 @@ void Collector::assignment(BinaryOperator const *assignment) {
 void Collector::step(UnaryOperator const *step) {
   Expr const *operand = step->getSubExpr()->IgnoreParens();
   if (operand->isTypeDependent()) return;
+  store_to_view(operand, /*reads=*/true);
   if (IntegerState::is_integer(operand->getType()))
     integer(operand, Use::read);
   else if (is_pointer(operand))

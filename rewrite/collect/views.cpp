@@ -81,6 +81,29 @@ Destination destination(Expr const *pointer, ASTContext &context) {
   }
 }
 
+// In *(int *)&x = 1, what is stored to; null where the pointer is used in another way.
+Expr const *stored_through(Expr const *pointer, ASTContext &context) {
+  for (Expr const *part = pointer;;) {
+    DynTypedNodeList const parents = context.getParents(*part);
+    auto const *outer = parents.empty() ? nullptr : parents[0].get<Expr>();
+    if (!outer) return nullptr;
+    if (auto const *assignment = dyn_cast<BinaryOperator>(outer); assignment && assignment->getOpcode() == BO_Assign)
+      return part->isGLValue() && assignment->getLHS() == part ? part : nullptr;
+    auto const *unary = dyn_cast<UnaryOperator>(outer);
+    bool const is_way = outer->getType()->isPointerType() ? isa<BinaryOperator>(outer) || isa<ImplicitCastExpr>(outer)
+                                                          : unary && unary->getOpcode() == UO_Deref;
+    if (!is_way && !isa<ParenExpr>(outer) && !isa<ArraySubscriptExpr>(outer)) return nullptr;
+    if (auto const *element = dyn_cast<ArraySubscriptExpr>(outer); element && element->getBase() != part)
+      return nullptr;
+    part = outer;
+  }
+}
+
+bool is_address_of_one(Expr const *pointer) {
+  auto const *taken = dyn_cast<UnaryOperator>(pointer->IgnoreParenImpCasts());
+  return taken && taken->getOpcode() == UO_AddrOf;
+}
+
 } // namespace
 
 // Numbers are looked at as something else, integers as a rule. The run tells whether one of them is symbolic: as soon
@@ -90,8 +113,11 @@ void Collector::view(ExplicitCastExpr const *cast, bool of_integers) {
   if (to.is_kept)
     report(DiagnosticId::reinterpretation, cast->getBeginLoc(),
            "the bytes of a REAL are read as " + cast->getType().getAsString() + ", by a pointer that is kept");
-  else if (to.local && of_integers && !instance_)
+  else if (to.local && of_integers && !instance_) {
     views_.insert(to.local);
+    if (is_address_of_one(cast->getSubExprAsWritten())) views_of_one_.insert(to.local);
+  } else if (Expr const *stored = of_integers ? stored_through(cast, context_) : nullptr)
+    note(stored, Use::part, nullptr, "replaced, 0, 0, ");
   else
     looked_into(cast->getSubExprAsWritten());
 }
@@ -105,6 +131,32 @@ void Collector::read_view(Expr const *value) {
   if (variable && variable->hasLocalStorage()) through_pointers_.emplace_back(value, name);
 }
 
+// A local pointer to bytes that a number shares: true if `part`, a member of a union, goes into one.
+bool Collector::view_of_union(Expr const *part) {
+  if (instance_) return false;
+  DynTypedNodeList const parents = context_.getParents(*part);
+  auto const *outer = parents.empty() ? nullptr : parents[0].get<Expr>();
+  auto const *taken = dyn_cast_or_null<UnaryOperator>(outer);
+  auto const *decay = dyn_cast_or_null<ImplicitCastExpr>(outer);
+  bool const is_address =
+      (taken && taken->getOpcode() == UO_AddrOf && !taken->getSubExpr()->getType()->isArrayType()) ||
+      (decay && decay->getCastKind() == CK_ArrayToPointerDecay);
+  if (!is_address) return false;
+  Destination const to = destination(outer, context_);
+  if (!to.local || to.is_kept || !to.local->getType()->isPointerType()) return false;
+  if (QualType const pointee = to.local->getType()->getPointeeType(); !pointee->isIntegralOrEnumerationType())
+    return false;
+  views_.insert(to.local);
+  return true;
+}
+
+void Collector::store_to_view(Expr const *left, bool reads) {
+  if (reads) return read_view(left);
+  auto const *name = pointer_of(left) == left ? nullptr : named_pointer(pointer_of(left));
+  auto const *variable = name ? dyn_cast<VarDecl>(name->getDecl()) : nullptr;
+  if (variable && variable->hasLocalStorage()) stores_through_.emplace_back(left, name);
+}
+
 // True if another variable has become one.
 bool Collector::use_of_view(Expr const *value, DeclRefExpr const *name) {
   if (pointer_of(value) != value) {
@@ -112,7 +164,10 @@ bool Collector::use_of_view(Expr const *value, DeclRefExpr const *name) {
     return false;
   }
   Destination const to = destination(name, context_);
-  if (to.local && !to.is_kept) return views_.insert(to.local).second;
+  if (to.local && !to.is_kept) {
+    if (views_of_one_.contains(cast<VarDecl>(name->getDecl()))) views_of_one_.insert(to.local);
+    return views_.insert(to.local).second;
+  }
   if (is_argument(name, context_)) note(name, Use::view);
   return false;
 }
@@ -126,6 +181,10 @@ void Collector::uses_of_views() {
       return true;
     });
   }
+  for (auto const &[left, name] : stores_through_)
+    if (auto const *variable = cast<VarDecl>(name->getDecl()); views_.contains(variable))
+      note(left, Use::part, nullptr,
+           std::string(views_of_one_.contains(variable) ? "replaced" : "stored") + ", 0, 0, ");
 }
 
 } // namespace symreal::rewrite

@@ -11,6 +11,7 @@
 #include "trace/leaks/trap.h"
 #include "trace/nodes/externals.h"
 #include "trace/nodes/pool.h"
+#include "trace/nodes/torn_numbers.h"
 #include "trace/outside/world.h"
 #include "trace/report/events.h"
 #include "trace/sinks.h"
@@ -46,6 +47,7 @@ public:
     flush_events();
     Pool::current().begin();
     State::current().begin(frame);
+    TornNumbers::current().begin();
     Guards::current().begin();
     ExploredPath::current().begin();
     Externals::current().begin();
@@ -207,6 +209,7 @@ public:
     for (std::size_t op = 0; op < graph_.executed.by_op.size(); ++op)
       graph_.executed.by_op[op] = detail::executed[op] - executed_before_.by_op[op];
     check_outputs(place);
+    TornNumbers::current().end();
     if (has_notes_)
       graph_.frozen = State::current().end(place, !Guards::current().empty());
     else
@@ -250,6 +253,7 @@ private:
   void end_arm(Place const &place) {
     memory::OwnWork const own;
     bool const leaves_more = Join::current().would([&] {
+      TornNumbers::current().end();
       if (has_notes_) (void)State::current().end(place, !Guards::current().empty());
       return anything_wrong() || has_told("scratch");
     });

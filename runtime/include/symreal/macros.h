@@ -46,6 +46,7 @@
 #define SYMREAL_REAL_LAST(name, place, ...) __VA_ARGS__
 #define SYMREAL_REAL_BITS(name, place, ...) __VA_ARGS__
 #define SYMREAL_REAL_VIEW(name, place, ...) __VA_ARGS__
+#define SYMREAL_REAL_PART(how, first, count, name, place, ...) __VA_ARGS__
 #define SYMREAL_REAL_BYTES(how, name, place, ...) __VA_ARGS__
 #define SYMREAL_REAL_ENVIRONMENT(what, name, place, ...) __VA_ARGS__
 #define SYMREAL_REAL_FORMAT(how, is_used, place, ...) __VA_ARGS__
@@ -141,6 +142,9 @@
 #define SYMREAL_REAL_LAST(name, place, ...) (::symreal::symreal_range_end(__VA_ARGS__, name, place))
 #define SYMREAL_REAL_BITS(name, place, ...) (::symreal::symreal_bits(__VA_ARGS__, name, place))
 #define SYMREAL_REAL_VIEW(name, place, ...) (::symreal::symreal_view(__VA_ARGS__, name, place))
+/* Bits of an object that numbers share; a count of 0 stands for all of them. */
+#define SYMREAL_REAL_PART(how, first, count, name, place, ...)                                                         \
+  (::symreal::symreal_part_##how(__VA_ARGS__, first, count, name, place))
 /* Stands for memmove (and memcpy) or memset. */
 #define SYMREAL_REAL_BYTES(how, name, place, ...) ::symreal::SymrealBytes(name, place).symreal_##how
 #define SYMREAL_REAL_ENVIRONMENT(what, name, place, ...) (::symreal::symreal_##what(name, place), __VA_ARGS__)
@@ -197,6 +201,7 @@ public:                                                                         
 #define SYMREAL_REAL_LAST(name, place, ...) (__VA_ARGS__)
 #define SYMREAL_REAL_BITS(name, place, ...) (__VA_ARGS__)
 #define SYMREAL_REAL_VIEW(name, place, ...) (__VA_ARGS__)
+#define SYMREAL_REAL_PART(how, first, count, name, place, ...) (__VA_ARGS__)
 #define SYMREAL_REAL_BYTES(how, name, place, ...) __VA_ARGS__
 #define SYMREAL_REAL_ENVIRONMENT(what, name, place, ...) (__VA_ARGS__)
 #define SYMREAL_REAL_FORMAT(how, is_used, place, ...) __VA_ARGS__

@@ -3,13 +3,15 @@
 // It is 8 bytes, trivially copyable, and its only member is a double. An ordinary double *is* a constant; a node of the
 // recorded graph rides in the payload of a signalling NaN with the sign bit set:
 //
-//   63            52 51  50        40 39         32 31                    0
-//   1 111 1111 1111  0   tag (11 bit) generation    node id
+//   63            52 51 50 49             32 31              0
+//   1 111 1111 1111  0  1  check (18 bit)    node id (32 bit)
 //
 // So all-zero bytes are 0.0, memcpy, unions, calloc and arrays keep working, and sizeof is unchanged. Arithmetic that
-// is not instrumented makes the NaN quiet (bit 51) and keeps the tag: a leak that names its node. An uninstrumented
-// fabs or negation clears the sign bit. Both are caught when the value is next read. The generation tells the nodes of
-// one recording from those of another, and from another thread's.
+// is not instrumented makes the NaN quiet (bit 51) and keeps the rest: a leak that names its node. An uninstrumented
+// fabs or negation clears the sign bit. Both are caught when the value is next read. The check bits depend on all bits
+// of the id and on the recording that the node belongs to, so that neither a node of another recording or thread nor a
+// number of which the program has overwritten some bytes is taken for a node (trace/nodes/payload.h). They are never 0:
+// the negative of numeric_limits<double>::signaling_NaN() is an ordinary number.
 #pragma once
 
 #include <symreal/op.h>
@@ -47,7 +49,9 @@ namespace detail {
 // Is it one for the compiler? std::is_class says of RealNumber what it says of double.
 template <class T> inline constexpr bool is_class = __is_class(T);
 
-inline constexpr std::uint64_t node_tag = 0xFFF2'C3u; // bits 63..40
+// Bits 63..32 of a node: from the first on, so many.
+inline constexpr std::uint32_t first_node_half = 0xFFF4'0001u, node_halves = 0x3'FFFFu;
+constexpr bool is_node_half(std::uint32_t upper) noexcept { return upper - first_node_half < node_halves; }
 constexpr std::uint64_t bits(double value) noexcept { return __builtin_bit_cast(std::uint64_t, value); }
 
 // How many operations the program has executed, by kind: per thread, counted whether or not an operand is a node.
@@ -134,7 +138,7 @@ public:
     return number;
   }
   constexpr std::uint64_t to_bits() const noexcept { return detail::bits(value_); }
-  constexpr bool is_node() const noexcept { return to_bits() >> 40 == detail::node_tag; }
+  constexpr bool is_node() const noexcept { return detail::is_node_half(static_cast<std::uint32_t>(to_bits() >> 32)); }
   // The number itself where it is no node.
   constexpr double plain() const noexcept { return value_; }
 

@@ -9,6 +9,7 @@
 
 #include <symreal/annotate.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
@@ -48,6 +49,16 @@ void note_changed(void const *object, Visit visit, char const *name, char const 
 void check_bits(void const *begin, std::size_t size, char const *name, char const *place) noexcept;
 // The same, for all that may lie behind a pointer.
 void check_view(void const *begin, char const *name, char const *place) noexcept;
+// Bits of an object are about to get new values. If they are not all of a symbolic number, what is left of that is an
+// error where it is used, and in an object that holds a number and nothing else in any case.
+enum class Holds { anything, number };
+void note_bits_stored(void const *begin, std::size_t first, std::size_t count, Holds holds, char const *name,
+                      char const *place) noexcept;
+// Whether there are any such numbers, and that they are used.
+extern __thread bool any_torn;
+void note_number_used(void const *begin, std::size_t size, char const *name, char const *place) noexcept;
+// Bits that are used as something else than numbers.
+void check_part(void const *begin, std::size_t first, std::size_t count, char const *name, char const *place) noexcept;
 // The ends of a range come in any order; the second to come gets the other.
 void const *other_range_end(void const *end, bool is_last, char const *place) noexcept;
 
@@ -194,6 +205,36 @@ template <class T> constexpr T &&symreal_bits(T &&object, char const *name, char
   return static_cast<T &&>(object);
 }
 
+// Of an object that shares its bytes with numbers: `count` bits from `first` on, or all of it.
+template <class T> constexpr T &&symreal_part_stored(T &&object, std::size_t first, std::size_t count, char const *name,
+                                                     char const *place) noexcept {
+  if (count == 0) count = 8 * sizeof object;
+  if (!__builtin_is_constant_evaluated() && detail::recording && (detail::any_torn || count % 64 != 0))
+    detail::note_bits_stored(detail::bytes_of(&object), first, count, detail::Holds::anything, name, place);
+  return static_cast<T &&>(object);
+}
+template <class T> constexpr T &&symreal_part_replaced(T &&object, std::size_t first, std::size_t count,
+                                                       char const *name, char const *place) noexcept {
+  if (count == 0) count = 8 * sizeof object;
+  if (!__builtin_is_constant_evaluated() && detail::recording)
+    detail::note_bits_stored(detail::bytes_of(&object), first, count, detail::Holds::number, name, place);
+  return static_cast<T &&>(object);
+}
+template <class T> constexpr T &&symreal_part_read(T &&object, std::size_t first, std::size_t count, char const *name,
+                                                   char const *place) noexcept {
+  if (count == 0) count = 8 * sizeof object;
+  if (!__builtin_is_constant_evaluated() && detail::recording)
+    detail::check_part(detail::bytes_of(&object), first, count, name, place);
+  return static_cast<T &&>(object);
+}
+// As numbers.
+template <class T>
+constexpr T &&symreal_part_used(T &&object, std::size_t, std::size_t, char const *name, char const *place) noexcept {
+  if (!__builtin_is_constant_evaluated() && detail::recording && detail::any_torn)
+    detail::note_number_used(detail::bytes_of(&object), sizeof object, name, place);
+  return static_cast<T &&>(object);
+}
+
 // Numbers that are looked at as something else: an array, or those that a pointer leads to.
 template <class T> constexpr T &&symreal_view(T &&object, char const *name, char const *place) noexcept {
   if constexpr (!std::is_pointer_v<std::remove_cvref_t<T>>)
@@ -212,6 +253,8 @@ public:
 
   template <class To, class From> void *symreal_move(To *to, From *from, std::size_t size) const noexcept {
     if (detail::recording) {
+      check_ends(from, size);
+      store(to, size, detail::Holds::anything);
       if constexpr ((std::is_arithmetic_v<To> && !detail::is_class<To>) || std::is_enum_v<To>)
         detail::check_bits(from, size, name_, place_);
       each(from, size, [this](auto &object) { detail::read_object(std::as_const(object), name_, place_); });
@@ -224,7 +267,31 @@ public:
     if (detail::recording) detail::check_bits(from, size, name_, place_);
     return symreal_move(to, from, size);
   }
+  // To one number, of which it may be a part.
+  template <class To, class From> void *symreal_move_number(To *to, From *from, std::size_t size) const noexcept {
+    if (detail::recording) store(to, size, detail::Holds::number);
+    if constexpr (std::is_same_v<To, RealNumber>) return symreal_move(to, from, size);
+    return symreal_move_bytes(to, from, size);
+  }
+  template <class To> void *symreal_set_number(To *to, int byte, std::size_t size) const noexcept {
+    if (detail::recording) store(to, size, detail::Holds::number);
+    if constexpr (std::is_same_v<To, RealNumber>) return symreal_set(to, byte, size);
+    return symreal_set_bytes(to, byte, size);
+  }
+  // Of numbers, by pointers whose types do not say so.
+  void *symreal_move_bytes(void *to, void const *from, std::size_t size) const noexcept {
+    if (detail::recording) {
+      check_ends(from, size);
+      store(to, size, detail::Holds::anything);
+    }
+    return std::memmove(to, from, size);
+  }
+  void *symreal_set_bytes(void *to, int byte, std::size_t size) const noexcept {
+    if (detail::recording) store(to, size, detail::Holds::anything);
+    return std::memset(to, byte, size);
+  }
   template <class To> void *symreal_set(To *to, int byte, std::size_t size) const noexcept {
+    if (detail::recording) store(to, size, detail::Holds::anything);
     if (detail::recording) each(to, size, [this](auto &object) { detail::write_object(object, name_, place_); });
     return std::memset(to, byte, size);
   }
@@ -237,8 +304,10 @@ public:
   }
   template <class To>
   std::size_t symreal_read(To *to, std::size_t size, std::size_t count, std::FILE *file) const noexcept {
-    if (detail::recording)
+    if (detail::recording) {
+      store(to, size * count, detail::Holds::anything);
       each(to, size * count, [this](auto &object) { detail::write_object(object, name_, place_); });
+    }
     return std::fread(to, size, count, file);
   }
   template <class From>
@@ -248,6 +317,21 @@ public:
   }
 
 private:
+  void store(void const volatile *to, std::size_t size, detail::Holds holds) const noexcept {
+    bool const is_whole =
+        reinterpret_cast<std::uintptr_t>(to) % sizeof(RealNumber) == 0 && size % sizeof(RealNumber) == 0;
+    if (!is_whole || detail::any_torn)
+      detail::note_bits_stored(detail::bytes_of(to), 0, 8 * size, holds, name_, place_);
+  }
+  // A number of which a part is moved.
+  void check_ends(void const volatile *from, std::size_t size) const noexcept {
+    auto const *begin = static_cast<char const *>(detail::bytes_of(from));
+    std::size_t const before = (0 - reinterpret_cast<std::uintptr_t>(begin)) % sizeof(RealNumber);
+    if (before != 0) detail::check_part(begin, 0, 8 * std::min(before, size), name_, place_);
+    if (before >= size) return;
+    std::size_t const behind = (size - before) % sizeof(RealNumber);
+    if (behind != 0) detail::check_part(begin + size - behind, 0, 8 * behind, name_, place_);
+  }
   template <class T> void look_at(T *objects, std::size_t size) const noexcept {
     detail::check_bits(objects, size, name_, place_);
     each(objects, size, [this](auto &object) { detail::read_object(std::as_const(object), name_, place_); });

@@ -85,7 +85,7 @@ void ProcessImage::renumber(NodeId first, std::vector<NodeId> const &now) {
     for (std::size_t k = (word_size - misaligned) % word_size; k + word_size <= part.size; k += word_size) {
       RealNumber const number = RealNumber::from_bits(word_at(here + k));
       if (!pool.owns(number)) continue;
-      auto const id = static_cast<NodeId>(number.to_bits());
+      NodeId const id = payload::id_of(number.to_bits());
       if (id < first || id - first >= now.size()) continue;
       std::uint64_t const bits = pool.number(now[id - first]).to_bits();
       std::memcpy(here + k, &bits, sizeof bits);

@@ -21,6 +21,7 @@ static std::string in_library(std::uintptr_t instruction) {
 }
 
 bool Leak::meet(std::uint64_t bits) {
+  is_torn_ |= Pool::is_torn(RealNumber::from_bits(bits));
   if (!Pool::is_tagged(bits)) return false;
   RealNumber const node = Pool::underlying(bits);
   if (!Pool::current().owns(node)) {
@@ -35,7 +36,9 @@ bool Leak::meet(std::uint64_t bits) {
 void Leak::report(std::uintptr_t instruction, std::uintptr_t delayed) const {
   if (!is_any()) return;
   std::string const computes = "code that was not rewritten" + in_library(instruction) + " computes with ";
-  if (values_.empty())
+  if (values_.empty() && is_torn_)
+    report_interrupted(DiagnosticId::torn_number, computes + "a number of which a part was overwritten", delayed);
+  else if (values_.empty())
     report_interrupted(DiagnosticId::stale_value, computes + "a value of another kernel or thread", delayed);
   else
     report_interrupted(DiagnosticId::leak, computes + values_, delayed);

@@ -10,7 +10,7 @@ class Leak {
 public:
   // Whether these bits are a node of this recording.
   bool meet(std::uint64_t bits);
-  bool is_any() const { return is_stale_ || !values_.empty(); }
+  bool is_any() const { return is_torn_ || is_stale_ || !values_.empty(); }
   // If there are any. The place is where the program stands; `delayed`: as in interrupted_stack.
   void report(std::uintptr_t instruction, std::uintptr_t delayed = 0) const;
 
@@ -20,6 +20,7 @@ public:
 private:
   std::string values_;
   bool is_stale_ = false; // a node of another recording
+  bool is_torn_ = false;  // what is left of a node
 };
 
 } // namespace symreal::trace

@@ -1,6 +1,7 @@
 #include "trace/nodes/pool.h"
 
 #include "memory/heap_blocks.h"
+#include "trace/nodes/torn_numbers.h"
 #include "trace/report/events.h"
 
 #include <atomic>
@@ -47,12 +48,35 @@ Pool::Columns Pool::wanted_columns() {
 // Which generations are being recorded now, in any thread.
 static std::atomic<std::uint64_t> live[4];
 
-static bool is_live(std::uint8_t generation) { return (live[generation / 64] >> (generation % 64) & 1) != 0; }
+static bool is_live(std::uint32_t generation) { return (live[generation / 64] >> (generation % 64) & 1) != 0; }
+
+// The largest so far. They begin again at 1 when none is left.
+static std::atomic<std::uint32_t> last_known = 0;
+
+bool Pool::is_known(std::uint32_t generation) { return generation - 1 < last_known; }
+
+// The check bits tell each generation, and none of their nodes is like what has no check bits.
+static_assert([] {
+  for (std::uint32_t generation = 1; generation < 256; ++generation) {
+    for (NodeId id : {0u, 1u, 0x1234'5678u, 0xFFFF'FFFEu}) {
+      std::uint64_t const bits = payload::bits_of(id, payload::offset_of(generation));
+      if (payload::generation_of(bits) != generation || payload::id_of(bits) != id) return false;
+      if (!detail::is_node_half(static_cast<std::uint32_t>(bits >> 32))) return false;
+    }
+    std::uint32_t const distance = payload::offset_of(generation) & payload::check_mask;
+    if (distance <= 1 || distance == payload::check_mask) return false;
+  }
+  return true;
+}());
 
 void Pool::begin(Columns columns) {
   static std::atomic<std::uint8_t> last_generation = 0;
   do generation_ = ++last_generation;
   while (generation_ == 0); // which says that nothing is recorded
+  offset_ = payload::offset_of(generation_);
+  for (std::uint32_t known = last_known;
+       known < generation_ && !last_known.compare_exchange_weak(known, generation_);) {
+  }
   live[generation_ / 64] |= std::uint64_t{1} << (generation_ % 64);
   recording_ = true;
   error_setter_ = no_node;
@@ -89,11 +113,12 @@ Nodes Pool::end() {
   recording_ = false;
   live[generation_ / 64] &= ~(std::uint64_t{1} << (generation_ % 64));
   generation_ = 0;
+  offset_ = 0;
   values_ = {};
   return table_.release();
 }
 
-RealNumber Pool::number(NodeId id) const { return RealNumber::from_bits(std::uint64_t{upper_half()} << 32 | id); }
+RealNumber Pool::number(NodeId id) const { return RealNumber::from_bits(payload::bits_of(id, offset_)); }
 
 RealNumber Pool::leaf(Node const &node, double value, void const *caller) {
   NodeId id = table_.intern(node);
@@ -101,16 +126,21 @@ RealNumber Pool::leaf(Node const &node, double value, void const *caller) {
   return number(id);
 }
 
-NodeId Pool::checked(RealNumber number) const {
-  if (generation_of(number) != generation_ || !recording_) {
-    report_here(DiagnosticId::stale_value, is_live(generation_of(number))
+void Pool::refuse(RealNumber number) const {
+  std::uint32_t const generation = payload::generation_of(number.to_bits());
+  if (!is_known(generation) || generation == generation_) {
+    std::string const place = TornNumbers::current().place_of(number);
+    report_here(DiagnosticId::torn_number,
+                "a number is used of which a part was overwritten; the rest is that of a symbolic value" +
+                    (place.empty() ? "" : ": overwritten at " + place));
+  } else {
+    report_here(DiagnosticId::stale_value, is_live(generation)
                                                ? "a value of a kernel is used in a thread that does not record it: a "
                                                  "kernel is recorded by the thread that began it"
                                            : recording_ ? "a value of another kernel or thread is used in this kernel"
                                                         : "a value of a kernel is used outside of it");
-    give_up();
   }
-  return static_cast<NodeId>(number.to_bits());
+  give_up();
 }
 
 NodeId Pool::node_of_constant(RealNumber number) {
@@ -144,7 +174,7 @@ double Pool::value_of(Node const &node) const {
 
 // What programs do most, without a look at the table of operations.
 NodeId Pool::record_arithmetic(Op op, RealNumber x, RealNumber y, void const *caller) {
-  NodeId const a = node(x), b = node(y), id = table_.intern(table_.arithmetic(op, a, b));
+  NodeId const a = operand(x), b = operand(y), id = table_.intern(table_.arithmetic(op, a, b));
   if (id + 1 != table_.size()) return id;
   double value = missing_value();
   if (columns_.values && id == values_.size() && !is_missing(values_[a]) && !is_missing(values_[b]))
@@ -160,7 +190,7 @@ RealNumber Pool::record(Op op, RealNumber x, RealNumber y, RealNumber z, void co
     return number(id);
   }
   unsigned operands = arity(op);
-  NodeId a = node(x), b = operands > 1 ? node(y) : no_node, c = operands > 2 ? node(z) : no_node;
+  NodeId a = operand(x), b = operands > 1 ? operand(y) : no_node, c = operands > 2 ? operand(z) : no_node;
   NodeId id = table_.intern(table_.operation(op, a, b, c));
   if (info(op).has(flag::ERROR)) error_setter_ = id;
   if (id + 1 == table_.size()) // most likely new
@@ -218,10 +248,7 @@ void Pool::run_out() {
   give_up();
 }
 
-double Pool::carried_value(RealNumber number) {
-  if (!number.is_node()) return number.plain();
-  return value(checked(number));
-}
+double Pool::carried_value(RealNumber number) { return number.is_node() ? value(operand(number)) : number.plain(); }
 
 RealNumber record_call(Op op, RealNumber x, RealNumber y, RealNumber z, void const *caller) noexcept {
   Pool &pool = Pool::current();

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "graph/node_table.h"
+#include "trace/nodes/payload.h"
 
 #include <symreal/annotate.h>
 #include <symreal/symbolic.h>
@@ -43,26 +44,32 @@ public:
 
   // The node behind a number; a constant is interned. Leaks and stale nodes end the program with a diagnostic.
   NodeId node(RealNumber number) {
-    if (number.to_bits() >> 32 == upper_half()) return static_cast<NodeId>(number.to_bits());
-    return number.is_node() ? checked(number) : node_of_constant(number);
+    if (is_own(number.to_bits())) return payload::id_of(number.to_bits());
+    if (number.is_node()) refuse(number);
+    return node_of_constant(number);
   }
   double carried_value(RealNumber number);
-  // Bits of a node, also where code that was not rewritten made it quiet or changed its sign.
-  static bool is_tagged(std::uint64_t bits) { return (bits & ~marks) >> 40 == (detail::node_tag & ~marks >> 40); }
+  // Bits of a node of any recording, also where code that was not rewritten made it quiet or changed its sign.
+  static bool is_tagged(std::uint64_t bits) {
+    RealNumber const number = underlying(bits);
+    return number.is_node() && is_known(payload::generation_of(number.to_bits()));
+  }
   // The node behind tagged bits.
   static RealNumber underlying(std::uint64_t bits) {
-    return RealNumber::from_bits((bits & ~marks) | detail::node_tag << 40);
+    return RealNumber::from_bits((bits & ~marks) | std::uint64_t{1} << 63);
   }
+  // What is left of a node where some of its bytes were overwritten.
+  static bool is_torn(RealNumber number) { return number.is_node() && !is_tagged(number.to_bits()); }
   // The recording has outgrown the memory: gives its memory back, so that this can be told, and ends the program.
   [[noreturn]] void run_out();
-  bool owns(RealNumber number) const { return number.is_node() && generation_of(number) == generation_; }
+  bool owns(RealNumber number) const { return is_own(number.to_bits()); }
   // The last operation that may have set errno, if that was not written since.
   RealNumber last_to_set_error() const { return error_setter_ == no_node ? RealNumber(0.0) : number(error_setter_); }
-  void may_set_error(RealNumber x) { error_setter_ = owns(x) ? static_cast<NodeId>(x.to_bits()) : error_setter_; }
+  void may_set_error(RealNumber x) { error_setter_ = owns(x) ? payload::id_of(x.to_bits()) : error_setter_; }
   void forget_error() { error_setter_ = no_node; }
 
   // What a number becomes when its kernel ends.
-  double final_value(RealNumber number) const { return value(static_cast<NodeId>(number.to_bits())); }
+  double final_value(RealNumber number) const { return value(payload::id_of(number.to_bits())); }
   void make_plain(RealNumber &number) const {
     if (owns(number)) number = final_value(number); // what is no node may lie in constant memory
   }
@@ -94,15 +101,22 @@ public:
 
 private:
   static constexpr std::uint64_t marks = std::uint64_t{1} << 63 | std::uint64_t{1} << 51;
-  static std::uint8_t generation_of(RealNumber number) { return static_cast<std::uint8_t>(number.to_bits() >> 32); }
-  // The upper half of this pool's nodes; that of no node while nothing is recorded.
-  std::uint32_t upper_half() const { return static_cast<std::uint32_t>(detail::node_tag << 8 | generation_); }
+  // Was there a recording of this generation?
+  static bool is_known(std::uint32_t generation);
+  // A node of this recording; another process that records the same may have more of them.
+  bool is_own(std::uint64_t bits) const { return bits >> 32 == payload::upper_half(payload::id_of(bits), offset_); }
   NodeId node_of_constant(RealNumber number);
   void make_room();
   double value(NodeId id) const;
   double value_of(Node const &node) const;
   NodeId record_arithmetic(Op op, RealNumber x, RealNumber y, void const *caller);
-  NodeId checked(RealNumber number) const;
+  [[noreturn]] void refuse(RealNumber number) const;
+  // An operand, which this process has.
+  NodeId operand(RealNumber number) {
+    NodeId const id = node(number);
+    if (id >= table_.size()) refuse(number);
+    return id;
+  }
   void mark_exact(NodeId id);
   // Fills the columns for a node if it is new.
   void fill(NodeId id, double value, void const *caller);
@@ -112,6 +126,7 @@ private:
   LongArray<double> values_; // the carried value of each node
   LongArray<std::uint32_t> places_;
   std::uint8_t generation_ = 0;
+  std::uint32_t offset_ = 0; // of the generation, in the payload
   bool recording_ = false;
   LongArray<char> exact_nodes_; // up to the last that is
   bool exact_ = false;          // a statement or function says so, which may stand around a whole recording

@@ -128,13 +128,8 @@ void State::written(IntegerObject integer, char const *name, char const *place) 
           .integer = integer});
 }
 
-void State::check_bits(void const *begin, std::size_t size, char const *name, char const *place) {
-  std::uintptr_t const first = reinterpret_cast<std::uintptr_t>(begin) / sizeof(RealNumber);
-  std::uintptr_t const end =
-      (reinterpret_cast<std::uintptr_t>(begin) + size + sizeof(RealNumber) - 1) / sizeof(RealNumber);
-  auto const *numbers = reinterpret_cast<RealNumber const *>(first * sizeof(RealNumber));
-  bool const any = std::any_of(numbers, numbers + (end - first), [](RealNumber number) { return number.is_node(); });
-  if (!any || !reported_bits_.insert(place).second) return;
+void State::check_bits(TornNumbers::Bits bits, char const *name, char const *place) {
+  if (!TornNumbers::current().is_symbolic(bits) || !reported_bits_.insert(place).second) return;
   report({DiagnosticId::reinterpretation, written_place(place),
           "the bytes behind '" + std::string(name) + "' are those of a symbolic value"});
 }

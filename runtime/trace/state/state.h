@@ -5,6 +5,7 @@
 #include "graph/graph.h"
 #include "memory/memory_image.h"
 #include "memory/own_memory.h"
+#include "trace/nodes/torn_numbers.h"
 #include "trace/state/integers.h"
 #include "trace/state/shadow.h"
 
@@ -56,7 +57,7 @@ public:
   void written(IntegerObject integer, char const *name, char const *place);
   void written(void const *begin, std::size_t size, char const *name, char const *place);
   void changed(void const *object, detail::Visit visit, char const *name, char const *place);
-  void check_bits(void const *begin, std::size_t size, char const *name, char const *place);
+  void check_bits(TornNumbers::Bits bits, char const *name, char const *place);
   void const *other_range_end(void const *end, bool is_last, char const *place);
   void constant(void const *begin, std::size_t size);
   void constant_with_owned(void const *begin, std::size_t size); // and the blocks of the heap behind it

@@ -56,7 +56,12 @@ void note_changed(void const *object, Visit visit, char const *name, char const 
 
 void check_bits(void const *begin, std::size_t size, char const *name, char const *place) noexcept {
   Pause const pause;
-  State::current().check_bits(begin, size, name, place);
+  State::current().check_bits({begin, 0, 8 * size}, name, place);
+}
+
+void check_part(void const *begin, std::size_t first, std::size_t count, char const *name, char const *place) noexcept {
+  Pause const pause;
+  State::current().check_bits({begin, first, count}, name, place);
 }
 
 void check_view(void const *begin, char const *name, char const *place) noexcept {
@@ -65,7 +70,7 @@ void check_view(void const *begin, char const *name, char const *place) noexcept
   auto const first = reinterpret_cast<std::uintptr_t>(begin);
   std::uintptr_t const end =
       on_own_stack(begin) ? own_stack + own_stack_size : reinterpret_cast<std::uintptr_t>(memory::object_end(begin));
-  State::current().check_bits(begin, end - first, name, place);
+  State::current().check_bits({begin, 0, 8 * (end - first)}, name, place);
 }
 
 void const *other_range_end(void const *end, bool is_last, char const *place) noexcept {

@@ -1,0 +1,160 @@
+#include "trace/nodes/torn_numbers.h"
+
+#include "memory/own_memory.h"
+#include "trace/nodes/pool.h"
+#include "trace/report/events.h"
+#include "trace/report/written_place.h"
+
+#include <symreal/state.h>
+
+#include <algorithm>
+#include <bit>
+#include <vector>
+
+namespace symreal {
+
+__thread bool detail::any_torn = false;
+
+namespace trace {
+
+namespace {
+
+constexpr std::uint64_t all_bits = ~std::uint64_t{0};
+
+// The words of memory that the bits belong to, and which of their bits.
+template <class Visit> void each_word(TornNumbers::Bits bits, Visit visit) {
+  auto const address = reinterpret_cast<std::uintptr_t>(bits.begin);
+  std::size_t first = address % 8 * 8 + bits.first;
+  auto *word =
+      reinterpret_cast<std::uint64_t *>(address - address % 8) + first / 64; // NOLINT(performance-no-int-to-ptr)
+  first %= 64;
+  for (std::size_t left = bits.count; left != 0; ++word, first = 0) {
+    std::size_t const here = std::min(left, 64 - first);
+    visit(word, (here == 64 ? all_bits : (std::uint64_t{1} << here) - 1) << first);
+    left -= here;
+  }
+}
+
+bool is_whole(std::uint64_t word) { return Pool::current().owns(RealNumber::from_bits(word)); }
+
+} // namespace
+
+TornNumbers &TornNumbers::current() {
+  static constinit thread_local TornNumbers *numbers = nullptr;
+  if (!numbers) numbers = memory::make_own<TornNumbers>();
+  return *numbers;
+}
+
+void TornNumbers::begin() {
+  memory::OwnWork const own;
+  torn_.clear();
+  reported_.clear();
+  changed();
+}
+
+void TornNumbers::changed() { detail::any_torn = !torn_.empty(); }
+
+// A torn number that was copied to this word: enough of its bits are here to exclude chance.
+TornNumbers::Table::iterator TornNumbers::find_copied(std::uint64_t const *word) {
+  constexpr int enough = 16;
+  return std::find_if(torn_.begin(), torn_.end(), [word](auto const &one) {
+    return std::popcount(~one.second.stored) >= enough && one.second.is_left_in(*word);
+  });
+}
+
+// What is known of the word, unless the program has stored something else there since.
+TornNumbers::Table::iterator TornNumbers::find(std::uint64_t *word) {
+  auto const found = torn_.find(word);
+  if (found == torn_.end()) return found;
+  Torn const &torn = found->second;
+  if (!is_whole(*word) && torn.is_left_in(*word)) return found;
+  if (torn.is_number) report_store(torn, "");
+  torn_.erase(found);
+  return torn_.end();
+}
+
+void TornNumbers::report_store(Torn const &torn, std::string const &used) {
+  if (!reported_.insert(torn.site.place).second) return;
+  report({DiagnosticId::reinterpretation, written_place(torn.site.place),
+          "a part of the symbolic value behind '" + std::string(torn.site.name) + "' is overwritten" + used});
+}
+
+void TornNumbers::store(Bits bits, bool is_number, Site const &site) {
+  each_word(bits, [&](std::uint64_t *word, std::uint64_t mask) {
+    if (mask == all_bits && torn_.empty()) return;
+    auto found = find(word);
+    if (found == torn_.end() && mask != all_bits && !is_whole(*word))
+      if (auto const copied = find_copied(word); copied != torn_.end()) {
+        Torn torn = copied->second;
+        torn.is_number = false;
+        found = torn_.insert({word, torn}).first;
+      }
+    if (found != torn_.end()) {
+      found->second.stored |= mask;
+      if (found->second.stored == all_bits) torn_.erase(found);
+    } else if (mask != all_bits && is_whole(*word)) {
+      torn_.insert({word, {*word, mask, is_number, site}});
+      *word ^= mark;
+    }
+  });
+  changed();
+}
+
+void TornNumbers::use(Bits bits, Site const &site) {
+  each_word(bits, [&](std::uint64_t *word, std::uint64_t mask) {
+    auto found = find(word);
+    if (found == torn_.end() && !is_whole(*word)) found = find_copied(word);
+    if (found == torn_.end() || (mask & ~found->second.stored) == 0) return;
+    report_store(found->second, ", and the number is used at " + std::string(site.place));
+    *word = found->second.before; // so that the program goes on with a value
+    torn_.erase(found);
+  });
+  changed();
+}
+
+bool TornNumbers::is_symbolic(Bits bits) {
+  bool is_any = false;
+  each_word(bits, [&](std::uint64_t *word, std::uint64_t mask) {
+    auto found = find(word);
+    if (found == torn_.end() && Pool::is_torn(RealNumber::from_bits(*word))) found = find_copied(word);
+    is_any |= found != torn_.end() ? (mask & ~found->second.stored) != 0 : RealNumber::from_bits(*word).is_node();
+  });
+  return is_any;
+}
+
+std::string TornNumbers::place_of(RealNumber number) const {
+  for (auto const &[word, torn] : torn_)
+    if (*word == number.to_bits()) return torn.site.place;
+  return "";
+}
+
+void TornNumbers::end() {
+  memory::OwnWork const own;
+  std::vector<std::uint64_t *> numbers;
+  for (auto const &[word, torn] : torn_)
+    if (torn.is_number) numbers.push_back(word);
+  std::sort(numbers.begin(), numbers.end());
+  for (std::uint64_t *word : numbers) report_store(torn_.at(word), "");
+  begin();
+}
+
+} // namespace trace
+
+namespace detail {
+
+using trace::Pause;
+using trace::TornNumbers;
+
+void note_bits_stored(void const *begin, std::size_t first, std::size_t count, Holds holds, char const *name,
+                      char const *place) noexcept {
+  Pause const pause;
+  TornNumbers::current().store({begin, first, count}, holds == Holds::number, {name, place});
+}
+
+void note_number_used(void const *begin, std::size_t size, char const *name, char const *place) noexcept {
+  Pause const pause;
+  TornNumbers::current().use({begin, 0, 8 * size}, {name, place});
+}
+
+} // namespace detail
+} // namespace symreal
