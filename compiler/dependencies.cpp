@@ -23,7 +23,8 @@ DependencyOptions completed(CommandLine const &line, std::string const &source) 
 }
 
 std::string write_dependencies(DependencyOptions const &options, Words const &names) {
-  return program::make_rule(options.targets, names, options.phony);
+  return program::make_rule(options.targets, names,
+                            options.phony ? program::Phony::all_but_first : program::Phony::none);
 }
 
 } // namespace symreal::compiler

@@ -6,6 +6,7 @@
 #include "program/compile.h"
 #include "program/compiler_errors.h"
 #include "program/make_rule.h"
+#include "program/read_files.h"
 #include "rewrite/rewrite.h"
 #include "rewrite/text/pragma_text.h"
 #include "support/files.h"
@@ -192,11 +193,35 @@ void remove_output(Translation const &translation) {
   if (fs::is_regular_file(translation.output, ignored)) fs::remove(translation.output, ignored);
 }
 
+// Whether no output takes the place of a file that is read.
+bool is_apart(Translation const &translation, CommandLine const &line, Words const &read) {
+  Words outputs = {translation.output};
+  if (line.dependencies.wanted) outputs.push_back(completed(line, translation.source.name).file);
+  for (std::string const &output : outputs)
+    for (std::string const &one : read)
+      if (fs::is_regular_file(output) && program::identity_of(output) == program::identity_of(one)) {
+        print(std::cerr, {DiagnosticId::output_is_read,
+                          {output},
+                          "'" + one + "' is read, and '" + output + "' would take its place"});
+        return false;
+      }
+  return true;
+}
+
+Words names_of(std::vector<Input> const &inputs) {
+  Words names;
+  for (Input const &one : inputs) names.push_back(one.name);
+  return names;
+}
+
 } // namespace
 
 bool translate(Translation const &translation, CommandLine const &line) {
+  if (!is_apart(translation, line, names_of(line.inputs))) return false;
   try {
-    if (auto result = rewritten(translation, line); result && compile(translation, line, *result)) return true;
+    auto result = rewritten(translation, line);
+    if (result && !is_apart(translation, line, result->read)) return false;
+    if (result && compile(translation, line, *result)) return true;
   } catch (DiagnosticError const &problem) {
     print(std::cerr, problem.diagnostic());
   }

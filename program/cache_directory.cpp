@@ -1,15 +1,16 @@
 #include "program/cache_directory.h"
 
+#include "program/compiled_from.h"
+#include "support/files.h"
+
 #include <llvm/ADT/SmallString.h>
-#include <llvm/ADT/StringExtras.h>
 #include <llvm/Support/CachePruning.h>
 #include <llvm/Support/Path.h>
-#include <llvm/Support/xxhash.h>
 
+#include <cerrno>
 #include <fcntl.h>
 #include <filesystem>
 #include <fmt/format.h>
-#include <fstream>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -19,14 +20,43 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view prefix = "llvmcache-"; // what llvm::pruneCache takes for an entry
-constexpr char const *file_kind = ".o", *text_kind = ".t";
-constexpr std::size_t checksum_size = 16;
-
-std::string checksum(std::string_view text) {
-  return llvm::utohexstr(llvm::xxh3_64bits(llvm::StringRef(text)), /*LowerCase=*/true, checksum_size);
-}
+constexpr char const *file_kind = ".file", *text_kind = ".text";
 
 void mark_used(std::string const &entry) { utimensat(AT_FDCWD, entry.c_str(), nullptr, 0); }
+
+// What an entry begins with. The key counts, since an entry under another name is as wrong as another content.
+std::string hash_of(std::string_view key, std::string_view text) {
+  return content_id(std::string(key) + '\0' + std::string(text));
+}
+
+struct Read {
+  bool exists = true;
+  std::optional<std::string> text; // of a file that can be taken
+};
+
+// Opens nothing else than a file of this user, and waits for nothing.
+Read read_entry(std::string const &path) {
+  int const descriptor = open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+  if (descriptor < 0) return {errno != ENOENT && errno != ENOTDIR, {}};
+  struct stat status{};
+  bool good = fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode) && status.st_uid == geteuid();
+  std::string text(good ? static_cast<std::size_t>(status.st_size) : 0, '\0');
+  for (std::size_t at = 0; good && at < text.size();) {
+    ssize_t const got = read(descriptor, text.data() + at, text.size() - at);
+    good = got > 0 || (got < 0 && errno == EINTR);
+    if (got > 0) at += static_cast<std::size_t>(got);
+  }
+  close(descriptor);
+  return {true, good ? std::optional(std::move(text)) : std::nullopt};
+}
+
+bool write_entry(std::string const &path, std::string_view start, std::string_view text) {
+  int const descriptor = open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
+  if (descriptor < 0) return false;
+  bool const good =
+      write_whole(descriptor, start.data(), start.size()) && write_whole(descriptor, text.data(), text.size());
+  return close(descriptor) == 0 && good;
+}
 
 } // namespace
 
@@ -34,65 +64,85 @@ std::string CacheDirectory::entry(std::string const &key, char const *kind) cons
   return fmt::format("{}/{}{}{}", path_, prefix, key, kind);
 }
 
+void CacheDirectory::tell_damaged(std::string const &entry) const {
+  if (damaged_) damaged_(entry);
+}
+
 // A cache that cannot be written is none.
-template <class Write> void CacheDirectory::add(std::string const &entry, Write write) {
+bool CacheDirectory::add(std::string const &entry, std::string_view start, std::string_view text) {
   std::error_code error;
   fs::create_directories(path_, error);
   std::string const temporary = fmt::format("{}.{}.{}", entry, getpid(), added_++);
-  if (!error) write(temporary, error);
-  if (!error) fs::rename(temporary, entry, error);
-  if (error) fs::remove(temporary, error);
+  if (!error && !write_entry(temporary, start, text)) error = std::make_error_code(std::errc::io_error);
+  if (fs::is_directory(fs::symlink_status(entry, error))) rmdir(entry.c_str());
+  error.clear();
+  fs::rename(temporary, entry, error);
+  if (error) unlink(temporary.c_str());
+  return !error;
 }
 
 std::optional<std::string> CacheDirectory::find(std::string const &key) {
   if (!exists()) return {};
   std::string const path = entry(key, text_kind);
-  std::ifstream file(path, std::ios::binary);
-  std::string text{std::istreambuf_iterator<char>(file), {}};
-  if (text.size() < checksum_size) return {};
-  std::string_view const rest = std::string_view(text).substr(checksum_size);
-  if (checksum(rest) != std::string_view(text).substr(0, checksum_size)) return {};
+  auto [is_there, text] = read_entry(path);
+  if (!is_there) return {};
+  std::size_t const size = hash_of({}, {}).size();
+  if (!text || text->size() < size || hash_of(key, std::string_view(*text).substr(size)) != text->substr(0, size)) {
+    tell_damaged(path);
+    return {};
+  }
   mark_used(path);
-  return text.erase(0, checksum_size);
+  return text->erase(0, size);
 }
 
 void CacheDirectory::keep(std::string const &key, std::string const &text) {
-  if (!exists()) return;
-  add(entry(key, text_kind), [&](std::string const &path, std::error_code &error) {
-    std::ofstream file(path, std::ios::binary);
-    if (!(file << checksum(text) << text).flush()) error = std::make_error_code(std::errc::io_error);
-  });
+  if (exists()) add(entry(key, text_kind), hash_of(key, text), text);
 }
 
-bool CacheDirectory::take_file(std::string const &key, std::string const &to) const {
-  if (!exists()) return false;
-  std::string const path = entry(key, file_kind);
-  std::error_code error;
-  if (!fs::copy_file(path, to, fs::copy_options::overwrite_existing, error)) return false;
+// The hash of a file is the name of its entry, and a text under the key says it.
+std::optional<CacheDirectory::Found> CacheDirectory::find_file(std::string const &key) {
+  std::optional<std::string> const hash = find(key);
+  if (!hash) return {};
+  std::string const path = entry(*hash, file_kind);
+  auto [is_there, bytes] = read_entry(path);
+  if (!is_there) return {};
+  if (!bytes || content_id(*bytes) != *hash) {
+    tell_damaged(path);
+    return {};
+  }
   mark_used(path);
-  return true;
+  return Found{path, std::move(*bytes)};
 }
 
-bool CacheDirectory::link_file(std::string const &key, std::string const &to) const {
-  if (!exists()) return false;
-  std::string const path = entry(key, file_kind);
+bool CacheDirectory::take_file(std::string const &key, std::string const &to) {
+  std::optional<Found> const found = find_file(key);
+  if (!found) return false;
+  unlink(to.c_str());
+  return write_entry(to, {}, found->bytes);
+}
+
+bool CacheDirectory::link_file(std::string const &key, std::string const &to) {
+  std::optional<Found> const found = find_file(key);
+  if (!found) return false;
   std::error_code error;
-  fs::create_hard_link(path, to, error);
-  if (error) return take_file(key, to); // as on another disk
-  mark_used(path);
-  return true;
+  fs::create_hard_link(found->path, to, error);
+  return !error || write_entry(to, {}, found->bytes); // as on another disk
 }
 
 void CacheDirectory::keep_file(std::string const &key, std::string const &file) {
   if (!exists()) return;
-  add(entry(key, file_kind), [&](std::string const &path, std::error_code &error) {
-    fs::copy_file(file, path, fs::copy_options::overwrite_existing, error);
-  });
+  std::optional<std::string> const bytes = read_entry(file).text;
+  if (!bytes) return;
+  std::string const hash = content_id(*bytes);
+  if (add(entry(hash, file_kind), {}, *bytes)) keep(key, hash);
 }
 
 CacheDirectory::~CacheDirectory() {
   std::error_code error;
   if (added_ == 0 || !fs::is_directory(path_, error)) return;
+  // llvm::pruneCache would wait for a pipe of this name.
+  fs::file_status const stamp = fs::symlink_status(path_ + "/llvmcache.timestamp", error);
+  if (fs::exists(stamp) && !fs::is_regular_file(stamp)) return;
   llvm::CachePruningPolicy policy;
   policy.Interval = std::chrono::seconds(0);
   policy.Expiration = std::chrono::hours(24 * 30);
@@ -116,9 +166,10 @@ template <class Use> CacheContents for_each_entry(std::string const &directory, 
   if (directory.empty() || !fs::is_directory(directory, error)) return contents;
   for (fs::directory_entry const &entry : fs::directory_iterator(directory)) {
     if (!entry.path().filename().string().starts_with(prefix)) continue;
-    std::uint64_t const size = entry.file_size(error);
+    bool const is_file = entry.is_regular_file(error) && !entry.is_symlink(error);
+    std::uint64_t const size = is_file ? entry.file_size(error) : 0;
     if (error || !use(entry.path())) continue; // another run has removed it
-    ++(entry.path().extension() == file_kind ? contents.files : contents.texts);
+    if (is_file) ++(entry.path().extension() == file_kind ? contents.files : contents.texts);
     contents.bytes += size;
   }
   return contents;
@@ -133,7 +184,7 @@ CacheContents cache_contents(std::string const &directory) {
 CacheContents clear_cache(std::string const &directory) {
   return for_each_entry(directory, [](fs::path const &path) {
     std::error_code error;
-    return fs::remove(path, error);
+    return fs::remove_all(path, error) != 0;
   });
 }
 

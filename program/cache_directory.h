@@ -5,18 +5,26 @@
 
 #include <atomic>
 #include <cstdint>
+#include <functional>
+#include <optional>
 #include <string>
+#include <string_view>
 
 namespace symreal::program {
 
-// Several threads and processes may use one directory: an entry is there as a whole or not at all.
+// Several threads and processes may use one directory: an entry is there as a whole or not at all. Each carries a hash
+// of its content, which is compared whenever it is read; one that is damaged, or that is anything but a regular file of
+// this user, is told of and not found.
 class CacheDirectory : public rewrite::KeptTexts {
 public:
   // The directory is made when it is needed; empty: there is none, and nothing is kept or found.
   // In the end, if something was added, what was not used for long is removed, until the rest has at most so many
   // bytes.
-  explicit CacheDirectory(std::string path, std::uint64_t most_bytes = std::uint64_t{1} << 30)
+  // `damaged` is called with the path of what is damaged, by several threads.
+  explicit CacheDirectory(std::string path, std::function<void(std::string const &)> damaged = {},
+                          std::uint64_t most_bytes = std::uint64_t{1} << 30)
       : path_(std::move(path)),
+        damaged_(std::move(damaged)),
         most_bytes_(most_bytes) {}
   ~CacheDirectory() override;
   CacheDirectory(CacheDirectory const &) = delete;
@@ -24,21 +32,27 @@ public:
 
   bool exists() const { return !path_.empty(); }
 
-  // Texts. One that was damaged on the disk is not found.
+  // Texts.
   std::optional<std::string> find(std::string const &key) override;
   void keep(std::string const &key, std::string const &text) override;
 
   // Copies the file that is kept under the key; false: there is none.
-  bool take_file(std::string const &key, std::string const &to) const;
+  bool take_file(std::string const &key, std::string const &to);
   // The same for what is read only: it need not be copied.
-  bool link_file(std::string const &key, std::string const &to) const;
+  bool link_file(std::string const &key, std::string const &to);
   void keep_file(std::string const &key, std::string const &file);
 
 private:
   std::string entry(std::string const &key, char const *kind) const;
-  template <class Write> void add(std::string const &entry, Write write);
+  void tell_damaged(std::string const &entry) const;
+  bool add(std::string const &entry, std::string_view start, std::string_view text);
+  struct Found {
+    std::string path, bytes;
+  };
+  std::optional<Found> find_file(std::string const &key);
 
   std::string path_;
+  std::function<void(std::string const &)> damaged_;
   std::uint64_t most_bytes_;
   std::atomic<std::size_t> added_ = 0;
 };

@@ -3,6 +3,7 @@
 #include "program/bounded_compilation.h"
 #include "program/compiler_errors.h"
 #include "program/parallel.h"
+#include "program/read_files.h"
 #include "program/runtime_header.h"
 #include "rewrite/request/driver_options.h"
 #include "support/files.h"
@@ -10,6 +11,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <filesystem>
 #include <llvm/Support/Program.h>
 #include <mutex>
 #include <set>
@@ -264,6 +266,30 @@ std::string bounded_key(Command const &command, std::string const &workspace) {
   return content_id(text);
 }
 
+// A compiler, or what stands in its place.
+void note_program(std::string const &name) {
+  if (auto const path = llvm::sys::findProgramByName(name)) note_read(*path);
+}
+
+// Files and libraries among the words of a linker.
+void note_linked(Words const &words) {
+  Words directories;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    std::string_view word = words[i];
+    bool const is_directory = word.starts_with("-L"), is_library = word.starts_with("-l");
+    std::string value((is_directory || is_library) && word.size() > 2 ? word.substr(2) : "");
+    if ((is_directory || is_library) && value.empty() && i + 1 < words.size()) value = words[++i];
+    if (is_directory)
+      directories.push_back(value);
+    else if (is_library)
+      for (std::string const &directory : directories)
+        for (char const *ending : {".so", ".a"})
+          if (std::string const path = directory + "/lib" + value + ending; std::filesystem::is_regular_file(path))
+            note_read(path);
+    if (!word.starts_with('-') && std::filesystem::is_regular_file(word)) note_read(words[i]);
+  }
+}
+
 } // namespace
 
 std::vector<std::string> build_variants(BuildRequest const &request, std::span<Variant const> variants,
@@ -290,6 +316,10 @@ std::vector<std::string> build_variants(BuildRequest const &request, std::span<V
     executables.push_back(directory + "/program");
     links.push_back(compiler_run(link_command(request, variant, objects, executables.back()), {}));
   }
+
+  for (auto const *commands : {&compilations, &links})
+    for (Command const &command : *commands) note_program(command.arguments.front());
+  note_linked(linker_flags(request));
 
   FilesNow files;
   RuntimeHeader header(*request.cache, request.cache->directory(), workspace.path());

@@ -1,6 +1,7 @@
 #include "program/front.h"
 
 #include "program/c_macros.h"
+#include "program/read_files.h"
 #include "program/refusals.h"
 
 #include <algorithm>
@@ -151,6 +152,7 @@ bool rewrite_sources(FrontRequest const &request, Front &front, Talk const &talk
   if (source.annotations_only) require_instructions(front.rewritten);
   note_unreached(front.rewritten, rewrite::compilations_of(request.source).size(), talk);
   front.read = front.rewritten.read;
+  for (std::string const &file : front.read) note_read(file);
   for (rewrite::TextSource const &one : request.source.texts)
     std::erase(front.read, rewrite::real_source({one.path, {}, {}}));
   front.wanted = wanted_kernels(front.rewritten, request);

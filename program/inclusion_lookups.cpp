@@ -64,6 +64,18 @@ bool add_question(std::string_view rest, Inclusions &all) {
   return found.has_value();
 }
 
+// False: one of them cannot be told.
+bool add_questions(std::string_view text, Inclusions &all) {
+  constexpr std::string_view question = "__has_include";
+  bool are_told = true;
+  for (std::size_t at = 0; (at = text.find(question, at)) != text.npos;) {
+    bool const begins = at == 0 || !is_word(text[at - 1]);
+    at += question.size();
+    if (begins && !add_question(text.substr(at), all)) are_told = false;
+  }
+  return are_told;
+}
+
 } // namespace
 
 std::optional<Inclusions> inclusions_of(std::string_view text) {
@@ -73,15 +85,16 @@ std::optional<Inclusions> inclusions_of(std::string_view text) {
   for (std::string_view mark : {"#", "%:"})
     for (std::size_t at = 0; (at = text.find(mark, at)) != text.npos; at += mark.size())
       if (begins_line(text.substr(0, at)) && !add_directive(text.substr(at + mark.size()), all)) return {};
-  constexpr std::string_view question = "__has_include";
-  for (std::size_t at = 0; (at = text.find(question, at)) != text.npos;) {
-    bool const begins = at == 0 || !is_word(text[at - 1]);
-    at += question.size();
-    if (begins && !add_question(text.substr(at), all)) return {};
-  }
+  if (!add_questions(text, all)) return {};
   std::sort(all.names.begin(), all.names.end());
   all.names.erase(std::unique(all.names.begin(), all.names.end()), all.names.end());
   return all;
+}
+
+std::vector<Inclusion> questions_of(std::string_view text) {
+  Inclusions all;
+  add_questions(text, all);
+  return all.names;
 }
 
 bool defines(std::string_view text, std::string_view macro) {

@@ -27,6 +27,9 @@ struct Inclusions {
 // depends on the time of the day.
 std::optional<Inclusions> inclusions_of(std::string_view text);
 
+// Of __has_include and __has_include_next alone, as far as they are spelled so.
+std::vector<Inclusion> questions_of(std::string_view text);
+
 // Does the text define the macro?
 bool defines(std::string_view text, std::string_view macro);
 

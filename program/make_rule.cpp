@@ -50,14 +50,15 @@ private:
 
 } // namespace
 
-std::string make_rule(std::vector<std::string> const &targets, std::vector<std::string> const &names, bool phony) {
+std::string make_rule(std::vector<std::string> const &targets, std::vector<std::string> const &names, Phony phony) {
   Line line;
   for (std::string const &target : targets) line.add(target);
   line.end_targets();
   for (std::string const &name : names) line.add(make_escaped(name));
   line.text += '\n';
-  if (phony)
-    for (std::size_t i = 1; i < names.size(); ++i) line.text += make_escaped(names[i]) + ":\n";
+  if (phony != Phony::none)
+    for (std::size_t i = phony == Phony::all ? 0 : 1; i < names.size(); ++i)
+      line.text += make_escaped(names[i]) + ":\n";
   return line.text;
 }
 

@@ -1,6 +1,7 @@
 #include "program/object_cache.h"
 
 #include "program/make_rule.h"
+#include "program/read_files.h"
 #include "support/files.h"
 #include "support/version.h"
 
@@ -74,6 +75,12 @@ void add_compilation(Key &key, Command const &compilation) {
     if (char const *value = std::getenv(name)) key.add(fmt::format("{}={}", name, value));
 }
 
+// The result depends on what a compiler reads of the user's; the rewriter does not see all of it: neither headers of
+// the symbolic program alone nor those of sources that it leaves as they are.
+void note_compiled(std::string const &path, std::string const &workspace) {
+  if (!path.starts_with(workspace) && !path.starts_with("/usr/")) note_read(path);
+}
+
 std::string key_of_words(Command const &compilation, std::string const &workspace) {
   Key key(workspace);
   key.add("read");
@@ -110,12 +117,24 @@ std::optional<Preprocessed> preprocess(Command const &compilation, std::string c
   for (std::string const &file : files) {
     std::string const path = (fs::path(compilation.directory) / file).string();
     if (!fs::is_regular_file(path)) return {};
+    note_compiled(path, workspace);
     key.add(file);
     key.add(read_file(path));
   }
   fs::remove(text);
   fs::remove(rule);
   return Preprocessed{key.result(), compiled_from(compilation, files, run.output, workspace)};
+}
+
+// Of a compilation of which nothing is kept.
+Captured compiled_with_notes(Command compilation, std::string const &object, std::string const &workspace) {
+  std::string const rule = object + ".d";
+  Words &words = compilation.arguments;
+  words.insert(words.end(), {"-MMD", "-MF", rule});
+  Captured result = capture(compilation);
+  for (std::string const &file : read_make_rule(text_of_file(rule).value_or("")))
+    note_compiled((fs::path(compilation.directory) / file).string(), workspace);
+  return result;
 }
 
 } // namespace
@@ -141,6 +160,9 @@ ObjectCache::Search ObjectCache::search_by_words(Command const &compilation, std
   search.by_words = key_of_words(compilation, workspace);
   auto const before = kept(search.by_words, workspace, files);
   search.taken = before && directory_->take_file(before->second, search.object);
+  if (search.taken)
+    for (auto const &[path, id] : before->first.files)
+      if (!path.starts_with('@')) note_compiled(path, workspace);
   return search;
 }
 
@@ -169,7 +191,7 @@ Captured ObjectCache::compile(Command const &compilation, std::string const &wor
   search_by_text(search, command, workspace);
   if (search.taken) return ++reused_, Captured{{Ending::exited, 0, 0}, {}};
   ++compiled_;
-  Captured result = capture(command);
+  Captured result = search.found ? capture(command) : compiled_with_notes(command, search.object, workspace);
   if (result.outcome.success())
     keep(search, workspace);
   else if (quick && !has_reached_limit(command, result.outcome))

@@ -15,6 +15,7 @@ Command recording_command(std::string const &executable, RunOptions const &optio
                   .time_limit = options.time_limit};
   command.arguments.insert(command.arguments.end(), options.arguments.begin(), options.arguments.end());
   std::optional<ExploreBounds> const bounds = explore_bounds(options.decisions);
+  command.notes_opened = true;
   command.at_fixed_addresses = bounds.has_value();
   std::string const policy = !bounds ? options.decisions : bounds->selects ? "auto" : "explore";
   command.environment = {"SYMREAL_RECORD=" + directory, "SYMREAL_DECISIONS=" + policy,

@@ -1,11 +1,16 @@
 #include "program/process.h"
 
+#include "program/interruption.h"
+#include "program/opened_files.h"
+#include "program/read_files.h"
+
 #include <array>
 #include <cerrno>
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <fcntl.h>
+#include <optional>
 #include <poll.h>
 #include <sys/personality.h>
 #include <sys/prctl.h>
@@ -63,7 +68,7 @@ private:
 };
 
 [[noreturn]] void become(Command const &command, Prepared const &prepared, Pipe const &output, Pipe const &failure,
-                         pid_t parent) {
+                         pid_t parent, OpenedFiles const *opened) {
   auto give_up = [&] {
     int reason = errno;
     if (write(failure.write_end, &reason, sizeof reason) < 0) _exit(126);
@@ -85,6 +90,7 @@ private:
   if (command.at_fixed_addresses) personality(ADDR_NO_RANDOMIZE);
   for (int descriptor : command.inherited) fcntl(descriptor, F_SETFD, 0);
   signal(SIGPIPE, SIG_DFL);
+  if (opened) opened->install();
   execvpe(prepared.arguments[0], prepared.arguments.data(), prepared.environment.data());
   give_up();
   std::abort();
@@ -146,19 +152,24 @@ Outcome run(Command const &command, LineSink const &sink) {
   auto start = Clock::now();
   Prepared prepared(command);
   Pipe output, failure;
+  std::optional<OpenedFiles> opened;
+  if (command.notes_opened) opened.emplace();
   pid_t parent = getpid();
   pid_t child = output.read_end < 0 || failure.read_end < 0 ? -1 : fork();
   if (child < 0) return {Ending::not_started, errno, 0};
-  if (child == 0) become(command, prepared, output, failure, parent);
+  if (child == 0) become(command, prepared, output, failure, parent, opened ? &*opened : nullptr);
   setpgid(child, child);
+  Doomed group(child); // with what it starts
   output.close_write();
   failure.close_write();
 
   int reason = 0;
   if (read(failure.read_end, &reason, sizeof reason) == sizeof reason) {
+    group.spare();
     waitpid(child, nullptr, 0);
     return {Ending::not_started, reason, seconds_since(start)};
   }
+  if (opened && !opened->serve(note_opened)) note_unseen();
   Lines lines(sink);
   int status = 0;
   rusage used = {};

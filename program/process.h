@@ -18,6 +18,7 @@ struct Command {
   double processor_limit = 0;                // seconds of each of its processes; 0: none
   bool at_fixed_addresses = false;           // where the system can do that
   std::vector<int> inherited = {};           // descriptors that stay open, with their numbers, besides 0, 1 and 2
+  bool notes_opened = false;                 // files that it opens are noted (read_files.h)
 };
 
 enum class Ending {

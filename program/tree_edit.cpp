@@ -49,6 +49,13 @@ Journal read_journal(std::string const &path) {
   }
 }
 
+// Renaming would replace the link, and leave the file.
+bool became_link(std::string const &path) {
+  std::error_code error;
+  fs::path const real = fs::canonical(path, error);
+  return !error && real != path;
+}
+
 // The directory `.symreal`, held by one process at a time.
 class State {
 public:
@@ -134,6 +141,8 @@ private:
     for (Entry const &one : journal.entries)
       if (fs::exists(one.temporary)) {
         require_content(one.path, one.old_hash);
+        if (became_link(one.path))
+          fail(DiagnosticId::changed_file, {one.path}, "a link has taken the place of this file");
         rename_durably(one.temporary, one.path);
       }
     if (!journal.is_undo) {
@@ -238,11 +247,15 @@ std::vector<std::string> undo_tree(std::string const &directory) {
     Entry const &one = done.entries[i];
     if (file_hash(one.path) != one.new_hash)
       fail(DiagnosticId::undo_refused, {one.path}, "this file changed since it was rewritten; nothing was undone");
+    if (became_link(one.path))
+      fail(DiagnosticId::undo_refused, {one.path},
+           "a link has taken the place of this file, or of a directory above it; nothing was undone");
     std::string original = read_file(state->original(number, i));
     if (content_hash(original) != one.old_hash)
       fail(DiagnosticId::undo_refused, {state->original(number, i)}, "this copy of the original was changed");
     undo.entries.push_back({one.path, one.temporary, one.new_hash, one.old_hash});
-    replacements.push_back({one.path, {}, std::move(original)});
+    replacements.push_back({one.path, read_file(one.path), std::move(original)});
+    require_replaceable(replacements.back());
     files.push_back(one.path);
   }
   state->carry_out(undo, replacements);

@@ -1,6 +1,8 @@
 // A directory of its own for what one run builds, outside the user's tree. It disappears at the end of the run, also
-// when the run is interrupted, unless it is to be kept.
+// when the run is interrupted, unless it is to be kept; one of a run that was killed disappears with the next run.
 #pragma once
+
+#include "program/interruption.h"
 
 #include <string>
 
@@ -21,6 +23,8 @@ public:
 private:
   std::string path_;
   bool keep_;
+  int lock_ = -1; // held as long as the run lives
+  Doomed doomed_;
 };
 
 } // namespace symreal::program

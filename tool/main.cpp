@@ -1,5 +1,7 @@
 // The command line: symreal SUBCOMMAND [options] files [-- compiler flags].
 #include "diagnostics/diagnostic.h"
+#include "program/read_files.h"
+#include "support/files.h"
 #include "support/version.h"
 #include "tool/commands/subcommands.h"
 #include "tool/configuration/unknown_words.h"
@@ -47,6 +49,7 @@ static int run(int argc, char **argv) {
 } // namespace symreal::tool
 
 int main(int argc, char **argv) {
+  symreal::watch_reads(symreal::program::note_read);
   try {
     return symreal::tool::run(argc, argv);
   } catch (std::exception const &problem) {

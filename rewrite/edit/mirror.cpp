@@ -1,6 +1,5 @@
 #include "rewrite/edit/mirror.h"
 #include "rewrite/text/pragma_text.h"
-#include "support/files.h"
 
 #include <filesystem>
 
@@ -17,23 +16,18 @@ std::filesystem::path common_directory(std::vector<File> const &files) {
 
 } // namespace
 
-std::vector<std::string> write_mirror(std::vector<File> const &files, std::string const &directory,
-                                      std::string const &top) {
-  std::vector<std::string> written;
-  if (files.empty()) return written;
+std::vector<MirrorFile> mirror(std::vector<File> const &files, std::string const &directory, std::string const &top) {
+  std::vector<MirrorFile> all;
+  if (files.empty()) return all;
   std::filesystem::path const common = top.empty() ? common_directory(files) : std::filesystem::path(top);
   for (File const &file : files) {
     std::filesystem::path const path = directory / std::filesystem::path(file.path).lexically_relative(common);
-    std::error_code error;
-    std::filesystem::create_directories(path.parent_path(), error);
-    if (error) fail(DiagnosticId::unwritable_output, {path.parent_path()}, error.message());
     // A byte order mark is one only at the very beginning.
     std::string const mark = file.text.compare(0, 3, "\xEF\xBB\xBF") == 0 ? file.text.substr(0, 3) : "";
-    write_if_changed(path.string(),
-                     mark + "#line 1 " + in_quotes(file.compiled_name) + "\n" + file.text.substr(mark.size()));
-    written.push_back(path.string());
+    all.push_back(
+        {path.string(), mark + "#line 1 " + in_quotes(file.compiled_name) + "\n" + file.text.substr(mark.size())});
   }
-  return written;
+  return all;
 }
 
 } // namespace symreal::rewrite

@@ -4,9 +4,8 @@
 #include "support/files.h"
 
 #include <cstdio>
-#include <cstdlib>
-#include <filesystem>
-#include <memory>
+#include <sys/mman.h>
+#include <unistd.h>
 
 namespace symreal {
 namespace {
@@ -17,32 +16,33 @@ std::string shell_quoted(std::string const &text) {
   return result + "'";
 }
 
-struct Directory {
-  Directory() {
-    char name[] = "/tmp/symreal-diff-XXXXXX";
-    if (!mkdtemp(name)) fail(DiagnosticId::unwritable_output, {"/tmp"}, "no temporary directory can be made");
-    path = name;
+// A text that a process started from here reads as a file; it lies in no directory.
+class TextInMemory {
+public:
+  explicit TextInMemory(std::string const &text) : descriptor_(memfd_create("text", 0)) {
+    if (descriptor_ < 0 || !write_whole(descriptor_, text.data(), text.size()))
+      fail(DiagnosticId::unwritable_output, {}, "no text can be handed to the program diff");
   }
-  ~Directory() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path, ignored);
+  ~TextInMemory() {
+    if (descriptor_ >= 0) close(descriptor_);
   }
-  Directory(Directory const &) = delete;
-  Directory &operator=(Directory const &) = delete;
-  std::string path;
+  TextInMemory(TextInMemory const &) = delete;
+  TextInMemory &operator=(TextInMemory const &) = delete;
+  std::string path() const { return "/dev/fd/" + std::to_string(descriptor_); }
+
+private:
+  int descriptor_;
 };
 
 } // namespace
 
 std::string unified_diff(std::string const &file, std::string const &before, std::string const &after) {
   if (before == after) return {};
-  Directory const directory;
-  write_if_changed(directory.path + "/before", before);
-  write_if_changed(directory.path + "/after", after);
+  TextInMemory const old_text(before), new_text(after);
   // A tab says where a name with blanks ends.
   std::string const name = file + (file.find(' ') == std::string::npos ? "" : "\t");
   std::string const command = "diff -u --label " + shell_quoted("a/" + name) + " --label " + shell_quoted("b/" + name) +
-                              " " + directory.path + "/before " + directory.path + "/after";
+                              " " + old_text.path() + " " + new_text.path();
   std::string text;
   FILE *const stream = popen(command.c_str(), "r");
   if (!stream) fail(DiagnosticId::unreadable_file, {file}, "the program diff cannot be started");

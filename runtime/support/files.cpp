@@ -7,17 +7,15 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <optional>
 #include <sstream>
-#include <string_view>
 #include <sys/stat.h>
 #include <unistd.h>
 #include <vector>
 
 namespace symreal {
 
-// Whether the file holds this text; reads it piece by piece.
-static bool holds(std::string const &path, std::string_view text) {
+// Reads it piece by piece.
+bool holds(std::string const &path, std::string_view text) {
   std::error_code problem;
   if (std::filesystem::file_size(path, problem) != text.size() || problem) return false;
   std::ifstream file(path, std::ios::binary);
@@ -31,7 +29,7 @@ static bool holds(std::string const &path, std::string_view text) {
   return text.empty();
 }
 
-static std::optional<std::string> contents(std::string const &path) {
+std::optional<std::string> text_of_file(std::string const &path) {
   std::ifstream file(path, std::ios::binary);
   std::ostringstream text;
   if (!file || std::filesystem::is_directory(path)) return std::nullopt;
@@ -39,9 +37,14 @@ static std::optional<std::string> contents(std::string const &path) {
   return file.bad() ? std::nullopt : std::optional(text.str());
 }
 
+static void (*read_watch)(std::string const &path) = nullptr;
+
+void watch_reads(void (*watch)(std::string const &path)) { read_watch = watch; }
+
 std::string read_file(std::string const &path) {
+  if (read_watch) read_watch(path);
   errno = 0;
-  if (auto text = contents(path)) return *text;
+  if (auto text = text_of_file(path)) return *text;
   fail(DiagnosticId::unreadable_file, {path}, "cannot read '" + path + "': " + std::strerror(errno ? errno : EISDIR));
 }
 

@@ -12,6 +12,7 @@
 #include "support/files.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <iostream>
 
 using namespace symreal;
@@ -84,7 +85,11 @@ int main(int argc, char **argv) {
     }
     if (failed) return 1;
     if (!out.empty()) {
-      for (std::string const &path : write_mirror(result.files, out)) std::cout << path << "\n";
+      for (auto const &[path, text] : mirror(result.files, out)) {
+        std::filesystem::create_directories(std::filesystem::path(path).parent_path());
+        write_if_changed(path, text);
+        std::cout << path << "\n";
+      }
       return 0;
     }
     for (rewrite::Refusal const &one : result.refusals)

@@ -3,13 +3,15 @@
 #include <gtest/gtest.h>
 
 using symreal::program::make_rule;
+using symreal::program::Phony;
 using symreal::program::read_make_rule;
 
 TEST(MakeRule, NamesReadBack) {
   std::vector<std::string> const names = {"a.c",    "b c.h",   "d$e.h",     "f#g.h",
                                           "h\\i.h", "j\\ k.h", "l\\\\ m.h", "n\\#o.h"};
   EXPECT_EQ(read_make_rule(make_rule({"target.o"}, names)), names);
-  EXPECT_EQ(read_make_rule(make_rule({"target.o"}, names, /*phony=*/true)), names);
+  for (Phony const phony : {Phony::all_but_first, Phony::all})
+    EXPECT_EQ(read_make_rule(make_rule({"target.o"}, names, phony)), names);
 }
 
 TEST(MakeRule, LinesMayBeBroken) {

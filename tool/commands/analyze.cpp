@@ -40,8 +40,7 @@ void require_sense(Options const &options) {
 
 void write_tables(std::vector<OutputFile> files) {
   std::erase_if(files, [](OutputFile const &file) { return file.path.empty(); });
-  require_writable(files);
-  write_files(files);
+  write_outputs({std::move(files)});
 }
 
 void analyze_graph(Options const &options, CLI::App const &command) {

@@ -1,4 +1,3 @@
-#include "support/files.h"
 #include "tool/analysis/analysis_options.h"
 #include "tool/analysis/blocks_report.h"
 #include "tool/commands/analyzed_graph.h"
@@ -24,10 +23,7 @@ void run(Options const &options, CLI::App const &command) {
   Graph const graph = analyzed_graph(command, options.passes, options.file);
   KernelBlocks const kernel = cut_kernel(graph, costs, options.blocks);
   BlocksReport const report = blocks_report(graph, costs, kernel);
-  if (!options.csv.empty()) {
-    require_writable(options.csv);
-    write_if_changed(options.csv, blocks_csv(graph, kernel));
-  }
+  if (!options.csv.empty()) write_outputs({{{options.csv, blocks_csv(graph, kernel)}}});
   if (options.json) {
     std::cout << to_json(report).dump(2) << "\n";
     return;

@@ -1,7 +1,5 @@
 #include "tool/commands/bundle.h"
 
-#include "tool/package/folder.h"
-
 namespace symreal::tool {
 
 std::vector<OutputFile> Bundle::files() const {
@@ -10,14 +8,9 @@ std::vector<OutputFile> Bundle::files() const {
   return all;
 }
 
-void Bundle::require_writable() const {
-  tool::require_writable(units);
-  if (!package.folder.empty()) require_folder(package.folder, package.files);
-}
-
-void Bundle::write() const {
-  write_files(units);
-  if (!package.folder.empty()) write_folder(package.folder, package.files);
+void Bundle::add_to(Outputs &outputs) const {
+  outputs.files.insert(outputs.files.end(), units.begin(), units.end());
+  if (!package.path.empty()) outputs.folders.push_back(package);
 }
 
 void BundleOption::add_to(CLI::App &app) {

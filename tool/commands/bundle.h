@@ -10,13 +10,11 @@
 namespace symreal::tool {
 
 struct Bundle {
-  Package package;
+  OutputFolder package; // its path is empty where none is wanted
   std::vector<OutputFile> units;
 
   std::vector<OutputFile> files() const;
-  // Fails where something of it cannot be written.
-  void require_writable() const;
-  void write() const;
+  void add_to(Outputs &outputs) const;
 };
 
 struct BundleOption {

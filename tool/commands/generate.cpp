@@ -2,7 +2,6 @@
 #include "graph/graph_text.h"
 #include "graph/names.h"
 #include "graph/states.h"
-#include "program/make_rule.h"
 #include "schedule/angles.h"
 #include "support/files.h"
 #include "tool/analysis/parallel_option.h"
@@ -13,6 +12,7 @@
 #include "tool/options/differentiate_option.h"
 #include "tool/options/reroll_option.h"
 #include "tool/options/vector_option.h"
+#include "tool/output/depfile.h"
 #include "tool/output/outputs.h"
 #include "tool/output/wrapper.h"
 #include "tool/output/write_config.h"
@@ -95,12 +95,12 @@ void require_outputs(Options const &options) {
   // With several kernels, which only the sources know, these may be directories still to be made.
   auto may_be_file = [](std::string const &path) { return !path.empty() && !names_directory(path); };
   if (options.check) return;
-  if (may_be_file(options.output)) {
-    if (fs::path(options.output).has_extension()) require_source_name(options.output, options.language.languages());
-    require_writable(options.output);
-  }
-  if (may_be_file(options.graph_file)) require_writable(options.graph_file);
-  if (may_be_file(options.bundle.unit.file)) require_writable(options.bundle.unit.file);
+  if (may_be_file(options.output) && fs::path(options.output).has_extension())
+    require_source_name(options.output, options.language.languages());
+  std::vector<std::string> paths = {options.emitter.map_file, options.depfile};
+  for (std::string const *one : {&options.output, &options.graph_file, &options.bundle.unit.file})
+    if (may_be_file(*one)) paths.push_back(*one);
+  require_writable(paths);
 }
 
 // The source files of a kernel.
@@ -220,15 +220,20 @@ void write_config(ProjectOptions const &project, std::vector<Lacking> const &lac
 }
 
 // False if a file is not what it would be.
-bool write_results(std::vector<Product> const &products, program::Front const &front, Options const &options) {
+bool write_results(std::vector<Product> const &products, program::Front const &front,
+                   program::FrontRequest const &request, Options const &options) {
   if (options.check) return check_products(products);
   BundleOption const &bundle = options.bundle;
   bool const several = front.kernels.size() > 1;
-  std::string const first = write_products(
+  Outputs outputs = outputs_of(
       products, several ? std::vector{options.output, options.graph_file, bundle.package.folder, bundle.unit.file}
                         : std::vector<std::string>());
-  if (!options.depfile.empty())
-    write_if_changed(options.depfile, program::make_rule({program::make_escaped(first)}, front.read));
+  if (!options.depfile.empty()) {
+    warn_of_unseen(options.depfile);
+    outputs.files.push_back({options.depfile, dependencies(options.depfile, first_path(products.front()), front,
+                                                           request, options.source.project)});
+  }
+  write_outputs(outputs);
   return true;
 }
 
@@ -236,9 +241,9 @@ int run(CLI::App &command, Options &options, Session &session) {
   options.source.project.configure(command, session.configured);
   options.bundle.require_sense(command);
   require_sense(options);
-  require_outputs(options);
   Console console;
   program::FrontRequest request = options.source.request(session.flags);
+  require_outputs(options);
   request.run.decisions = options.decisions.of_recording();
   request.run.paths_met = options.decisions.paths_met;
   request.run.floating_point = options.passes.mode;
@@ -262,7 +267,7 @@ int run(CLI::App &command, Options &options, Session &session) {
   for (Product const &product : *products)
     for (Diagnostic const &warning : product.warnings) console.report(warning);
   console.clear();
-  if (!write_results(*products, front, options)) return out_of_date;
+  if (!write_results(*products, front, request, options)) return out_of_date;
   if (!options.check) show_products(*products, front, options.statistics, options.json);
   return clean;
 }

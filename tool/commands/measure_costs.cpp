@@ -1,6 +1,7 @@
 #include "analysis/costs/measuring.h"
 
 #include "program/process.h"
+#include "program/read_files.h"
 #include "program/workspace.h"
 #include "support/files.h"
 #include "tool/commands/subcommands.h"
@@ -65,6 +66,7 @@ void measure_sections(Options const &options, ThreadCosts &threads) {
 }
 
 void run(Options const &options) {
+  if (options.compiler.find('/') != options.compiler.npos) program::note_read(options.compiler);
   require_writable(options.output);
   std::string const version = version_of(options.compiler);
   auto threads = measured_thread_costs(output_of(options, thread_measuring_program(), thread_measuring_flags));
@@ -72,7 +74,7 @@ void run(Options const &options) {
   std::string const text = cost_file_text(output_of(options, measuring_program(), measuring_flags), version, threads);
   if (!threads || text.empty())
     fail(DiagnosticId::program_crashed, {}, "the program that measures did not come to its end");
-  write_if_changed(options.output, text);
+  write_outputs({{{options.output, text}}});
   if (!threads->is_measured())
     std::cerr << "one processor: threads only take turns on it, so that barriers and hand-overs are not measured\n";
   else if (threads->cores == 1)

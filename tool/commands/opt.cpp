@@ -126,11 +126,9 @@ std::vector<OutputFile> result_files(Optimised const &optimised, Schedule const 
 std::vector<std::string> write_bundle(Graph const &graph, Schedule const *read, Options const &options) {
   Schedule const plan = read ? *read : schedule(graph, options.emitter.nesting());
   Bundle const bundle = options.bundle.bundle(plan, options.emitter, options.passes.floating_point(), false);
-  bundle.require_writable();
-  bundle.write();
-  std::vector<std::string> paths;
-  for (OutputFile const &file : bundle.files()) paths.push_back(file.path);
-  return paths;
+  Outputs outputs;
+  bundle.add_to(outputs);
+  return write_outputs(outputs);
 }
 
 void run(CLI::App &command, Options const &options) {
@@ -150,8 +148,7 @@ void run(CLI::App &command, Options const &options) {
     if (options.output.empty()) {
       std::cout << files.front().text;
     } else {
-      require_writable(files);
-      report.files = write_files(files);
+      report.files = write_outputs({std::move(files)});
     }
   }
   if (options.statistics) print_table(std::cerr, report, true);

@@ -34,13 +34,13 @@ std::string drawn(program::Workspace const &workspace, std::string const &script
 }
 
 void run(Options const &options, CLI::App const &command) {
-  require_writable(options.output);
   Costs const costs = options.analysis.costs();
   program::Workspace const workspace(/*keep=*/false);
   std::string const image = workspace.file("plot" + std::filesystem::path(options.output).extension().string());
   Graph const graph = analyzed_graph(command, options.passes, options.file);
+  require_writable(options.output);
   std::string const script = plot_script(graph, costs, figures(graph, costs, options.analysis.goal(costs)), image);
-  write_if_changed(options.output, drawn(workspace, script, image));
+  write_outputs({{{options.output, drawn(workspace, script, image)}}});
 }
 
 } // namespace

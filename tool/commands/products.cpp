@@ -18,15 +18,6 @@ std::vector<OutputFile const *> all_files(Product const &product) {
   return all;
 }
 
-// Of all kernels; two of them must not have one name.
-std::vector<OutputFile const *> single_files(std::vector<Product> const &products) {
-  std::vector<OutputFile const *> files;
-  for (Product const &product : products)
-    for (auto const *list : {&product.files, &product.bundle.units})
-      for (OutputFile const &file : *list) files.push_back(&file);
-  return files;
-}
-
 } // namespace
 
 bool check_products(std::vector<Product> const &products) {
@@ -36,17 +27,18 @@ bool check_products(std::vector<Product> const &products) {
   return check_files(files);
 }
 
-std::string write_products(std::vector<Product> const &products, std::vector<std::string> const &directories) {
+Outputs outputs_of(std::vector<Product> const &products, std::vector<std::string> const &directories) {
+  Outputs outputs;
   for (std::string const &directory : directories)
-    if (!directory.empty()) make_directory(directory);
-  require_writable(single_files(products));
-  for (Product const &product : products) product.bundle.require_writable();
+    if (!directory.empty()) outputs.directories.push_back(directory);
   for (Product const &product : products) {
-    product.bundle.write();
-    write_files(product.files);
+    product.bundle.add_to(outputs);
+    outputs.files.insert(outputs.files.end(), product.files.begin(), product.files.end());
   }
-  return all_files(products.front()).front()->path;
+  return outputs;
 }
+
+std::string first_path(Product const &product) { return all_files(product).front()->path; }
 
 void show_products(std::vector<Product> const &products, program::Front const &front, bool details, bool as_json) {
   nlohmann::ordered_json json = nlohmann::ordered_json::array();

@@ -28,9 +28,10 @@ struct Product {
 // Does the disk hold these files? Writes nothing.
 bool check_products(std::vector<Product> const &products);
 
-// Writes all files, once it is known that all can be written, below directories that are made where there are none.
-// Returns the path of the first.
-std::string write_products(std::vector<Product> const &products, std::vector<std::string> const &directories);
+// All files, below directories that are made where there are none.
+Outputs outputs_of(std::vector<Product> const &products, std::vector<std::string> const &directories);
+// Of the file that a rule of make names the product by.
+std::string first_path(Product const &product);
 
 // The table, and as JSON on standard output.
 void show_products(std::vector<Product> const &products, program::Front const &front, bool details, bool as_json);

@@ -1,5 +1,6 @@
 #include "program/record.h"
 #include "graph/graph_text.h"
+#include "program/read_files.h"
 #include "tool/commands/subcommands.h"
 #include "tool/options/decisions_option.h"
 #include "tool/output/outputs.h"
@@ -34,6 +35,8 @@ int run(Options options, Session const &session) {
   if (session.flags.empty()) fail(DiagnosticId::bad_option, {}, "name the program and its arguments after --");
   options.run.arguments.assign(session.flags.begin() + 1, session.flags.end());
   options.run.places = true;
+  if (!options.run.standard_input.empty()) program::note_read(options.run.standard_input);
+  program::note_read(program_path(session.flags.front()));
   Console console;
   console.stage("recording");
   program::Workspace const workspace(/*keep=*/false);
@@ -42,7 +45,6 @@ int run(Options options, Session const &session) {
                                                  workspace, console.talk().program_output);
   bool const is_clean = report_all(recording.diagnostics, console.talk().report);
   if (!is_clean || !report_frozen(recording.kernels, options.frozen, console)) return error;
-  make_directory(options.directory);
   std::vector<OutputFile> files;
   for (program::Recorded const &recorded : recording.kernels) {
     std::ostringstream text;
@@ -50,8 +52,8 @@ int run(Options options, Session const &session) {
     files.push_back(
         {(std::filesystem::path(options.directory) / (recorded.kernel.name + ".graph")).string(), text.str()});
   }
-  require_writable(files);
-  for (std::string const &path : write_files(files)) console.note("wrote " + path);
+  for (std::string const &path : write_outputs({std::move(files), {}, {options.directory}}))
+    console.note("wrote " + path);
   return clean;
 }
 

@@ -23,8 +23,8 @@ struct Options {
 void run(Options const &options) {
   if (std::filesystem::path(options.output).extension() != ".html")
     fail(DiagnosticId::bad_option, {}, "-o takes a file that ends in .html, not '" + options.output + "'");
-  require_writable(options.output);
   Graph const recorded = read_graph(read_file(options.file), options.file);
+  require_writable(options.output);
   Costs const costs = costs_named(options.cost);
   nlohmann::ordered_json verification;
   if (!options.verification.empty()) verification = read_verification(options.verification, recorded.kernel);
@@ -38,7 +38,7 @@ void run(Options const &options) {
                                          std::move(verification)},
                                         sources));
   for (Diagnostic const &warning : gone_sources(sources)) print(std::cerr, warning);
-  write_if_changed(options.output, text);
+  write_outputs({{{options.output, text}}});
 }
 
 } // namespace

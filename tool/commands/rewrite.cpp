@@ -1,12 +1,13 @@
 #include "rewrite/rewrite.h"
 #include "diagnostics/diagnostic.h"
+#include "program/read_files.h"
 #include "program/tree_edit.h"
 #include "rewrite/edit/fixes.h"
 #include "rewrite/edit/mirror.h"
 #include "support/diff.h"
-#include "support/files.h"
 #include "tool/commands/subcommands.h"
 #include "tool/options/project_options.h"
+#include "tool/output/outputs.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -59,6 +60,15 @@ std::string top_of(std::vector<rewrite::File> const &files, std::vector<std::str
   return {};
 }
 
+void write_mirror(std::vector<rewrite::File> const &files, std::string const &directory, std::string const &top) {
+  Outputs outputs;
+  for (auto &[path, text] : rewrite::mirror(files, directory, top)) {
+    outputs.directories.push_back(fs::path(path).parent_path().string());
+    outputs.files.push_back({path, std::move(text)});
+  }
+  write_outputs(outputs);
+}
+
 // Does this concern its own place alone? Where two sources want one file rewritten in different ways, or a pragma is
 // not understood, there is no text to show.
 bool leaves_a_text(Diagnostic const &one) {
@@ -88,13 +98,14 @@ void run(CLI::App &command, Options &options, Session &session) {
   rewrite::Request request = only_rewritten(options.project.complete(session.flags));
   request.leave_out_broken = only_shows;
   rewrite::Result const result = rewrite::run(request);
+  for (std::string const &file : result.read) program::note_read(file);
   session.status = report(result);
   if (session.status != clean && !only_shows) session.status = error;
   if (session.status == error) return;
   if (!options.out_root.empty())
-    rewrite::write_mirror(result.files, options.out_root, top_of(result.files, request.roots));
+    write_mirror(result.files, options.out_root, top_of(result.files, request.roots));
   else if (!options.fixes.empty())
-    write_if_changed(options.fixes, rewrite::fixes_yaml(result.files));
+    write_outputs({{{options.fixes, rewrite::fixes_yaml(result.files)}}});
   else if (options.in_place)
     edit_in_place(result);
   else

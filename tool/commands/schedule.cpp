@@ -63,12 +63,14 @@ void run(Options const &options) {
   std::vector<OutputFile> files;
   for (std::string const &path : options.outputs) files.push_back({path, {}});
   if (!options.gantt.empty()) files.push_back({options.gantt, {}});
-  require_writable(files);
+  std::vector<std::string> paths = options.outputs;
+  paths.push_back(options.gantt);
+  require_writable(paths);
   Solution const solution = schedule_tasks(input.tasks, units.units, options.effort);
   ScheduleReport const report{&input, &units, &solution};
   for (OutputFile &file : files)
     file.text = !options.gantt.empty() && &file == &files.back() ? gantt_text(report) : output_text(file.path, report);
-  write_files(files);
+  write_outputs({std::move(files)});
   if (options.json)
     std::cout << summary_json(report).dump(2) << "\n";
   else

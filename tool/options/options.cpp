@@ -6,6 +6,7 @@
 #include "passes/snap.h"
 #include "program/object_cache.h"
 #include "program/process.h"
+#include "program/read_files.h"
 #include "support/number.h"
 #include "tool/options/cost_option.h"
 
@@ -34,6 +35,7 @@ void SourceOptions::add_to(CLI::App &app) {
 program::FrontRequest SourceOptions::request(CompilerFlags const &flags) const {
   program::FrontRequest request = front;
   request.source = project.complete(flags);
+  if (!front.run.standard_input.empty()) program::note_read(front.run.standard_input);
   request.source.defines = program::reference_defines();
   request.build.link = program::split_words(link);
   request.build.cache = std::make_shared<program::ObjectCache>(project.cache());

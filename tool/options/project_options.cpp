@@ -1,19 +1,23 @@
 #include "tool/options/project_options.h"
 
 #include "diagnostics/diagnostic.h"
+#include "program/read_files.h"
 #include "tool/options/recovery.h"
 
 #include <algorithm>
+#include <atomic>
 #include <filesystem>
+#include <iostream>
 #include <set>
 #include <thread>
 
 namespace symreal::tool {
 
-// Of the sources, and of where the user is.
-static void recover_trees(std::vector<std::string> const &sources) {
+// No result may take their place, and what an interrupted edit left beside them, or where the user is, is put right.
+static void begin_reading(std::vector<std::string> const &sources) {
   std::set<std::string> directories = {"."};
   for (std::string const &source : sources) {
+    program::note_read(source);
     std::string const directory = std::filesystem::path(source).parent_path().string();
     if (!directory.empty()) directories.insert(directory);
   }
@@ -54,20 +58,47 @@ void ProjectOptions::add_build_to(CLI::App &app) {
       ->type_name("FILE");
 }
 
+// Once a run, however many there are.
+static void tell_damaged(std::string const &entry) {
+  static std::atomic<bool> is_told = false;
+  if (is_told.exchange(true)) return;
+  print(std::cerr, {DiagnosticId::damaged_cache, {entry}, "this entry of the cache is damaged; it is made again"});
+}
+
 std::shared_ptr<program::CacheDirectory> ProjectOptions::cache() const {
-  return std::make_shared<program::CacheDirectory>(no_cache ? "" : program::usual_cache_directory());
+  return std::make_shared<program::CacheDirectory>(no_cache ? "" : program::usual_cache_directory(), tell_damaged);
+}
+
+std::filesystem::path ProjectOptions::configuration_start() const {
+  std::filesystem::path const start = request.sources.empty()
+                                          ? std::filesystem::path(build.empty() ? "." : build)
+                                          : std::filesystem::path(request.sources.front()).parent_path();
+  return start.empty() ? "." : start;
 }
 
 std::string ProjectOptions::configuration_file(bool or_new) const {
   if (!configuration.empty()) return configuration;
-  std::filesystem::path const start = request.sources.empty()
-                                          ? std::filesystem::path(build.empty() ? "." : build)
-                                          : std::filesystem::path(request.sources.front()).parent_path();
+  std::filesystem::path const start = configuration_start();
   std::string const found = find_configuration(start.string());
-  return found.empty() && or_new ? (start / ".symreal.yaml").string() : found;
+  return found.empty() && or_new ? (start / ".symreal.yaml").lexically_normal().string() : found;
+}
+
+std::vector<std::string> ProjectOptions::absent_configurations() const {
+  if (!configuration.empty()) return {};
+  std::vector<std::string> absent;
+  std::error_code error;
+  std::filesystem::path at = std::filesystem::weakly_canonical(configuration_start(), error);
+  for (std::filesystem::path file; !error; at = at.parent_path()) {
+    file = at / ".symreal.yaml";
+    if (std::filesystem::is_regular_file(file)) break;
+    absent.push_back(file.string());
+    if (!at.has_relative_path()) break;
+  }
+  return absent;
 }
 
 void ProjectOptions::configure(CLI::App &command, ConfiguredOptions &given) {
+  for (std::string const &source : request.sources) program::note_read(source);
   std::string const file = configuration_file();
   if (file.empty()) return;
   Configuration read = read_configuration(file);
@@ -86,6 +117,8 @@ rewrite::Request ProjectOptions::complete(CompilerFlags const &flags) const {
   if (build.empty() && complete.sources.empty())
     fail(DiagnosticId::bad_option, {}, "name the sources, or a build directory with -p");
   complete.flags = flags;
+  for (std::string const &flag : flags)
+    if (flag.starts_with('@')) program::note_read(flag.substr(1)); // more flags
   if (std::shared_ptr<program::CacheDirectory> kept = cache(); kept->exists()) complete.kept = std::move(kept);
   if (complete.reachable) {
     std::vector<std::string> named = complete.sources;
@@ -93,9 +126,10 @@ rewrite::Request ProjectOptions::complete(CompilerFlags const &flags) const {
     for (std::string const &source : named) complete.begin.push_back(rewrite::real_source({source, {}, {}}));
   }
   if (build.empty()) {
-    recover_trees(complete.sources);
+    begin_reading(complete.sources);
     return complete;
   }
+  program::note_read((std::filesystem::path(build) / "compile_commands.json").string());
   if (!complete.reachable || !request.sources.empty())
     complete.compilations = rewrite::read_compile_commands(build, request.sources);
   if (complete.reachable) add_others(complete, build);
@@ -107,7 +141,7 @@ rewrite::Request ProjectOptions::complete(CompilerFlags const &flags) const {
   std::vector<std::string> paths;
   for (rewrite::Compilation const &one : complete.compilations)
     paths.push_back((std::filesystem::path(one.directory) / one.source).string());
-  recover_trees(paths);
+  begin_reading(paths);
   return complete;
 }
 

@@ -7,6 +7,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -31,8 +33,13 @@ struct ProjectOptions {
   std::string configuration_file(bool or_new = false) const;
   // With the sources that are excluded, which a program needs all the same.
   rewrite::Request complete(CompilerFlags const &flags) const;
+  // Where a .symreal.yaml was looked for in vain.
+  std::vector<std::string> absent_configurations() const;
   // Where things are kept from run to run; perhaps nowhere.
   std::shared_ptr<program::CacheDirectory> cache() const;
+
+private:
+  std::filesystem::path configuration_start() const;
 };
 
 // Without the sources that are excluded.

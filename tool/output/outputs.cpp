@@ -3,9 +3,12 @@
 #include "diagnostics/diagnostic.h"
 #include "emit/emit.h"
 #include "emit/language/banner.h"
+#include "program/durable_files.h"
+#include "program/read_files.h"
 #include "schedule/angles.h"
 #include "support/diff.h"
 #include "support/files.h"
+#include "tool/output/folder.h"
 #include "tool/output/line_map.h"
 
 #include <algorithm>
@@ -13,6 +16,7 @@
 #include <cstring>
 #include <filesystem>
 #include <iostream>
+#include <optional>
 #include <set>
 #include <unistd.h>
 
@@ -48,33 +52,70 @@ std::vector<OutputFile> emitted_files(Schedule const &plan, EmitterOptions const
   return files;
 }
 
-void require_writable(std::string const &path) {
-  fs::path directory = fs::path(path).parent_path();
-  if (directory.empty()) directory = ".";
-  std::error_code ignored;
-  if (access(directory.c_str(), W_OK | X_OK) != 0)
-    fail(DiagnosticId::unwritable_output, {path},
-         "'" + path + "' cannot be written: " + std::string(std::strerror(errno)));
-  if (!fs::is_directory(directory, ignored))
-    fail(DiagnosticId::unwritable_output, {path}, "'" + path + "' cannot be written: its directory is a file");
-  if (fs::is_directory(path, ignored))
-    fail(DiagnosticId::unwritable_output, {path}, "'" + path + "' cannot be written: a directory has this name");
+namespace {
+
+void require_unread(std::string const &path) {
+  std::optional<std::string> const known = program::known_as(path);
+  if (!known) return;
+  bool const is_same = fs::absolute(path).lexically_normal() == *known;
+  fail(DiagnosticId::output_is_read, {path},
+       "this command, or a program that it runs, opens '" + path + "'" + (is_same ? "" : " as '" + *known + "'") +
+           ", and a result would take its place");
 }
 
-void require_writable(std::vector<OutputFile const *> const &files) {
-  std::set<fs::path> paths;
-  for (OutputFile const *file : files) {
-    require_writable(file->path);
-    require_ours(file->path, file->text);
-    if (!paths.insert(fs::path(file->path).lexically_normal()).second)
-      fail(DiagnosticId::output_collision, {file->path}, "two results would be written to this file");
+// Results, by what they are, that would fall together.
+class Places {
+public:
+  void add(std::string const &path) {
+    if (!known_.insert(program::identity_of(path)).second)
+      fail(DiagnosticId::output_collision, {path}, "two results would be written to this file");
+  }
+
+private:
+  std::set<std::string> known_;
+};
+
+void require_all(Outputs const &outputs) {
+  Places places;
+  for (OutputFile const &file : outputs.files) {
+    require_writable(file.path);
+    require_ours(file.path, file.text);
+    places.add(file.path);
+  }
+  for (OutputFolder const &folder : outputs.folders) {
+    require_folder(folder);
+    for (OutputFile const &file : folder.files) {
+      places.add(file.path);
+      if (!fs::exists(fs::path(file.path).parent_path())) continue;
+      require_writable(file.path);
+      require_ours(file.path, file.text);
+    }
   }
 }
 
-void require_writable(std::vector<OutputFile> const &files) {
-  std::vector<OutputFile const *> all;
-  for (OutputFile const &file : files) all.push_back(&file);
-  require_writable(all);
+} // namespace
+
+void require_writable(std::string const &path) {
+  require_unread(path);
+  fs::path directory = fs::path(path).parent_path();
+  if (directory.empty()) directory = ".";
+  std::error_code ignored;
+  auto const refuse = [&](std::string const &why) {
+    fail(DiagnosticId::unwritable_output, {path}, "'" + path + "' cannot be written: " + why);
+  };
+  if (access(directory.c_str(), W_OK | X_OK) != 0) refuse(std::strerror(errno));
+  if (!fs::is_directory(directory, ignored)) refuse("its directory is a file");
+  if (fs::is_directory(path, ignored)) refuse("a directory has this name");
+  if (fs::exists(path, ignored) && !fs::is_regular_file(path, ignored)) refuse("this is a device or a pipe");
+}
+
+void require_writable(std::vector<std::string> const &paths) {
+  Places places;
+  for (std::string const &path : paths) {
+    if (path.empty()) continue;
+    require_writable(path);
+    places.add(path);
+  }
 }
 
 void make_directory(std::string const &path) {
@@ -88,7 +129,7 @@ bool check_files(std::vector<OutputFile const *> const &files) {
   for (OutputFile const *one : files) {
     OutputFile const &file = *one;
     bool const exists = fs::exists(file.path);
-    std::string const there = exists ? read_file(file.path) : "";
+    std::string const there = exists ? text_of_file(file.path).value_or("") : "";
     if (exists && there == file.text) continue;
     current = false;
     bool const is_text = file.text.find('\0') == std::string::npos;
@@ -99,12 +140,20 @@ bool check_files(std::vector<OutputFile const *> const &files) {
   return current;
 }
 
-std::vector<std::string> write_files(std::vector<OutputFile> const &files) {
+std::vector<std::string> write_outputs(Outputs const &outputs) {
+  program::StagedFiles staged;
+  for (std::string const &directory : outputs.directories) staged.make_directory(directory);
+  require_all(outputs);
   std::vector<std::string> paths;
-  for (OutputFile const &file : files) {
-    write_if_changed(file.path, file.text);
+  for (OutputFolder const &folder : outputs.folders) {
+    stage_folder(folder, staged);
+    for (OutputFile const &file : folder.files) paths.push_back(file.path);
+  }
+  for (OutputFile const &file : outputs.files) {
+    staged.add(file.path, file.text);
     paths.push_back(file.path);
   }
+  staged.commit();
   return paths;
 }
 

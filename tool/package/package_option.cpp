@@ -1,6 +1,6 @@
 #include "tool/package/package_option.h"
 
-#include "tool/package/folder.h"
+#include "tool/output/folder.h"
 
 #include <filesystem>
 
@@ -16,8 +16,8 @@ void PackageOption::require_sense(CLI::App &command) const {
   if (is_given()) require_no_source_options(command, "--package");
 }
 
-Package PackageOption::package(Schedule const &plan, EmitterOptions const &options, FloatingPoint mode,
-                               bool several) const {
+OutputFolder PackageOption::package(Schedule const &plan, EmitterOptions const &options, FloatingPoint mode,
+                                    bool several) const {
   std::string const path =
       folder_path(several ? (std::filesystem::path(folder) / plan.graph->kernel).string() : folder);
   return {path, package_files(plan, options, mode, path)};

@@ -10,12 +10,6 @@
 
 namespace symreal::tool {
 
-// A package as it will be written.
-struct Package {
-  std::string folder; // empty: none is wanted
-  std::vector<OutputFile> files;
-};
-
 struct PackageOption {
   std::string folder;
 
@@ -24,7 +18,7 @@ struct PackageOption {
   // Fails for options of the subcommand about files that are not written beside a package.
   void require_sense(CLI::App &command) const;
   // With several kernels the option names a folder of packages.
-  Package package(Schedule const &plan, EmitterOptions const &options, FloatingPoint mode, bool several) const;
+  OutputFolder package(Schedule const &plan, EmitterOptions const &options, FloatingPoint mode, bool several) const;
 };
 
 } // namespace symreal::tool

@@ -1,10 +1,10 @@
 // A folder that is written as a whole.
 #pragma once
 
+#include "program/durable_files.h"
 #include "tool/output/outputs.h"
 
 #include <string>
-#include <vector>
 
 namespace symreal::tool {
 
@@ -13,9 +13,9 @@ std::string folder_path(std::string const &given);
 
 // Fails unless the files may stand in the folder: it is not there, is empty, or is what Symreal wrote for the same
 // kernel. The first file tells that by its first line.
-void require_folder(std::string const &folder, std::vector<OutputFile> const &files);
+void require_folder(OutputFolder const &folder);
 
-// A new folder appears with all of its files or not at all.
-void write_folder(std::string const &folder, std::vector<OutputFile> const &files);
+// A folder that is not there appears with all of its files at once.
+void stage_folder(OutputFolder const &folder, program::StagedFiles &staged);
 
 } // namespace symreal::tool
