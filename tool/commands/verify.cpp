@@ -1,6 +1,8 @@
 #include "emit/origins/origins.h"
 #include "graph/names.h"
 #include "program/bisection.h"
+#include "program/generated_header.h"
+#include "program/read_files.h"
 #include "program/verification.h"
 #include "program/wrapped_original.h"
 #include "support/files.h"
@@ -10,6 +12,7 @@
 #include "tool/commands/verify_merge.h"
 #include "tool/commands/verify_numeric.h"
 #include "tool/options/decisions_option.h"
+#include "tool/output/outputs.h"
 #include "tool/report/certificate.h"
 #include "tool/report/console.h"
 #include "tool/report/verify_report.h"
@@ -212,6 +215,9 @@ int run(CLI::App &command, Options &options, Session &session) {
 
   require_table(options.paths_met, generated, banners);
 
+  for (std::string const &path : generated) program::note_read(path);
+  require_writable(std::vector{options.certificate});
+
   Console console;
   std::optional<program::Front> front;
   program::RunOptions as;
@@ -228,6 +234,8 @@ int run(CLI::App &command, Options &options, Session &session) {
     }
     console.stage("verifying");
     program::Recorded const &recorded = program::require_match(front->kernels, banner, generated[k]);
+    if (!program::require_header(generated[k], banner, recorded.graph))
+      console.note("there is no " + program::header_of(generated[k]) + ": what it declares was not checked");
     program::VerificationOptions asked = options.verification;
     asked.wrapper = !banner.is_single && banner.derivatives.empty() && has_wrapper(generated[k], recorded);
     if (banner.is_single && options.tolerance->count() == 0 && !wanted) asked.tolerance = program::single_tolerance;
@@ -247,10 +255,12 @@ int run(CLI::App &command, Options &options, Session &session) {
   if (options.json)
     std::cout << (json.size() == 1 ? json.front() : nlohmann::ordered_json{{"kernels", json}}).dump(2) << "\n";
   if (!wanted && (options.certificate.empty() || status != clean)) return status;
-  nlohmann::ordered_json const made = certificate({&*front, session.flags, generated}, records);
+  std::string const from = wanted ? made_from(*wanted, options.check) : ".";
+  nlohmann::ordered_json made = certificate({&*front, session.flags, generated}, records, from);
   if (wanted && !confirms(options.check, *wanted, made, console)) return verification_failed;
   if (!options.certificate.empty()) {
-    write_if_changed(options.certificate, made.dump(2) + "\n");
+    finish_certificate(made, options.certificate);
+    write_outputs({{{options.certificate, made.dump(2) + "\n"}}});
     console.note("wrote " + options.certificate);
   }
   return status;

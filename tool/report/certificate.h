@@ -12,15 +12,24 @@
 
 namespace symreal::tool {
 
-// What a verification is of: the files of the program within its roots, the generated files, and the graphs between
-// them, each by the SHA-256 of its text.
+// What a verification is of: the files of the program within its roots, the generated files and those that were
+// generated beside them (headers, wrappers, gateways, other languages), and the graphs between, each by the SHA-256 of
+// its text.
 struct Verified {
   program::Front const *front;
   std::vector<std::string> flags, generated;
 };
 
-// Its last member is the hash of all before it, so that a certificate that was edited is none.
-nlohmann::ordered_json certificate(Verified const &verified, std::vector<VerificationRecord> const &records);
+// `from`: the directory from which it names files.
+nlohmann::ordered_json certificate(Verified const &verified, std::vector<VerificationRecord> const &records,
+                                   std::string const &from);
+
+// Makes it whole for the file of this name, made here: it says where files are named from, as seen from the file, and
+// its last member is the hash of all before it, so that a certificate that was edited is none.
+void finish_certificate(nlohmann::ordered_json &certificate, std::string const &path);
+
+// The directory from which the certificate that lies there names files.
+std::string made_from(nlohmann::ordered_json const &certificate, std::string const &path);
 
 // Throws verification_file for a file that is no certificate of this version of Symreal, or was edited.
 nlohmann::ordered_json read_certificate(std::string const &path);
