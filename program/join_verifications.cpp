@@ -96,6 +96,7 @@ void join(Verification &verification, Verification const &other) {
   add(verification.changes_outside, other.changes_outside);
   add(verification.outside, other.outside);
   add(verification.left_by_wrapper, other.left_by_wrapper);
+  add(verification.missed_by_wrapper, other.missed_by_wrapper);
   for (std::size_t k = 0; k < verification.guards.size(); ++k) verification.guards[k].failed += other.guards[k].failed;
   if (other.guard_mismatch &&
       (!verification.guard_mismatch || other.guard_mismatch->sample < verification.guard_mismatch->sample))

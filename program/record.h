@@ -29,6 +29,13 @@ struct RunOptions {
   bool from_instructions = false; // what runs is the original, whose instructions record themselves (oracle/)
 };
 
+// What the recorded call found in the values that it has baked in (rewrite/model/baked_values.h), as bits.
+struct BakedObject {
+  rewrite::Baked what; // with the shape of what counts
+  std::vector<std::size_t> lengths;
+  std::vector<unsigned long long> values;
+};
+
 struct Recorded {
   Graph graph;                                      // as recorded, no pass has run
   rewrite::Kernel kernel;                           // what the source says of it
@@ -37,6 +44,7 @@ struct Recorded {
   std::vector<std::vector<Note>> frozen_reads = {}; // parallel to graph.frozen: where each was first read
   std::vector<std::string> scratch = {};            // static integers of functions, as in RecordedKernel
   Clauses clauses = {};                             // that its pragma lacks, as there
+  std::vector<BakedObject> baked = {};              // where a wrapper needs them (program/baked_values.h)
   std::optional<Exploration> exploration = {};      // of a kernel that decides, under policy explore
 };
 

@@ -81,7 +81,8 @@ struct Replay::Server {
 };
 
 Replay::Replay(std::string what, std::string const &executable, RunOptions const &options, std::string const &begun_as,
-               Graph const &graph, Workspace const &workspace, GeneratedCode const *code, std::string const &profile)
+               Graph const &graph, Workspace const &workspace, GeneratedCode const *code, std::string const &profile,
+               std::vector<std::string> const &environment)
     : what_(std::move(what)),
       server_(std::make_unique<Server>()) {
   std::signal(SIGPIPE, SIG_IGN); // the program may end at any moment
@@ -101,6 +102,7 @@ Replay::Replay(std::string what, std::string const &executable, RunOptions const
                            "SYMREAL_REPLAY_GRAPH=" + recorded};
   }
   if (!profile.empty()) command.environment.push_back("LLVM_PROFILE_FILE=" + profile);
+  command.environment.insert(command.environment.end(), environment.begin(), environment.end());
   server_->start(command, file, begun_as);
 }
 

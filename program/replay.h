@@ -17,10 +17,11 @@ class Replay {
 public:
   // Starts the program. `what` it is, in words; `begun_as`: the name under which the kernel begins.
   // With `code` it also runs that, and the graph, in the program. With `profile` the program counts its branches, and
-  // writes them to that file when this ends; the kernel is called once then.
+  // writes them to that file when this ends; the kernel is called once then. `environment`: what else the program
+  // finds in its own.
   Replay(std::string what, std::string const &executable, RunOptions const &options, std::string const &begun_as,
          Graph const &graph, Workspace const &workspace, GeneratedCode const *code = nullptr,
-         std::string const &profile = {});
+         std::string const &profile = {}, std::vector<std::string> const &environment = {});
   ~Replay();
   Replay(Replay const &) = delete;
   Replay &operator=(Replay const &) = delete;

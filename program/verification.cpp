@@ -10,6 +10,7 @@
 #include "program/replay.h"
 #include "program/single_runs.h"
 #include "program/wrapped_original.h"
+#include "program/wrapper_verification.h"
 #include "verify/boundaries.h"
 
 #include <algorithm>
@@ -71,7 +72,10 @@ class Verifier {
 public:
   Verifier(Front const &front, RunOptions const &run, Recorded const &recorded, std::string const &path,
            Banner const &banner, VerificationOptions const &options)
-      : options_(options),
+      : front_(front),
+        run_(run),
+        recorded_(recorded),
+        options_(options),
         completed_(with_derivative_functions(recorded.graph, banner)),
         graph_(completed_ ? *completed_ : recorded.graph),
         scratch_(recorded.scratch),
@@ -104,7 +108,8 @@ public:
                          start(program, "the original", by_hand ? front.replay_program : front.original_program, &code);
                        });
     if (options.wrapper) {
-      start(wrapped_, "the original with its wrapper", build_wrapped(front, recorded), &code_);
+      wrapped_program_ = build_wrapped(front, recorded);
+      start(wrapped_, "the original with its wrapper", wrapped_program_, &code_);
       result_.wrapped.resize(graph_.output_count());
     }
     if (options.branches) {
@@ -150,6 +155,11 @@ public:
     if (errors_) result_.errors = errors_->result();
     if (derivatives_) result_.derivatives = derivatives_->result();
     if (covered_) finish_branches();
+    if (wrapped_) {
+      wrapped_.reset();
+      result_.missed_by_wrapper = values_missed_by_wrapper(front_, run_, recorded_, graph_, code_, wrapped_program_,
+                                                           tried_wrapped_, options_.tolerance);
+    }
     return std::move(result_);
   }
 
@@ -429,6 +439,20 @@ private:
       is_named_ |= result_.wrapped[slot].add(k, generated[slot], wrapped[slot], FloatingPoint::strict, 0);
     for (replay::LeftBehind const &left : wrapped_->left_behind())
       if (!is_left_by_generated(left)) add_left(result_.left_by_wrapper, describe(left));
+    compare_wrapped_calls(k, sample);
+    if (tried_wrapped_.size() < most_varied) tried_wrapped_.push_back(sample);
+  }
+
+  // In later calls, whatever the guards say in them, the program with the wrapper is the original.
+  void compare_wrapped_calls(std::size_t k, Sample const &sample) {
+    if (banner_.mode == FloatingPoint::fast || code_.needs_program()) return; // where errors go on, or none evaluates
+    for (std::size_t call = 1; call < std::min(original_->calls(), wrapped_->calls()); ++call) {
+      std::vector<double> const inputs = original_->next_inputs(sample, original_->outputs_of(call - 1));
+      if (!evaluate_sample(graph_, inputs, sample.parameters).premises.hold_in(banner_.mode)) return;
+      std::vector<double> const original = original_->outputs_of(call), wrapped = wrapped_->outputs_of(call);
+      for (std::size_t slot = 0; slot < original.size(); ++slot)
+        is_named_ |= result_.wrapped[slot].add(k, original[slot], wrapped[slot], banner_.mode, options_.tolerance);
+    }
   }
 
   static void add_left(std::vector<LeftState> &all, std::string const &name) {
@@ -437,6 +461,9 @@ private:
     all.push_back({name, 1});
   }
 
+  Front const &front_;
+  RunOptions const &run_;
+  Recorded const &recorded_;
   VerificationOptions const &options_;
   std::optional<Graph> completed_; // of a kernel that calls functions of the program and has derivatives
   Graph const &graph_;
@@ -455,6 +482,9 @@ private:
   std::optional<Sample> timed_;      // the first within the premises and all guards
   std::optional<SingleRuns> single_; // of the sample that is tried, where the code is in single precision
   std::unique_ptr<Replay> original_, rewritten_, own_flags_, wrapped_, covered_;
+  std::string wrapped_program_;
+  std::vector<Sample> tried_wrapped_;
+  static constexpr std::size_t most_varied = 4;
   CoveredRun covered_run_;
   static constexpr std::size_t most_beyond = 100; // samples that are followed by one beyond the guards
   static constexpr unsigned seconds_beyond = 1;

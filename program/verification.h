@@ -29,7 +29,7 @@ struct VerificationOptions {
   std::vector<Sample> given = {};    // besides those that are drawn
   std::vector<Sample> replayed = {}; // in place of those that are drawn, if there are any
   double tolerance = 1e-9;           // mode fast, and single precision
-  bool wrapper = false;              // also what its wrapper does
+  bool wrapper = false;              // also what its wrapper does; the kernel has its baked values then
   bool branches = false;             // also count the branches of the original
   unsigned exact_bits = 0;           // also compare with exact values, of so many bits
 };
@@ -93,6 +93,7 @@ struct Verification {
   std::vector<LeftState> left, left_by_wrapper;
   // What the original does outside of the program, in words: that lasts, and else. Of a few samples.
   std::vector<LeftState> changes_outside, outside;
+  std::vector<LeftState> missed_by_wrapper; // values that are baked in, and that it does not compare
 
   std::vector<GuardCheck> guards;              // of the generated code, in order
   std::size_t refused = 0;                     // samples within the premises on which one does not hold

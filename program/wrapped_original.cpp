@@ -1,10 +1,12 @@
 #include "program/wrapped_original.h"
 
+#include "program/baked_values.h"
 #include "program/wrapper_text.h"
 #include "rewrite/text/pragma_text.h"
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <fmt/format.h>
 
 namespace symreal::program {
@@ -16,49 +18,84 @@ std::string on_one_line(std::string text) {
   return text;
 }
 
+std::string squeezed(std::string text) {
+  std::erase_if(text, [](unsigned char c) { return std::isspace(c) != 0; });
+  return text;
+}
+
 std::string packing(Recorded const &recorded) {
   return wrapper_pack(recorded.kernel, "input", recorded.graph.inputs, "symreal_input") +
          wrapper_pack(recorded.kernel, "parameter", recorded.graph.parameters, "symreal_parameters");
 }
 
+std::string set_other(std::string const &) { return "symreal_same = 0;"; }
+
+std::string checks(Recorded const &recorded) {
+  std::string text = baked_checks(recorded, set_other);
+  for (ExtentCheck const &one : wrapper_extents(recorded.kernel, recorded.graph))
+    text += fmt::format("if ({}) symreal_same = 0; ", one.differs);
+  return text;
+}
+
+std::string variations(Recorded const &recorded) {
+  std::vector<Variation> const all = baked_variations(recorded);
+  if (all.empty()) return "int const symreal_varied = 0; ";
+  std::string text = "char const *const symreal_wish = symreal_environment(\"SYMREAL_VARY\"); "
+                     "int const symreal_varied = symreal_wish ? symreal_integer(symreal_wish) : 0; ";
+  for (std::size_t k = 0; k < all.size(); ++k)
+    text += fmt::format("if (symreal_varied == {0} || symreal_varied == -{0}) {{ {1} }} ", k + 1, all[k].statement);
+  return text;
+}
+
 std::string statements(Recorded const &recorded) {
   bool returns = false;
-  std::string const unpacking = wrapper_unpack(
-      recorded.kernel, recorded.graph.outputs, [&](rewrite::Annotation const &annotation, std::string const &value) {
-        returns = true;
-        return "return SYMREAL_RETURN(" + rewrite::place_arguments(annotation.label, annotation.place) + ", " + value +
-               ");";
-      });
-  std::string text = fmt::format("if (SYMREAL_ORIGINAL_IS_ACTIVE) {{ {}{} if (symreal_original_compute(symreal_input, "
-                                 "{}, symreal_output) == 0) {{ {} {} }} }}",
-                                 wrapper_arrays(recorded.graph), packing(recorded),
-                                 recorded.graph.parameter_count() == 0 ? "0" : "symreal_parameters", unpacking,
-                                 returns ? "" : "return;");
-  return on_one_line(std::move(text));
+  std::string const unpacking = wrapper_unpack(recorded.kernel, recorded.graph.outputs, [&](std::string const &value) {
+    returns = true;
+    return "return " + recorded.kernel.signature.redefinition.result.begin + ", " + value + ");";
+  });
+  return fmt::format("if (SYMREAL_ORIGINAL_IS_ACTIVE) {{ {} if (symreal_varied >= 0) {{ int symreal_same = 1; {} "
+                     "if (symreal_same) {{ {} {} if (symreal_original_compute(symreal_input, {}, symreal_output) == 0) "
+                     "{{ {} {} }} }} }} }}",
+                     variations(recorded), checks(recorded), wrapper_arrays(recorded.graph), packing(recorded),
+                     recorded.graph.parameter_count() == 0 ? "0" : "symreal_parameters", unpacking,
+                     returns ? "" : "return;");
 }
+
+constexpr char const *library = "char *symreal_environment(char const *) __asm__(\"getenv\"); "
+                                "int symreal_integer(char const *) __asm__(\"atoi\"); ";
 
 } // namespace
 
-bool is_wrapper_of(std::string const &text, Recorded const &recorded) {
-  std::string const unpacking =
-      wrapper_unpack(recorded.kernel, recorded.graph.outputs,
-                     [](rewrite::Annotation const &, std::string const &value) { return "return " + value + ";"; });
-  return text.find(packing(recorded)) != text.npos && text.find(unpacking) != text.npos;
-}
-
-std::string build_wrapped(Front const &front, Recorded const &recorded) {
-  std::string const mark =
-      "SYMREAL_ORIGINAL_WRAPPER(" + rewrite::place_arguments(recorded.kernel.name, recorded.kernel.place) + ")";
-  rewrite::Result wrapped = front.annotated;
+void insert_in_wrapper_place(rewrite::Result &annotated, rewrite::Kernel const &kernel, std::string const &statements,
+                             std::string const &top, bool with_classes) {
+  std::string const mark = "SYMREAL_ORIGINAL_WRAPPER(" + rewrite::place_arguments(kernel.name, kernel.place) + ")";
   bool is_found = false;
-  for (rewrite::File &file : wrapped.files)
+  for (rewrite::File &file : annotated.files)
     if (std::size_t const at = file.text.find(mark); at != file.text.npos) {
-      file.text.replace(at, mark.size(), statements(recorded));
-      std::string const templates = wrapper_templates(recorded.kernel, recorded.graph);
-      if (!templates.empty()) file.text.insert(0, on_one_line(templates) + "\n#line 1\n");
+      file.text.replace(at, mark.size(), on_one_line(statements));
+      file.text.insert(0, (with_classes ? "#include <typeinfo>\n" : "") + on_one_line(top) + "\n#line 1\n");
       is_found = true;
     }
   internal_check(is_found);
+}
+
+bool is_wrapper_of(std::string const &text, Recorded const &recorded) {
+  std::string const unpacking = wrapper_unpack(recorded.kernel, recorded.graph.outputs,
+                                               [](std::string const &value) { return "return " + value + ";"; });
+  auto const refuse = [](std::string const &label) { return refusal_of(label); };
+  std::string const all = squeezed(text);
+  auto const has = [&](std::string const &part) { return all.find(squeezed(part)) != all.npos; };
+  return has(packing(recorded)) && has(unpacking) &&
+         (has(baked_checks(recorded, set_other)) || has(baked_checks(recorded, refuse)));
+}
+
+std::string build_wrapped(Front const &front, Recorded const &recorded) {
+  rewrite::Result wrapped = front.annotated;
+  bool const is_cxx = !recorded.kernel.source.ends_with(".c");
+  std::string top = (is_cxx ? "extern \"C\" { " : "") + std::string(library) + (is_cxx ? "} " : "");
+  for (std::string const &block : baked_helpers(recorded)) top += block;
+  for (std::string const &block : wrapper_templates(recorded.kernel, recorded.graph)) top += block;
+  insert_in_wrapper_place(wrapped, recorded.kernel, statements(recorded), top, compares_classes(recorded));
   Overlay const text(wrapped, front.workspace->directory("annotated-wrapper"));
   constexpr std::array variants = {Variant::wrapped};
   return build_variants(front.build, variants, *front.overlay, text, *front.workspace).front();

@@ -1,6 +1,7 @@
 #include "program/wrapper_text.h"
 
 #include "diagnostics/diagnostic.h"
+#include "support/quoted.h"
 
 #include <algorithm>
 #include <cctype>
@@ -174,7 +175,170 @@ template <class symreal_T> inline void symreal_unpack(symreal_T &symreal_object,
 }
 )";
 
+// Makes an object as large as it was recorded, and fills it, in the same order.
+constexpr char const *fill_templates = R"(namespace {
+template <class symreal_T>
+void symreal_size(symreal_T &symreal_object, __SIZE_TYPE__ symreal_rows, __SIZE_TYPE__ symreal_columns);
+template <class symreal_T>
+auto symreal_resize(symreal_T &symreal_object, __SIZE_TYPE__ symreal_rows, __SIZE_TYPE__ symreal_columns, symreal_choice<2>)
+    -> decltype(static_cast<void>(symreal_T::RowsAtCompileTime), symreal_object.resize(1, 1)) {
+  bool const symreal_is_row = symreal_T::RowsAtCompileTime == 1;
+  bool const symreal_is_known = symreal_T::RowsAtCompileTime >= 0 || symreal_T::ColsAtCompileTime >= 0;
+  if (symreal_columns == 0 && !symreal_is_known) __builtin_trap();
+  if (symreal_columns == 0)
+    symreal_object.resize(symreal_is_row ? 1 : static_cast<int>(symreal_rows), symreal_is_row ? static_cast<int>(symreal_rows) : 1);
+  else
+    symreal_object.resize(static_cast<int>(symreal_rows), static_cast<int>(symreal_columns));
+}
+template <class symreal_T>
+auto symreal_resize(symreal_T &symreal_object, __SIZE_TYPE__ symreal_rows, __SIZE_TYPE__ symreal_columns, symreal_choice<1>)
+    -> decltype(symreal_object.resize(symreal_rows), static_cast<void>(symreal_object[0])) {
+  symreal_object.resize(symreal_rows);
+  if (symreal_columns != 0)
+    for (__SIZE_TYPE__ symreal_i = 0; symreal_i < symreal_rows; ++symreal_i)
+      symreal_size(symreal_object[symreal_i], symreal_columns, 0);
+}
+template <class symreal_T>
+void symreal_resize(symreal_T &, __SIZE_TYPE__, __SIZE_TYPE__, symreal_choice<0>) {}
+template <class symreal_T>
+void symreal_size(symreal_T &symreal_object, __SIZE_TYPE__ symreal_rows, __SIZE_TYPE__ symreal_columns) {
+  symreal_resize(symreal_object, symreal_rows, symreal_columns, symreal_choice<2>());
+}
+template <class symreal_T>
+inline void symreal_fill(symreal_T &symreal_object, double const *symreal_at, __SIZE_TYPE__ symreal_numbers,
+                         __SIZE_TYPE__ symreal_rows, __SIZE_TYPE__ symreal_columns) {
+  symreal_size(symreal_object, symreal_rows, symreal_columns);
+  if (symreal_count(symreal_object) != symreal_numbers) __builtin_trap();
+  symreal_unpack(symreal_object, symreal_at);
+}
+template <class symreal_T> union symreal_room {
+  char symreal_none;
+  symreal_T symreal_object;
+  symreal_room() : symreal_none(0) {}
+  ~symreal_room() {}
+};
+}
+)";
+
+using Form = rewrite::ReturnedObject::Form;
+
+std::string fill(std::string const &element, std::vector<std::size_t> const &extents, std::size_t slot) {
+  return fmt::format("symreal_fill({}, symreal_output + {}, {}, {}, {});", element, slot, number_count(extents, {}),
+                     extents.empty() ? 1 : extents[0], extents.size() > 1 ? extents[1] : 0);
+}
+
+// In C++ a member may be a container.
+std::string fill_members(std::string const &element, std::vector<Member> const &members, std::size_t slot) {
+  std::string text;
+  for (Member const &member : members) {
+    std::string const path = element + "." + member.name;
+    std::size_t const count = number_count(member.extents, member.members);
+    if (member.extents.empty() && member.members.empty())
+      text += fmt::format("  {} = symreal_output[{}];\n", path, slot);
+    else if (member.members.empty())
+      text += "  " + fill(path, member.extents, slot) + "\n";
+    else {
+      std::size_t const each = number_count({}, member.members);
+      std::size_t const elements = number_count(member.extents, {});
+      if (!member.extents.empty())
+        text += fmt::format("  symreal_size({}, {}, {});\n", path, member.extents[0],
+                            member.extents.size() > 1 ? member.extents[1] : 0);
+      for (std::size_t k = 0; k < elements; ++k) {
+        std::string at;
+        std::size_t rest = k;
+        for (std::size_t d = member.extents.size(); d-- > 0; rest /= member.extents[d])
+          at.insert(0, fmt::format("[{}]", rest % member.extents[d]));
+        text += fill_members(path + at, member.members, slot + k * each);
+      }
+    }
+    slot += count;
+  }
+  return text;
+}
+
+// Where the numbers of a structure lie, by its layout (symreal/object_layout.h). The size of one.
+std::size_t add_offsets(std::string_view &layout, std::size_t begin, std::vector<std::size_t> &offsets,
+                        bool &is_plain) {
+  auto const take_number = [&layout] {
+    std::size_t value = 0;
+    for (; !layout.empty() && std::isdigit(static_cast<unsigned char>(layout.front())); layout.remove_prefix(1))
+      value = value * 10 + static_cast<std::size_t>(layout.front() - '0');
+    return value;
+  };
+  if (layout.starts_with('[')) {
+    layout.remove_prefix(1);
+    std::size_t const count = take_number();
+    layout.remove_prefix(1);
+    std::vector<std::size_t> one;
+    std::size_t const size = add_offsets(layout, 0, one, is_plain);
+    for (std::size_t k = 0; k < count; ++k)
+      for (std::size_t const offset : one) offsets.push_back(begin + k * size + offset);
+    return count * size;
+  }
+  char const kind = layout.front();
+  layout.remove_prefix(1);
+  if (kind == 'd') return offsets.push_back(begin), sizeof(double);
+  if (kind == '{') {
+    while (!layout.starts_with('}')) {
+      layout.remove_prefix(layout.find('+') + 1);
+      std::size_t const offset = take_number();
+      layout.remove_prefix(1);
+      (void)add_offsets(layout, begin + offset, offsets, is_plain);
+      layout.remove_prefix(1);
+    }
+    layout.remove_prefix(1);
+    return take_number();
+  }
+  is_plain = is_plain && kind != '@';
+  std::size_t const size = take_number();
+  if (kind == '@') layout = {};
+  return size;
+}
+
+// Of the function's own type, named symreal_result; and what stands for it.
+std::string make_returned(rewrite::Kernel const &kernel, rewrite::Annotation const &annotation, Object const &object,
+                          std::string &value) {
+  rewrite::ReturnedObject const &result = kernel.signature.redefinition.result;
+  if (!result.obstacle.empty())
+    fail(DiagnosticId::no_wrapper, kernel.place,
+         fmt::format("--wrapper cannot take the place of '{}': {}", kernel.name, result.obstacle));
+  value = fmt::format("symreal_output[{}]", object.first);
+  if (result.form == Form::integer) value = fmt::format("({}){}", result.type, value);
+  Form form = result.form;
+  if (form == Form::number && !object.members.empty()) form = Form::members; // what a template returns
+  if (form == Form::number && !object.extents.empty()) form = Form::walked;
+  if (form == Form::number || form == Form::integer) return "";
+  value = "symreal_result";
+  if (form == Form::walked)
+    return fmt::format("  {} symreal_result;\n  {}\n", result.type,
+                       fill("symreal_result", object.extents, object.first));
+  if (is_c(kernel))
+    return fmt::format("  {} symreal_result;\n", result.type) +
+           for_elements({"symreal_result", std::to_string(object.first), {}, object.members}, {},
+                        [](auto const &element, auto const &slot) {
+                          return fmt::format("{} = symreal_output[{}];", element, slot);
+                        });
+  if (form == Form::members)
+    return fmt::format("  {} symreal_result;\n", result.type) +
+           fill_members("symreal_result", object.members, object.first);
+  std::vector<std::size_t> offsets;
+  bool is_plain = !annotation.layout.text.empty();
+  std::string_view layout = annotation.layout.text;
+  if (is_plain) (void)add_offsets(layout, 0, offsets, is_plain);
+  if (!is_plain || offsets.size() != object.count)
+    fail(DiagnosticId::no_wrapper, kernel.place,
+         fmt::format("--wrapper cannot take the place of '{}': what it returns has private containers", kernel.name));
+  std::string text = fmt::format("  symreal_room<{}> symreal_result;\n", result.type);
+  for (std::size_t k = 0; k < offsets.size(); ++k)
+    text += fmt::format("  __builtin_memcpy((char *)&symreal_result + {}, symreal_output + {}, sizeof(double));\n",
+                        offsets[k], object.first + k);
+  value = "symreal_result.symreal_object";
+  return text;
+}
+
 } // namespace
+
+std::string refusal_of(std::string const &label) { return "symreal_refuse(" + in_quotes(label) + ");"; }
 
 std::string wrapper_arrays(Graph const &graph) {
   auto const array = [](std::string_view name, std::size_t count) {
@@ -205,9 +369,11 @@ std::string wrapper_unpack(rewrite::Kernel const &kernel, std::vector<Object> co
   std::string text, last;
   for (Object const &object : objects) {
     rewrite::Annotation const &annotation = annotation_of(kernel, "output", object);
-    if (annotation.expression == "return")
-      last = "  " + returned(annotation, fmt::format("symreal_output[{}]", object.first)) + "\n";
-    else {
+    if (annotation.expression == "return") {
+      std::string value;
+      last = make_returned(kernel, annotation, object, value);
+      last += "  " + returned(value) + "\n";
+    } else {
       bool const walked = is_walked(kernel, annotation, object);
       text += for_elements(annotation, object, walked ? annotation.sections.size() : object.extents.size(),
                            [walked](auto const &element, auto const &slot) {
@@ -236,12 +402,17 @@ std::vector<ExtentCheck> wrapper_extents(rewrite::Kernel const &kernel, Graph co
   return checks;
 }
 
-std::string wrapper_templates(rewrite::Kernel const &kernel, Graph const &graph) {
+std::vector<std::string> wrapper_templates(rewrite::Kernel const &kernel, Graph const &graph) {
   bool is_used = false;
   for_objects(kernel, graph, [&](rewrite::Annotation const &annotation, Object const &object) {
     is_used |= is_walked(kernel, annotation, object);
   });
-  return is_used ? templates : "";
+  bool const makes_object = !is_c(kernel) && std::ranges::any_of(graph.outputs, [&](Object const &object) {
+    return annotation_of(kernel, "output", object).expression == "return" &&
+           (!object.extents.empty() || !object.members.empty());
+  });
+  if (makes_object) return {templates, fill_templates};
+  return is_used ? std::vector<std::string>{templates} : std::vector<std::string>();
 }
 
 } // namespace symreal::program

@@ -6,6 +6,7 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 namespace symreal::program {
 
@@ -16,10 +17,14 @@ std::string wrapper_arrays(Graph const &graph);
 std::string wrapper_pack(rewrite::Kernel const &kernel, std::string_view kind, std::vector<Object> const &objects,
                          std::string_view array);
 
-// From symreal_output. `returned`: the statement that returns a value, if the kernel has that as an output.
-using ReturnStatement = std::function<std::string(rewrite::Annotation const &annotation, std::string const &value)>;
+// From symreal_output. `returned`: the statement that returns a value, if the kernel has that as an output. An object
+// is made before it, of the function's own type. Throws no_wrapper where none can be.
+using ReturnStatement = std::function<std::string(std::string const &value)>;
 std::string wrapper_unpack(rewrite::Kernel const &kernel, std::vector<Object> const &objects,
                            ReturnStatement const &returned);
+
+// Ends the program where another call than the recorded one has no original to go to.
+std::string refusal_of(std::string const &label);
 
 // The extents that may be others in another call than in the recorded one: what is true then, and the object.
 struct ExtentCheck {
@@ -28,7 +33,7 @@ struct ExtentCheck {
 std::vector<ExtentCheck> wrapper_extents(rewrite::Kernel const &kernel, Graph const &graph);
 
 // What the statements of a kernel in C++ use where an object is more than an array: a container, a matrix, a complex
-// number. C++11 in lines without directives; empty where nothing uses it.
-std::string wrapper_templates(rewrite::Kernel const &kernel, Graph const &graph);
+// number. Blocks of C++11 in lines without directives; none where nothing uses them.
+std::vector<std::string> wrapper_templates(rewrite::Kernel const &kernel, Graph const &graph);
 
 } // namespace symreal::program

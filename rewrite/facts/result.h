@@ -56,12 +56,6 @@ struct ObjectLayout {
   std::vector<std::string> containers; // the types that the text refers to by number
 };
 
-// One dimension of an array section [low:length], in the source's own words.
-struct Section {
-  std::string low;
-  std::string length;
-};
-
 struct Annotation {
   std::string kind; // input, parameter, constant, scratch or output
   std::string label;

@@ -1,17 +1,45 @@
 // What is known of a kernel's function, so that another file can call it or define it in its place.
 #pragma once
 
+#include "diagnostics/diagnostic.h"
+
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace symreal::rewrite {
 
+// One dimension of an array section [low:length], in the source's own words.
+struct Section {
+  std::string low;
+  std::string length;
+};
+
 // An #include of the file that defines the function.
 struct Include {
   std::string name;   // as it is written, with its quotes or angle brackets
   std::string beside; // the real path of the header, where it was found beside the file; else empty
   bool operator==(Include const &) const = default;
+};
+
+// Values that a recording bakes in, and that another call may find changed: a wrapper compares them.
+struct Baked {
+  std::string label;
+  std::string expression; // without its sections
+  std::vector<Section> sections;
+  std::string shape;      // of each element (rewrite/model/baked_values.h)
+  bool is_object = false; // what is no number of an annotated object: it counts where the kernel has read it
+  Place place;
+};
+
+// What a function returns, as an object that a wrapper fills.
+struct ReturnedObject {
+  enum class Form { number, integer, members, walked, bytes };
+  Form form = Form::number;
+  std::string type;
+  std::string obstacle; // why no wrapper can make one; else empty
+  std::string begin;    // of the macro that annotates it, up to the value
 };
 
 // What a file of its own needs to define the function instead of the original.
@@ -28,6 +56,12 @@ struct Redefinition {
   // What passes its parameters on, and how a function of C linkage takes them, `symreal_self` for `this` first.
   std::string arguments, parameters, returned;
   bool has_this = false;
+  // In every case: where its body begins, behind the brace, in the file with this real path.
+  std::string file;
+  std::size_t body = 0;
+  bool is_template = false;
+  std::vector<Baked> baked;
+  ReturnedObject result;
 };
 
 struct Signature {

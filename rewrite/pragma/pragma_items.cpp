@@ -1,6 +1,7 @@
 #include "rewrite/pragma/pragma_items.h"
 
 #include "rewrite/facts/merge.h"
+#include "rewrite/model/baked_values.h"
 #include "rewrite/model/item_type.h"
 #include "rewrite/model/object_layout.h"
 #include "rewrite/model/plain_declaration.h"
@@ -170,7 +171,13 @@ public:
     PragmaFact &pragma = facts_.pragmas[span];
     note_function(pragma, function);
     if (pragma.function.empty()) return;
-    pragma.function[0].signature.redefinition = redefinition(function, look_up_names(span, function));
+    Redefinition &redefined = pragma.function[0].signature.redefinition;
+    redefined = redefinition(function, look_up_names(span, function));
+    redefined.file = pragma.function[0].brace.file;
+    redefined.body = pragma.function[0].brace.end;
+    redefined.is_template = function->isTemplated();
+    redefined.baked = baked_values(function, items_of(pragma, function), pragma.place);
+    redefined.result = returned_object(function);
     if (function->getReturnType()->isVoidType())
       refuse_returned(pragma);
     else
@@ -180,6 +187,17 @@ public:
 private:
   void report(DiagnosticId id, SourceLocation location, std::string message) {
     facts_.diagnostics.push_back({id, map_.place(location), std::move(message)});
+  }
+
+  static std::vector<BakedItem> items_of(PragmaFact const &pragma, FunctionDecl const *function) {
+    std::vector<BakedItem> items;
+    auto const find = [function](std::string const &name) { return look_up(name, function); };
+    for (ClauseFact const &clause : pragma.clauses)
+      for (ItemFact const &item : clause.items)
+        if (!item.is_return && (takes_numbers(clause) || clause.clause == Clause::constant))
+          items.push_back({item.label, item.base, item.sections, item.place,
+                           type_of_item(item.expression, function, find).type, clause.clause == Clause::constant});
+    return items;
   }
 
   void note_function(PragmaFact &pragma, FunctionDecl const *function) {
@@ -230,7 +248,8 @@ private:
         continue;
       }
       ClauseInfo const &clause = info(pragma.clauses[name.item.clause].clause);
-      if (clause.has(trait::GIVEN | trait::RESULTS)) named.push_back({name.text, declaration});
+      bool const is_compared = clause.clause == Clause::constant; // by a wrapper
+      if (clause.has(trait::GIVEN | trait::RESULTS) || is_compared) named.push_back({name.text, declaration});
       // Outputs are read when the function returns, so what says where they are must still say so then.
       bool const locates = !name.is_base || item.section_on_base;
       if (clause.has(trait::RESULTS) && locates && isa<ParmVarDecl>(declaration))
@@ -307,7 +326,11 @@ private:
       return facts_.diagnostics.push_back(
           {DiagnosticId::pragma_item, returned->place,
            "'" + pragma.function[0].name + "' returns an integer of more than 32 bits, which no output holds"});
-    bool const has_layout = returned && !returned->layout.text.empty();
+    std::string usual = returned ? "(" + place : "";
+    if (is_integer) usual = "_INTEGER(" + place + ", (" + integer_words(type) + ")";
+    if (returned && !returned->layout.text.empty())
+      usual = "_LAYOUT(" + place + ", " + layout_arguments(returned->layout);
+    if (returned) pragma.function[0].signature.redefinition.result.begin = "SYMREAL_RETURN" + usual;
     std::string const as = type_in_words(function);
     Returns returns;
     returns.TraverseStmt(function->getBody());
@@ -322,9 +345,7 @@ private:
         report(DiagnosticId::pragma_item, statement->getReturnLoc(),
                "output(return) needs `return` with an expression");
       if (!span || (!returned && as.empty())) continue;
-      std::string macro = returned ? "(" + place : "_WHOLE(" + as;
-      if (is_integer) macro = "_INTEGER(" + place + ", (" + integer_words(type) + ")";
-      if (has_layout) macro = "_LAYOUT(" + place + ", " + layout_arguments(returned->layout);
+      std::string macro = returned ? usual : "_WHOLE(" + as;
       if (returned && is_made_first) macro = macro.insert(macro.find('('), "_AS") + ", " + as;
       facts_.wraps.insert({*span, Use::returned, macro});
     }

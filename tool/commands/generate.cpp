@@ -2,6 +2,7 @@
 #include "graph/graph_text.h"
 #include "graph/names.h"
 #include "graph/states.h"
+#include "program/baked_values.h"
 #include "schedule/angles.h"
 #include "support/files.h"
 #include "tool/analysis/parallel_option.h"
@@ -104,8 +105,8 @@ void require_outputs(Options const &options) {
 }
 
 // The source files of a kernel.
-void emit_sources(program::Recorded const &recorded, Schedule const &plan, Options const &options, bool several,
-                  Product &product) {
+void emit_sources(Wrappers &wrappers, program::Recorded const &recorded, Schedule const &plan, Options const &options,
+                  bool several, Product &product) {
   std::string given = recorded.output_file.empty() ? recorded.kernel.name + ".c" : recorded.output_file;
   std::string const path = place_output(options.output, given, several);
   std::vector<Language const *> const languages = options.language.languages(), any = all_languages();
@@ -118,18 +119,19 @@ void emit_sources(program::Recorded const &recorded, Schedule const &plan, Optio
   std::optional<Laned> const lanes = options.vector.lanes(laid_out, product.warnings, product.lanes);
   product.files = emitted_files(plan, options.emitter, options.passes.floating_point(), languages, path,
                                 loops ? &*loops : nullptr, lanes ? &*lanes : nullptr);
-  if (options.wrapper)
-    product.files.push_back(wrapper_file(recorded.kernel, product.optimised.graph, options.emitter,
-                                         fs::path(path).replace_extension(".c"), product.warnings));
+  if (!options.wrapper) return;
+  std::vector<OutputFile> const wrapper =
+      wrappers.add(recorded, product.optimised.graph, options.emitter, fs::path(path).replace_extension(".c"));
+  product.files.insert(product.files.end(), wrapper.begin(), wrapper.end());
 }
 
 // The files of a kernel whose graph is laid out.
-void emit_files(program::Recorded const &recorded, Schedule const &plan, Options const &options, bool several,
-                Product &product) {
+void emit_files(Wrappers &wrappers, program::Recorded const &recorded, Schedule const &plan, Options const &options,
+                bool several, Product &product) {
   if (options.bundle.is_given())
     product.bundle = options.bundle.bundle(plan, options.emitter, options.passes.floating_point(), several);
   else
-    emit_sources(recorded, plan, options, several, product);
+    emit_sources(wrappers, recorded, plan, options, several, product);
 }
 
 // The product's optimised graph, and how that is computed.
@@ -142,8 +144,8 @@ Schedule planned(Product &product, Graph graph, Options const &options, Console 
 }
 
 // With --separate: of the derivatives alone, in a file beside the kernel's.
-Product derivative_product(program::Recorded const &recorded, std::size_t own_outputs, Options options, bool several,
-                           Console &console) {
+Product derivative_product(Wrappers &wrappers, program::Recorded const &recorded, std::size_t own_outputs,
+                           Options options, bool several, Console &console) {
   Graph const &graph = recorded.graph;
   if (graph.outputs.size() == own_outputs)
     fail(DiagnosticId::option_without_effect, {}, "--separate: nobody asks for derivatives of '" + graph.kernel + "'");
@@ -159,7 +161,7 @@ Product derivative_product(program::Recorded const &recorded, std::size_t own_ou
   std::string const &prefix = options.emitter.prefix;
   options.emitter.prefix = identifier(prefix.empty() ? graph.kernel : prefix) + "_derivatives";
   options.wrapper = false;
-  emit_sources(recorded, plan, options, /*several=*/false, product);
+  emit_sources(wrappers, recorded, plan, options, /*several=*/false, product);
   return product;
 }
 
@@ -181,6 +183,7 @@ std::optional<std::vector<Product>> generate(program::FrontRequest const &reques
   if (!accept_frozen(front.kernels, options, talk, console)) return {};
   talk.stage("optimising");
   std::vector<Product> products;
+  Wrappers wrappers(front);
   for (program::Recorded &recorded : front.kernels) {
     auto const start = std::chrono::steady_clock::now();
     Product product;
@@ -190,6 +193,8 @@ std::optional<std::vector<Product>> generate(program::FrontRequest const &reques
     if (!options.graph_file.empty()) write_graph(graph, recorded.graph);
     if (options.wrapper && !recorded.graph.wishes.empty() && !options.differentiate.separate)
       fail(DiagnosticId::bad_option, recorded.graph.wishes.front().place, no_derivatives_in_wrapper);
+    if (options.wrapper && recorded.kernel.is_function)
+      program::add_baked_values(front, program::run_of(front, request.run), recorded);
     std::size_t const own_outputs = recorded.graph.outputs.size();
     Graph alone = options.differentiate.separate ? recorded.graph : Graph();
     recorded.graph = options.differentiate.applied(std::move(recorded.graph),
@@ -197,12 +202,12 @@ std::optional<std::vector<Product>> generate(program::FrontRequest const &reques
     bool const several = front.kernels.size() > 1;
     std::optional<Product> derivatives;
     if (options.differentiate.separate) {
-      derivatives = derivative_product(recorded, own_outputs, options, several, console);
+      derivatives = derivative_product(wrappers, recorded, own_outputs, options, several, console);
       alone.wishes.clear();
       recorded.graph = std::move(alone);
     }
     Schedule const plan = planned(product, std::move(recorded.graph), options, console);
-    emit_files(recorded, plan, options, several, product);
+    emit_files(wrappers, recorded, plan, options, several, product);
     if (!options.graph_file.empty())
       product.files.push_back(
           {place_output(options.graph_file, recorded.kernel.name + ".graph", several), std::move(graph).str()});
@@ -210,6 +215,10 @@ std::optional<std::vector<Product>> generate(program::FrontRequest const &reques
     products.push_back(std::move(product));
     if (derivatives) products.push_back(std::move(*derivatives));
   }
+  std::vector<Diagnostic> remarks;
+  std::vector<OutputFile> const copies = wrappers.copies(remarks);
+  products.front().files.insert(products.front().files.end(), copies.begin(), copies.end());
+  products.front().warnings.insert(products.front().warnings.end(), remarks.begin(), remarks.end());
   return products;
 }
 

@@ -1,5 +1,6 @@
 #include "emit/origins/origins.h"
 #include "graph/names.h"
+#include "program/baked_values.h"
 #include "program/bisection.h"
 #include "program/generated_header.h"
 #include "program/read_files.h"
@@ -106,18 +107,31 @@ std::optional<program::Front> make_front(Options const &options, Session &sessio
   return front;
 }
 
-// Does the wrapper lie beside the generated file?
-bool has_wrapper(std::string const &generated, program::Recorded const &recorded) {
-  fs::path const stem = fs::path(generated).replace_extension();
-  for (char const *suffix : {"_wrapper.c", "_wrapper.cpp"}) {
-    std::string const path = stem.string() + suffix;
-    if (!recorded.kernel.is_function || program::is_generated_cpp(generated) || !fs::exists(path)) continue;
-    if (!program::is_wrapper_of(read_file(path), recorded))
-      fail(DiagnosticId::foreign_file, {path, 1, 1},
-           "this wrapper was generated for another form of kernel '" + recorded.kernel.name + "'");
-    return true;
-  }
-  return false;
+// The wrapper that lies beside the generated file: a file, or a directory of copies.
+std::optional<std::string> find_wrapper(std::string const &generated, rewrite::Kernel const &kernel) {
+  fs::path const stem = fs::path(generated).replace_extension().string() + "_wrapper";
+  for (std::string const &suffix :
+       {std::string(".c"), std::string(".cpp"), fs::path(kernel.source).extension().string()})
+    if (std::string const path = stem.string() + suffix; fs::is_regular_file(path)) return path;
+  if (!fs::is_directory(stem)) return {};
+  for (fs::directory_entry const &one : fs::recursive_directory_iterator(stem))
+    if (one.is_regular_file() && one.path().filename() == fs::path(kernel.signature.redefinition.file).filename())
+      return one.path().string();
+  return {};
+}
+
+// Does it? One that belongs to another kernel is refused.
+bool has_wrapper(program::Front &front, program::RunOptions const &run, std::string const &generated,
+                 program::Recorded const &recorded) {
+  if (!recorded.kernel.is_function || program::is_generated_cpp(generated)) return false;
+  std::optional<std::string> const path = find_wrapper(generated, recorded.kernel);
+  if (!path) return false;
+  for (program::Recorded &one : front.kernels)
+    if (&one == &recorded) program::add_baked_values(front, run, one);
+  if (!program::is_wrapper_of(read_file(*path), recorded))
+    fail(DiagnosticId::foreign_file, {*path, 1, 1},
+         "this wrapper was generated for another form of kernel '" + recorded.kernel.name + "'");
+  return true;
 }
 
 // Which pass makes the difference, for the user.
@@ -237,7 +251,7 @@ int run(CLI::App &command, Options &options, Session &session) {
     if (!program::require_header(generated[k], banner, recorded.graph))
       console.note("there is no " + program::header_of(generated[k]) + ": what it declares was not checked");
     program::VerificationOptions asked = options.verification;
-    asked.wrapper = !banner.is_single && banner.derivatives.empty() && has_wrapper(generated[k], recorded);
+    asked.wrapper = !banner.is_single && banner.derivatives.empty() && has_wrapper(*front, as, generated[k], recorded);
     if (banner.is_single && options.tolerance->count() == 0 && !wanted) asked.tolerance = program::single_tolerance;
     if (!options.paths_met.empty()) asked.given = program::read_sample_table(options.paths_met, recorded.graph);
     if (!options.replay.empty()) asked.replayed = read_samples(options.replay, recorded.graph);

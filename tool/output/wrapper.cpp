@@ -1,12 +1,18 @@
 #include "tool/output/wrapper.h"
 
+#include "graph/names.h"
+#include "program/baked_values.h"
 #include "program/wrapper_text.h"
+#include "support/files.h"
+#include "support/quoted.h"
 #include "tool/output/fallback.h"
 
 #include <algorithm>
 #include <filesystem>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <regex>
+#include <set>
 
 namespace symreal::tool {
 namespace {
@@ -22,33 +28,26 @@ void require_sense(rewrite::Kernel const &kernel) {
   if (kernel.signature.returns_value && !returns_output)
     fail(DiagnosticId::no_wrapper, kernel.place,
          "--wrapper cannot return what '" + kernel.name + "' returns, which is no output: add output(return)");
-  if (std::string const &obstacle = kernel.signature.redefinition.obstacle; !obstacle.empty())
+  if (std::string const &obstacle = kernel.signature.redefinition.result.obstacle; returns_output && !obstacle.empty())
     fail(DiagnosticId::no_wrapper, kernel.place,
-         "--wrapper cannot take the place of '" + kernel.signature.redefinition.qualified + "': " + obstacle);
+         fmt::format("--wrapper cannot take the place of '{}': {}", kernel.name, obstacle));
 }
 
-// A header beside the original is named from where the wrapper is, unless they share no directory but the root.
-std::string include_line(rewrite::Include const &include, fs::path const &directory) {
+fs::path real(fs::path const &path) {
   std::error_code error;
-  fs::path const from = fs::weakly_canonical(directory.empty() ? "." : directory, error);
-  fs::path const header(include.beside);
-  bool const is_near = !include.beside.empty() && !error && std::next(from.begin()) != from.end() &&
-                       *std::next(from.begin()) == *std::next(header.begin());
-  std::string const name = is_near ? "\"" + header.lexically_relative(from).string() + "\"" : include.name;
-  return "#include " + name + "\n";
+  return fs::weakly_canonical(fs::absolute(path.empty() ? "." : path), error);
 }
 
-std::string warn_of_missing(rewrite::Kernel const &kernel, std::vector<Diagnostic> &warnings) {
-  std::vector<std::string> const &missing = kernel.signature.redefinition.missing;
-  if (missing.empty()) return "";
-  std::string const names = fmt::format("{}", fmt::join(missing, ", "));
-  warnings.push_back(
-      {DiagnosticId::wrapper_needs_source, kernel.place,
-       fmt::format("the wrapper of '{}' cannot be compiled alone: only {} has {}", kernel.name, kernel.source, names)});
-  return fmt::format(
-      "/* Only the original's file has {}: include this file there, behind them, in place of the function. "
-      "*/\n",
-      names);
+// A path from where the wrapper is, unless they share no directory but the root.
+std::string path_from(fs::path const &directory, fs::path const &file) {
+  fs::path const from = real(directory);
+  bool const is_near = std::next(from.begin()) != from.end() && *std::next(from.begin()) == *std::next(file.begin());
+  return is_near ? file.lexically_relative(from).string() : file.string();
+}
+
+std::string include_line(rewrite::Include const &include, fs::path const &directory) {
+  std::string const name = include.beside.empty() ? include.name : "\"" + path_from(directory, include.beside) + "\"";
+  return "#include " + name + "\n";
 }
 
 // Parameters change seldom, so what depends on them alone is kept.
@@ -68,12 +67,12 @@ std::string constants_function(Graph const &graph, std::string const &prefix) {
 
 /* What depends on parameters alone. {0}preprocess runs in a thread's first call and when a parameter has other bits than in the
    thread's last call: so a NaN is equal to itself, and 0.0 is not -0.0. */
-static double const *symreal_constants_of(double const *symreal_parameters) {{
+static double const *{0}symreal_constants_of(double const *symreal_parameters) {{
   static SYMREAL_PER_THREAD int symreal_is_known = 0;
   static SYMREAL_PER_THREAD double symreal_known[{1}], symreal_constants[{2}];
-  if (!symreal_is_known || memcmp(symreal_known, symreal_parameters, sizeof symreal_known) != 0) {{
+  if (!symreal_is_known || __builtin_memcmp(symreal_known, symreal_parameters, sizeof symreal_known) != 0) {{
     {0}preprocess(symreal_parameters, symreal_constants);
-    memcpy(symreal_known, symreal_parameters, sizeof symreal_known);
+    __builtin_memcpy(symreal_known, symreal_parameters, sizeof symreal_known);
     symreal_is_known = 1;
   }}
   return symreal_constants;
@@ -82,10 +81,14 @@ static double const *symreal_constants_of(double const *symreal_parameters) {{
                      prefix, graph.parameter_count(), graph.precomputed.size());
 }
 
-constexpr char const *refuse_function = R"(
-/* The generated code is for the extents with which it was recorded. */
-static void symreal_refuse(char const *symreal_what) {
+constexpr char const *refuse_functions = R"(
+/* The generated code is for the extents with which it was recorded, and for the values that are baked in. */
+static inline void symreal_refuse_extents(char const *symreal_what) {
   fprintf(stderr, "%s: this call has other extents than the generated code\n", symreal_what);
+  abort();
+}
+static inline void symreal_refuse(char const *symreal_what) {
+  fprintf(stderr, "%s: this call has another value than the generated code\n", symreal_what);
   abort();
 }
 )";
@@ -99,10 +102,11 @@ std::string constants_statements(Graph const &graph, std::string const &prefix) 
   if (graph.parameter_count() == 0)
     return fmt::format("  double symreal_constants[{}];\n  {}preprocess(0, symreal_constants);\n", count, prefix);
   if (graph.externals.empty())
-    return "  double const *const symreal_constants = symreal_constants_of(symreal_parameters);\n";
-  return fmt::format("  double symreal_constants[{}];\n  memcpy(symreal_constants, "
-                     "symreal_constants_of(symreal_parameters), sizeof symreal_constants);\n",
-                     count);
+    return fmt::format("  double const *const symreal_constants = {}symreal_constants_of(symreal_parameters);\n",
+                       prefix);
+  return fmt::format("  double symreal_constants[{0}];\n  __builtin_memcpy(symreal_constants, "
+                     "{1}symreal_constants_of(symreal_parameters), sizeof symreal_constants);\n",
+                     count, prefix);
 }
 
 std::string c_declarations(Graph const &graph, std::string const &prefix) {
@@ -115,61 +119,353 @@ std::string c_declarations(Graph const &graph, std::string const &prefix) {
 }
 
 // Statements for a call that the generated code is not for.
-std::string other_extents(std::vector<program::ExtentCheck> const &checks, bool has_fallback,
-                          Fallback const &original) {
+std::string other_calls(program::Recorded const &recorded, std::vector<program::ExtentCheck> const &extents,
+                        Fallback const *original) {
   std::string text;
-  for (program::ExtentCheck const &check : checks)
-    text += has_fallback ? fmt::format("  if ({}) {}", check.differs, original.statement)
-                         : fmt::format("  if ({}) symreal_refuse(\"{}\");\n", check.differs, check.label);
-  return text;
+  for (program::ExtentCheck const &check : extents)
+    text += original ? fmt::format("  if ({}) {}", check.differs, original->statement)
+                     : fmt::format("  if ({}) symreal_refuse_extents({});\n", check.differs, in_quotes(check.label));
+  if (recorded.baked.empty()) return text;
+  if (!original) return text + program::baked_checks(recorded, program::refusal_of);
+  return text + "  int symreal_same = 1;\n" +
+         program::baked_checks(recorded, [](std::string const &) { return "symreal_same = 0;"; }) +
+         fmt::format("  if (!symreal_same) {}", original->statement);
 }
 
-} // namespace
+std::string packing(rewrite::Kernel const &kernel, Graph const &graph, std::string const &prefix) {
+  return program::wrapper_arrays(graph) + program::wrapper_pack(kernel, "input", graph.inputs, "symreal_input") +
+         program::wrapper_pack(kernel, "parameter", graph.parameters, "symreal_parameters") +
+         constants_statements(graph, prefix);
+}
 
-OutputFile wrapper_file(rewrite::Kernel const &kernel, Graph const &graph, EmitterOptions const &options,
-                        std::string const &generated, std::vector<Diagnostic> &warnings) {
-  require_sense(kernel);
+std::string unpacking(rewrite::Kernel const &kernel, Graph const &graph) {
+  return program::wrapper_unpack(kernel, graph.outputs,
+                                 [](std::string const &value) { return "return " + value + ";"; });
+}
+
+std::string call_of(std::string const &prefix) {
+  return prefix + "compute(symreal_input, symreal_constants, symreal_output)";
+}
+
+bool caches(Graph const &graph) { return !graph.precomputed.empty() && graph.parameter_count() != 0; }
+
+// What both forms have before the function.
+std::vector<std::string> preamble(program::Recorded const &recorded, Graph const &graph, std::string const &prefix) {
+  std::vector<std::string> blocks = program::baked_helpers(recorded);
+  std::vector<std::string> const templates = program::wrapper_templates(recorded.kernel, graph);
+  blocks.insert(blocks.end(), templates.begin(), templates.end());
+  if (caches(graph)) blocks.push_back(constants_function(graph, prefix));
+  return blocks;
+}
+
+std::string own_file(program::Recorded const &recorded, Graph const &graph, std::string const &prefix,
+                     fs::path const &directory) {
+  rewrite::Kernel const &kernel = recorded.kernel;
   rewrite::Redefinition const &function = kernel.signature.redefinition;
-  std::string const prefix = options.prefix.empty() ? "" : options.prefix + "_";
-  fs::path const directory = fs::path(generated).parent_path();
   bool const has_fallback = !graph.guards.empty();
   Fallback const original = has_fallback ? fallback(kernel, prefix + "fallback") : Fallback();
   std::vector<program::ExtentCheck> const extents = program::wrapper_extents(kernel, graph);
-  bool const caches = !graph.precomputed.empty() && graph.parameter_count() != 0;
+  bool const may_refuse = !has_fallback && (!extents.empty() || !recorded.baked.empty());
 
   std::string text =
       fmt::format("/* Generated by Symreal: takes the place of the original definition of {}.\n   This file "
                   "belongs to whoever generated it. */\n",
                   function.qualified);
-  text += warn_of_missing(kernel, warnings);
   for (rewrite::Include const &one : function.includes) text += include_line(one, directory);
-  if (caches) text += "#include <string.h>\n";
-  if (!extents.empty() && !has_fallback) text += "#include <stdio.h>\n#include <stdlib.h>\n";
+  if (program::compares_classes(recorded)) text += "#include <typeinfo>\n";
+  if (may_refuse) text += "#include <stdio.h>\n#include <stdlib.h>\n";
   text += "\n" + c_declarations(graph, prefix);
   for (std::string const &one : function.declarations) text += one + "\n";
   if (has_fallback)
     text += fmt::format("\n/* The original, called where a guard does not hold: {}. */\n", original.way);
-  std::string const templates = program::wrapper_templates(kernel, graph);
-  if (!templates.empty()) text += "\n" + templates;
-  if (caches) text += constants_function(graph, prefix);
-  if (!extents.empty() && !has_fallback) text += refuse_function;
+  for (std::string const &block : preamble(recorded, graph, prefix)) text += block;
+  if (may_refuse) text += refuse_functions;
   for (std::string const &one : function.namespaces) text += one + " {\n";
   if (has_fallback) text += original.declaration;
   text += "\n" + function.head + " {\n";
-  text += other_extents(extents, has_fallback, original);
-  text += program::wrapper_arrays(graph);
-  text += program::wrapper_pack(kernel, "input", graph.inputs, "symreal_input");
-  text += program::wrapper_pack(kernel, "parameter", graph.parameters, "symreal_parameters");
-  text += constants_statements(graph, prefix);
-  std::string const call = prefix + "compute(symreal_input, symreal_constants, symreal_output)";
+  text += other_calls(recorded, extents, has_fallback ? &original : nullptr);
+  text += packing(kernel, graph, prefix);
+  std::string const call = call_of(prefix);
   text += has_fallback ? fmt::format("  if ({} != 0) {}", call, original.statement) : "  " + call + ";\n";
-  text += program::wrapper_unpack(kernel, graph.outputs, [](rewrite::Annotation const &, std::string const &value) {
-    return "return " + value + ";";
-  });
-  text += "}\n";
+  text += unpacking(kernel, graph) + "}\n";
   for (std::size_t i = 0; i < function.namespaces.size(); ++i) text += "}\n";
-  std::string const suffix = fs::path(kernel.source).extension() == ".c" ? ".c" : ".cpp";
-  return {(directory / (fs::path(generated).stem().string() + "_wrapper" + suffix)).string(), text};
+  return text;
+}
+
+std::string indented(std::string const &text, std::string const &by) {
+  std::string result;
+  for (std::size_t begin = 0; begin < text.size();) {
+    std::size_t const end = std::min(text.find('\n', begin), text.size());
+    result += (end == begin ? "" : by) + text.substr(begin, end - begin) + "\n";
+    begin = end + 1;
+  }
+  return result;
+}
+
+// What stands before the body in a copy: the body is what else is done.
+std::string try_statements(program::Recorded const &recorded, Graph const &graph, std::string const &prefix) {
+  auto const other = [](std::string const &) { return "symreal_same = 0;"; };
+  std::string checks = program::baked_checks(recorded, other);
+  for (program::ExtentCheck const &one : program::wrapper_extents(recorded.kernel, graph))
+    checks += fmt::format("  if ({}) symreal_same = 0;\n", one.differs);
+  std::string const results = unpacking(recorded.kernel, graph);
+  std::string inner = packing(recorded.kernel, graph, prefix);
+  std::string const leave = recorded.kernel.signature.returns_value ? "" : "  return;\n";
+  if (graph.guards.empty())
+    inner += "  " + call_of(prefix) + ";\n" + results + leave;
+  else
+    inner += fmt::format("  if ({} == 0) {{\n", call_of(prefix)) + indented(results + leave, "  ") + "  }\n";
+  if (checks.empty()) return "  {\n" + indented(inner, "  ") + "  }\n";
+  return "  {\n    int symreal_same = 1;\n" + indented(checks, "  ") + "    if (symreal_same) {\n" +
+         indented(inner, "    ") + "    }\n  }\n";
+}
+
+// A file of the program, and the copy of it.
+struct Copy {
+  rewrite::File const *file;
+  std::string path;
+};
+
+Copy const *copy_of(std::vector<Copy> const &copies, std::string const &file) {
+  auto const found = std::ranges::find_if(copies, [&](Copy const &one) { return one.file->path == file; });
+  return found == copies.end() ? nullptr : &*found;
+}
+
+// A header that a file includes from beside it; empty if it is found elsewhere.
+std::string beside(rewrite::File const &file, std::string const &name) {
+  std::error_code error;
+  fs::path const path = fs::path(file.path).parent_path() / name;
+  return fs::is_regular_file(path, error) ? fs::weakly_canonical(path, error).string() : "";
+}
+
+std::regex const &inclusions() {
+  static std::regex const pattern(
+      "((?:^|\\n)[ \\t]*#[ \\t]*include[ \\t]*|__has_include[ \\t]*\\([ \\t]*)\"([^\"\\n]*)\"");
+  return pattern;
+}
+
+// What it includes from beside itself is found from where the copy is.
+std::string with_inclusions(std::string const &text, Copy const &copy, std::vector<Copy> const &copies) {
+  std::string result;
+  std::size_t begin = 0;
+  for (std::sregex_iterator one(text.begin(), text.end(), inclusions()), end; one != end; ++one) {
+    std::string const header = beside(*copy.file, one->str(2));
+    if (header.empty()) continue;
+    Copy const *copied = copy_of(copies, header);
+    auto const at = static_cast<std::size_t>(one->position(2));
+    result += text.substr(begin, at - begin) +
+              path_from(fs::path(copy.path).parent_path(), copied ? real(copied->path) : fs::path(header));
+    begin = at + static_cast<std::size_t>(one->length(2));
+  }
+  return result + text.substr(begin);
+}
+
+bool is_source(program::Front const &front, std::string const &file) {
+  return std::ranges::any_of(front.build.sources, [&](auto const &one) { return rewrite::real_source(one) == file; });
+}
+
+// A function's own file. With a header, the files that include it from beside themselves, which would find the header.
+std::set<std::string> copied_with(program::Front const &front, std::string const &file) {
+  std::set<std::string> copied = {file};
+  for (bool grows = !is_source(front, file); grows;) {
+    grows = false;
+    for (rewrite::File const &one : front.rewritten.files)
+      for (std::sregex_iterator each(one.original.begin(), one.original.end(), inclusions()), end; each != end; ++each)
+        if (copied.contains(beside(one, each->str(2)))) grows |= copied.insert(one.path).second;
+  }
+  return copied;
+}
+
+bool is_within(fs::path const &file, fs::path const &directory) {
+  fs::path const inside = file.lexically_relative(directory);
+  return !inside.empty() && *inside.begin() != "..";
+}
+
+// The directory below which copies stand as the files do. A header that is searched for keeps its name.
+fs::path root_of(program::Front const &front, std::set<std::string> const &files) {
+  fs::path root = fs::path(*files.begin()).parent_path();
+  if (files.size() == 1)
+    for (std::string const &one : front.rewritten.include_dirs)
+      if (is_within(*files.begin(), real(one))) root = real(one);
+  while (std::ranges::any_of(files, [&](std::string const &one) { return !is_within(one, root); }))
+    root = root.parent_path();
+  return root;
+}
+
+// C and C++ before C99 and C++11, in which wrappers are not written.
+std::string later_standard(std::vector<std::string> const &flags, bool c) {
+  std::string standard;
+  for (std::string const &flag : flags)
+    if (flag == "-ansi" || flag.starts_with("-std=")) standard = flag;
+  for (char const *const year : {"ansi", "89", "90", "199409", "98", "03"})
+    if (standard.ends_with(year)) return c ? "-std=gnu99" : "-std=gnu++11";
+  return "";
+}
+
+// What the compiler says against it, as the project compiles the original; empty where nothing.
+std::string compiler_objection(program::Front const &front, rewrite::Kernel const &kernel, std::string const &source,
+                               std::vector<OutputFile> const &files, OutputFile const *main) {
+  auto const compiled =
+      std::ranges::find_if(front.build.sources, [&](auto const &one) { return rewrite::real_source(one) == source; });
+  if (compiled == front.build.sources.end()) return {};
+  std::string const directory = front.workspace->directory("wrapper-" + identifier(kernel.name));
+  std::vector<std::string> searched;
+  std::string path = source;
+  for (OutputFile const &one : files) {
+    std::error_code error;
+    fs::path const place = real(one.path);
+    fs::path const tried = fs::path(directory) / place.relative_path();
+    fs::create_directories(tried.parent_path(), error);
+    write_if_changed(tried.string(), one.text);
+    searched.insert(searched.end(), {"-iquote", place.parent_path().string()});
+    if (main == &one) path = tried.string();
+    if (!main) searched.insert(searched.begin(), {"-I", tried.parent_path().string()});
+  }
+  bool const c = program::is_c(*compiled);
+  std::vector<std::string> words = {c ? front.build.c_compiler : front.build.compiler};
+  words.insert(words.end(), searched.begin(), searched.end());
+  std::vector<std::string> const flags = program::unchanged_flags(compiled->flags);
+  words.insert(words.end(), flags.begin(), flags.end());
+  if (std::string const standard = later_standard(flags, c); !standard.empty()) words.push_back(standard);
+  for (std::string const &one : {"-w", "-x", c ? "c" : "c++", "-c", path.c_str(), "-o"}) words.push_back(one);
+  words.push_back(directory + "/wrapper.o");
+  program::Captured const result = program::capture(program::compiler_run(words, compiled->directory));
+  if (result.outcome.success()) return {};
+  std::size_t const at = result.output.find("error: ");
+  return at == result.output.npos ? result.output : result.output.substr(at + 7, result.output.find('\n', at) - at - 7);
+}
+
+void require_compiles(program::Front const &front, rewrite::Kernel const &kernel, std::string const &source,
+                      std::vector<OutputFile> const &files, OutputFile const *main) {
+  std::string const objection = compiler_objection(front, kernel, source, files, main);
+  if (!objection.empty())
+    fail(DiagnosticId::no_wrapper, kernel.place,
+         fmt::format("the wrapper of '{}' does not compile: {}", kernel.name, objection));
+}
+
+} // namespace
+
+// Functions whose copies have files in common, and these.
+struct Wrappers::Group {
+  std::vector<Inserted const *> functions;
+  std::set<std::string> files;
+};
+
+std::vector<OutputFile> Wrappers::add(program::Recorded const &recorded, Graph const &graph,
+                                      EmitterOptions const &options, std::string const &generated) {
+  rewrite::Kernel const &kernel = recorded.kernel;
+  require_sense(kernel);
+  if (!graph.guards.empty() && !recorded.scratch.empty())
+    fail(DiagnosticId::no_wrapper, kernel.place,
+         fmt::format("--wrapper cannot take the place of '{}': where a guard does not hold the original is called, and "
+                     "may read '{}', which generated code does not write",
+                     kernel.name, recorded.scratch.front()));
+  rewrite::Redefinition const &function = kernel.signature.redefinition;
+  std::string const prefix = options.prefix.empty() ? "" : options.prefix + "_";
+  fs::path const directory = fs::path(generated).parent_path();
+  fs::path const wrapper = directory / (fs::path(generated).stem().string() + "_wrapper");
+  std::string why = function.obstacle;
+  if (why.empty() && !function.missing.empty())
+    why = fmt::format("only {} has {}", kernel.source, fmt::join(function.missing, ", "));
+  if (why.empty()) {
+    std::string const suffix = fs::path(kernel.source).extension() == ".c" ? ".c" : ".cpp";
+    std::vector<OutputFile> const files = {{wrapper.string() + suffix, own_file(recorded, graph, prefix, directory)}};
+    why = compiler_objection(front_, kernel, function.file, files, &files.front());
+    if (why.empty()) return files;
+    why = "a file of its own does not compile: " + why;
+  }
+  std::vector<std::string> blocks = preamble(recorded, graph, prefix);
+  blocks.insert(blocks.begin(), c_declarations(graph, prefix));
+  inserted_.push_back({kernel, wrapper.string(), why, program::compares_classes(recorded), std::move(blocks),
+                       try_statements(recorded, graph, prefix)});
+  return {};
+}
+
+std::vector<Wrappers::Group> Wrappers::groups() const {
+  std::vector<Group> groups;
+  for (Inserted const &one : inserted_) {
+    Group group{{&one}, copied_with(front_, one.kernel.signature.redefinition.file)};
+    std::erase_if(groups, [&](Group const &other) {
+      bool const meets = std::ranges::any_of(other.files, [&](auto const &file) { return group.files.contains(file); });
+      if (!meets) return false;
+      group.functions.insert(group.functions.begin(), other.functions.begin(), other.functions.end());
+      group.files.insert(other.files.begin(), other.files.end());
+      return true;
+    });
+    groups.push_back(std::move(group));
+  }
+  return groups;
+}
+
+std::vector<OutputFile> Wrappers::group_files(Group const &group, std::vector<Diagnostic> &remarks) const {
+  fs::path const root = root_of(front_, group.files), wrapper = group.functions.front()->wrapper;
+  bool const is_one_source = group.files.size() == 1 && is_source(front_, *group.files.begin());
+  std::vector<Copy> copies;
+  for (rewrite::File const &one : front_.rewritten.files)
+    if (group.files.contains(one.path))
+      copies.push_back({&one, is_one_source ? wrapper.string() + fs::path(one.path).extension().string()
+                                            : (wrapper / fs::path(one.path).lexically_relative(root)).string()});
+  std::vector<OutputFile> files;
+  std::string sources;
+  for (Copy const &copy : copies) {
+    std::string const name = in_quotes(copy.file->display_path), &text = copy.file->original;
+    std::vector<Inserted const *> here;
+    for (Inserted const *one : group.functions)
+      if (one->kernel.signature.redefinition.file == copy.file->path) here.push_back(one);
+    std::ranges::sort(here, {}, [](Inserted const *one) { return one->kernel.signature.redefinition.body; });
+    std::string top, functions, inner;
+    std::vector<std::string> known;
+    std::size_t begin = 0;
+    for (Inserted const *one : here) {
+      functions += (functions.empty() ? "" : ", ") + one->kernel.signature.redefinition.qualified;
+      if (one->with_classes && top.find("#include <typeinfo>") == top.npos) top.insert(0, "#include <typeinfo>\n");
+      for (std::string const &block : one->blocks)
+        if (std::ranges::find(known, block) == known.end()) top += known.emplace_back(block);
+      std::size_t const end = one->kernel.signature.redefinition.body;
+      auto const lines = std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(end), '\n');
+      inner += with_inclusions(text.substr(begin, end - begin), copy, copies) + "\n" + one->statements +
+               fmt::format("#line {} {}\n", lines + 1, name);
+      begin = end;
+    }
+    // A header may be included again.
+    if (!here.empty() && !is_source(front_, copy.file->path))
+      top = fmt::format("#ifndef SYMREAL_COPY_WITH_{0}\n#define SYMREAL_COPY_WITH_{0}\n{1}#endif\n",
+                        identifier(here.front()->kernel.name), top);
+    std::string const what =
+        here.empty() ? "which includes other copies" : "in which generated code stands before the body of " + functions;
+    files.push_back({copy.path, fmt::format("/* Generated by Symreal: a copy of {}, {}. */\n{}#line 1 {}\n",
+                                            fs::path(copy.file->path).filename().string(), what, top, name) +
+                                    inner + with_inclusions(text.substr(begin), copy, copies)});
+    if (is_source(front_, copy.file->path)) sources += (sources.empty() ? "" : ", ") + copy.file->display_path;
+  }
+  rewrite::Kernel const &kernel = group.functions.front()->kernel;
+  for (std::size_t k = 0; k < files.size(); ++k)
+    if (is_source(front_, copies[k].file->path))
+      require_compiles(front_, kernel, copies[k].file->path, files, &files[k]);
+  if (sources.empty())
+    require_compiles(front_, kernel, rewrite::real_source(front_.build.sources.front()), files, nullptr);
+  std::string const way = is_one_source ? fmt::format("compile {} in place of {}", files.front().path, sources)
+                          : sources.empty()
+                              ? fmt::format("search {} before other directories", wrapper.string())
+                              : fmt::format("compile the copies in {} in place of {}", wrapper.string(), sources);
+  for (Inserted const *one : group.functions) {
+    remarks.push_back(
+        {DiagnosticId::wrapper_needs_source,
+         one->kernel.place,
+         fmt::format("the wrapper of '{}' is a copy of its file, since {}: {}", one->kernel.name, one->why, way),
+         {},
+         Severity::remark});
+  }
+  return files;
+}
+
+std::vector<OutputFile> Wrappers::copies(std::vector<Diagnostic> &remarks) const {
+  std::vector<OutputFile> all;
+  for (Group const &group : groups()) {
+    std::vector<OutputFile> const files = group_files(group, remarks);
+    all.insert(all.end(), files.begin(), files.end());
+  }
+  return all;
 }
 
 } // namespace symreal::tool

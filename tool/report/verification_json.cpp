@@ -312,6 +312,7 @@ VerificationRecord record_of(Json const &json) {
   verification.left_by_wrapper = left_of(json.at("left_by_wrapper"));
   verification.changes_outside = left_of(json.value("changes_outside", Json::array()));
   verification.outside = left_of(json.value("outside", Json::array()));
+  if (json.contains("missed_by_wrapper")) verification.missed_by_wrapper = left_of(json["missed_by_wrapper"]);
   for (Json const &one : json.at("named"))
     verification.named[one.at("sample")] = {numbers_of(one.at("inputs")), numbers_of(one.at("parameters"))};
   return record;
@@ -373,6 +374,8 @@ Json to_json(VerificationRecord const &record) {
   json["left_by_wrapper"] = left_json(verification.left_by_wrapper);
   if (!verification.changes_outside.empty()) json["changes_outside"] = left_json(verification.changes_outside);
   if (!verification.outside.empty()) json["outside"] = left_json(verification.outside);
+  if (!verification.missed_by_wrapper.empty())
+    json["missed_by_wrapper"] = left_json(verification.missed_by_wrapper);
   add_guards(json, verification);
   json["decisions"] = decisions_json(verification.decisions);
   if (verification.branches) json["branches"] = branches_json(*verification.branches);

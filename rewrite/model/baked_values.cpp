@@ -1,0 +1,322 @@
+#include "rewrite/model/baked_values.h"
+
+#include "rewrite/model/object_layout.h"
+#include "rewrite/model/plain_declaration.h"
+#include "rewrite/source/walk.h"
+
+#include <algorithm>
+#include <set>
+
+namespace symreal::rewrite {
+namespace {
+
+using namespace clang;
+
+bool is_standard(CXXRecordDecl const *record, llvm::StringRef name) {
+  return record && record->isInStdNamespace() && record->getIdentifier() && record->getName() == name;
+}
+
+bool is_double(QualType type) { return type->isSpecificBuiltinType(BuiltinType::Double); }
+
+bool is_function_pointer(QualType type) {
+  return type->isFunctionPointerType() || type->isMemberPointerType() ||
+         is_standard(type->getAsCXXRecordDecl(), "function");
+}
+
+bool is_text(QualType type) {
+  QualType const to = type->getPointeeType();
+  return !to.isNull() && to.isConstQualified() && to->isCharType();
+}
+
+// What the kernel's function, and the functions that it calls, as far as this source has them, name.
+class Mentioned : public Walk {
+public:
+  explicit Mentioned(FunctionDecl const *function) : kernel_(function) {
+    follow(function);
+    for (std::size_t k = 0; k < functions_.size() && k < most_functions; ++k) {
+      now_ = functions_[k];
+      TraverseStmt(now_->getBody());
+    }
+  }
+
+  bool VisitMemberExpr(MemberExpr *member) override {
+    if (auto const *field = dyn_cast<FieldDecl>(member->getMemberDecl())) {
+      fields_.insert(field->getCanonicalDecl());
+      bool const is_own = isa<CXXThisExpr>(member->getBase()->IgnoreParenImpCasts());
+      if (is_own && now_ == kernel_ && field->getIdentifier()) own_fields.insert(field);
+    }
+    return true;
+  }
+  bool VisitDeclRefExpr(DeclRefExpr *reference) override {
+    auto const *variable = dyn_cast<VarDecl>(reference->getDecl());
+    if (variable && variable->hasGlobalStorage() && !variable->isLocalVarDecl() &&
+        is_function_pointer(variable->getType()) && !variable->getType().isConstQualified())
+      called_variables.insert(variable);
+    return true;
+  }
+  bool VisitCallExpr(CallExpr *call) override {
+    if (auto const *callee = call->getDirectCallee()) follow(callee);
+    return true;
+  }
+  bool VisitCXXConstructExpr(CXXConstructExpr *made) override {
+    follow(made->getConstructor());
+    return true;
+  }
+  bool VisitCXXMemberCallExpr(CXXMemberCallExpr *call) override {
+    CXXMethodDecl const *method = call->getMethodDecl();
+    auto const *member = dyn_cast<MemberExpr>(call->getCallee()->IgnoreParens());
+    if (!method || !member || !method->isVirtual() || member->hasQualifier() || method->hasAttr<FinalAttr>() ||
+        method->getParent()->hasAttr<FinalAttr>())
+      return true;
+    Expr const *object = member->getBase()->IgnoreParenImpCasts();
+    if (isa<CXXThisExpr>(object)) virtual_on.insert("*this");
+    auto const *reference = dyn_cast<DeclRefExpr>(object);
+    auto const *parameter = reference && now_ == kernel_ ? dyn_cast<ParmVarDecl>(reference->getDecl()) : nullptr;
+    if (parameter && (member->isArrow() || parameter->getType()->isReferenceType()))
+      virtual_on.insert((member->isArrow() ? "*" : "") + parameter->getNameAsString());
+    return true;
+  }
+
+  bool has(FieldDecl const *field) const { return fields_.contains(field->getCanonicalDecl()); }
+
+  std::set<FieldDecl const *> own_fields; // of the kernel's own object, in its own text
+  std::set<VarDecl const *> called_variables;
+  std::set<std::string> virtual_on; // what the kernel calls virtual functions on
+
+private:
+  static constexpr std::size_t most_functions = 2000;
+
+  void follow(FunctionDecl const *function) {
+    FunctionDecl const *definition = nullptr;
+    if (function->hasBody(definition) && definition->getBody() && known_.insert(definition).second)
+      functions_.push_back(definition);
+  }
+
+  FunctionDecl const *kernel_, *now_ = nullptr;
+  std::set<FieldDecl const *> fields_;
+  std::set<FunctionDecl const *> known_;
+  std::vector<FunctionDecl const *> functions_;
+};
+
+class Shapes {
+public:
+  Shapes(FunctionDecl const *function, Mentioned const &mentioned)
+      : function_(function),
+        context_(function->getASTContext()),
+        mentioned_(mentioned) {}
+
+  // Empty where there is nothing to compare.
+  std::string of(QualType type, bool is_object) const {
+    std::string reason;
+    std::string const text = shape(type, is_object, reason);
+    return reason.empty() ? text : "?" + reason;
+  }
+
+private:
+  std::string shape(QualType type, bool is_object, std::string &reason) const {
+    type = type.getNonReferenceType().getCanonicalType().getUnqualifiedType();
+    if (type->isDependentType()) return "@";
+    if (auto const *array = context_.getAsConstantArrayType(type)) {
+      std::string const inner = shape(array->getElementType(), is_object, reason);
+      return inner.empty() ? "" : "[" + std::to_string(array->getSize().getZExtValue()) + "]" + inner;
+    }
+    if (is_double(type)) return is_object ? "" : "d";
+    if (type->isRealFloatingType()) return "d";
+    if (type->isIntegralOrEnumerationType()) return context_.getTypeSize(type) <= 64 ? "i" : "";
+    if (is_function_pointer(type)) return "f";
+    if (type->isPointerType() || type->isNullPtrType()) return "p";
+    if (RecordDecl const *record = type->getAsRecordDecl()) return of_record(record, is_object, reason);
+    return "";
+  }
+
+  std::string of_record(RecordDecl const *record, bool is_object, std::string &reason) const {
+    record = record->getDefinition();
+    if (!record) return "";
+    if (auto const *derived = dyn_cast<CXXRecordDecl>(record)) {
+      if (is_standard(derived, "complex")) return is_object ? "" : "@";
+      if (QualType const element = element_of(derived); !element.isNull()) {
+        bool const is_number = is_double(element.getNonReferenceType().getCanonicalType().getUnqualifiedType());
+        return is_number && is_object ? "" : "@";
+      }
+      if (derived->isInStdNamespace() && !is_standard(derived, "pair")) {
+        if (!is_object) reason = "it is a " + derived->getQualifiedNameAsString();
+        return "";
+      }
+    }
+    if (record->isUnion()) {
+      if (!is_object) reason = "it is a union";
+      return "";
+    }
+    std::string list;
+    members(record, is_object, list, reason);
+    return list.empty() ? "" : "{" + list + "}";
+  }
+
+  bool may_name(FieldDecl const *field, CXXRecordDecl const *record) const {
+    if (!record || field->getAccess() == AS_public || field->getAccess() == AS_none) return true;
+    auto const *method = dyn_cast<CXXMethodDecl>(function_);
+    return method && (method->getParent()->getCanonicalDecl() == record->getCanonicalDecl() ||
+                      (field->getAccess() == AS_protected && method->getParent()->isDerivedFrom(record)));
+  }
+
+  void members(RecordDecl const *record, bool is_object, std::string &list, std::string &reason) const {
+    auto const *derived = dyn_cast<CXXRecordDecl>(record);
+    if (derived)
+      for (CXXBaseSpecifier const &base : derived->bases())
+        if (auto const *shared = base.getType()->getAsCXXRecordDecl(); shared && shared->hasDefinition())
+          members(shared->getDefinition(), is_object, list, reason);
+    for (FieldDecl const *field : record->fields()) {
+      RecordDecl const *unnamed = field->getIdentifier() ? nullptr : field->getType()->getAsRecordDecl();
+      if (unnamed) {
+        if (!unnamed->isUnion()) members(unnamed->getDefinition(), is_object, list, reason);
+        continue;
+      }
+      if (!field->getIdentifier() || (!mentioned_.has(field) && is_object)) continue;
+      std::string const what = shape(field->getType(), is_object, reason);
+      if (what.empty()) continue;
+      if (!may_name(field, derived)) {
+        if (!mentioned_.has(field)) continue; // nor can the kernel's text
+        if (is_object && what != "p") list += field->getNameAsString() + ":x;";
+        if (!is_object) reason = "its member '" + field->getNameAsString() + "' is private";
+        continue;
+      }
+      list += field->getNameAsString() + ":" + (field->isBitField() ? "b" : what) + ";";
+    }
+  }
+
+  FunctionDecl const *function_;
+  ASTContext const &context_;
+  Mentioned const &mentioned_;
+};
+
+} // namespace
+
+std::vector<Baked> baked_values(FunctionDecl const *function, std::vector<BakedItem> const &items, Place const &place) {
+  Mentioned const mentioned(function);
+  Shapes const shapes(function, mentioned);
+  std::vector<Baked> found;
+  auto const add = [&](Baked one) {
+    bool const is_known = std::any_of(found.begin(), found.end(), [&](Baked const &other) {
+      return other.expression == one.expression && other.shape == one.shape;
+    });
+    if (!one.shape.empty() && !is_known) found.push_back(std::move(one));
+  };
+  for (BakedItem const &item : items)
+    if (!item.type.isNull())
+      add({item.label, item.expression, item.sections, shapes.of(item.type, !item.is_constant), !item.is_constant,
+           item.place});
+  for (ParmVarDecl const *parameter : function->parameters()) {
+    std::string const name = parameter->getNameAsString();
+    QualType const type = parameter->getType();
+    bool const is_item = std::any_of(items.begin(), items.end(), [&](BakedItem const &one) {
+      return one.expression == name || one.expression == "*" + name || one.expression.starts_with(name + "[");
+    });
+    if (name.empty() || !parameter->isReferenced() || is_item) continue;
+    QualType const plain = type.getNonReferenceType();
+    bool const is_string = is_standard(plain->getAsCXXRecordDecl(), "basic_string");
+    if (is_function_pointer(plain) || is_string)
+      add({name, name, {}, is_string ? "@" : "f", false, place});
+    else if (is_text(type))
+      add({name, name, {}, "s", false, place});
+    else if (!type->isReferenceType() && !type->isRecordType())
+      add({name, name, {}, type->isDependentType() ? "" : shapes.of(type, false), false, place});
+  }
+  for (FieldDecl const *field : mentioned.own_fields)
+    if (QualType const type = field->getType(); is_function_pointer(type) || type->isPointerType())
+      add({field->getNameAsString(),
+           field->getNameAsString(),
+           {},
+           is_function_pointer(type) ? "f" : "p",
+           false,
+           place});
+  for (VarDecl const *variable : mentioned.called_variables)
+    add({variable->getNameAsString(), variable->getQualifiedNameAsString(), {}, "f", false, place});
+  if (function->isTemplated()) add({"the arguments of the template", "__PRETTY_FUNCTION__", {}, "s", false, place});
+  for (std::string const &object : mentioned.virtual_on) add({object, object, {}, "t", false, place});
+  return found;
+}
+
+namespace {
+
+// Whether all that an object consists of are numbers; the first member that is something else.
+std::string other_than_number(QualType type, ASTContext const &context) {
+  type = type.getCanonicalType().getUnqualifiedType();
+  if (auto const *array = context.getAsConstantArrayType(type))
+    return other_than_number(array->getElementType(), context);
+  RecordDecl const *record = type->getAsRecordDecl();
+  if (!record || !record->getDefinition()) return is_double(type) ? "" : type.getAsString();
+  if (auto const *derived = dyn_cast<CXXRecordDecl>(record->getDefinition())) {
+    if (is_standard(derived, "complex")) return "";
+    if (QualType const element = element_of(derived->getDefinition()); !element.isNull())
+      return other_than_number(element.getNonReferenceType(), context);
+    for (CXXBaseSpecifier const &base : derived->bases())
+      if (std::string const inner = other_than_number(base.getType(), context); !inner.empty()) return inner;
+    if (derived->isPolymorphic()) return "its virtual functions";
+  }
+  for (FieldDecl const *field : record->getDefinition()->fields()) {
+    std::string const inner = other_than_number(field->getType(), context);
+    if (!inner.empty())
+      return field->getType()->isRecordType() ? inner : "'" + field->getNameAsString() + "' (" + inner + ")";
+  }
+  return "";
+}
+
+bool may_be_made(CXXRecordDecl const *record) {
+  if (is_standard(record, "pair")) return true; // by a template
+  if (!record->hasDefaultConstructor()) return false;
+  if (record->needsImplicitDefaultConstructor()) return true;
+  return std::any_of(record->ctor_begin(), record->ctor_end(), [](CXXConstructorDecl const *one) {
+    return one->isDefaultConstructor() && !one->isDeleted() && one->getAccess() == AS_public;
+  });
+}
+
+bool has_public_members(CXXRecordDecl const *record) {
+  for (CXXBaseSpecifier const &base : record->bases())
+    if (auto const *inner = base.getType()->getAsCXXRecordDecl();
+        base.getAccessSpecifier() != AS_public || !inner || !has_public_members(inner->getDefinition()))
+      return false;
+  return std::all_of(record->field_begin(), record->field_end(), [](FieldDecl const *field) {
+    auto const *inner = field->getType()->getBaseElementTypeUnsafe()->getAsCXXRecordDecl();
+    bool const is_walked = inner && (is_standard(inner, "complex") || !element_of(inner->getDefinition()).isNull());
+    return field->getAccess() == AS_public && (!inner || is_walked || has_public_members(inner->getDefinition()));
+  });
+}
+
+} // namespace
+
+ReturnedObject returned_object(FunctionDecl const *function) {
+  using Form = ReturnedObject::Form;
+  ASTContext const &context = function->getASTContext();
+  QualType const type = function->getReturnType();
+  ReturnedObject object;
+  if (type->isVoidType()) return object;
+  object.type = declared(type.getUnqualifiedType(), "", context);
+  // The copy of the source that has it is where it is named.
+  constexpr llvm::StringLiteral unwritten = "(anonymous namespace)::";
+  for (std::size_t at; (at = object.type.find(unwritten)) != object.type.npos;) object.type.erase(at, unwritten.size());
+  if (type->isReferenceType() || type->isPointerType())
+    object.obstacle = "it returns a " + std::string(type->isPointerType() ? "pointer" : "reference");
+  if (!object.obstacle.empty() || type->isDependentType()) return object;
+  if (type->isIntegralOrEnumerationType()) object.form = Form::integer;
+  if (type->isAnyComplexType()) object.obstacle = "it returns a complex number of C";
+  RecordDecl const *record = type->getAsRecordDecl();
+  if (!record || !record->getDefinition()) return object;
+  std::string const other = other_than_number(type, context);
+  if (!other.empty()) object.obstacle = "what it returns has more than numbers: " + other;
+  object.form = Form::members;
+  auto const *derived = dyn_cast<CXXRecordDecl>(record->getDefinition());
+  if (!derived || !object.obstacle.empty()) return object;
+  bool const is_walked = is_standard(derived, "complex") || !element_of(derived).isNull();
+  if (is_walked)
+    object.form = Form::walked;
+  else if (!has_public_members(derived) || !may_be_made(derived))
+    object.form = Form::bytes;
+  if (object.form == Form::walked && !may_be_made(derived))
+    object.obstacle = "what it returns cannot be made without arguments";
+  if (object.form == Form::bytes && !derived->isTriviallyCopyable())
+    object.obstacle =
+        "what it returns has private members or cannot be made without arguments, and cannot be copied as bytes";
+  return object;
+}
+
+} // namespace symreal::rewrite

@@ -1,0 +1,2 @@
+#pragma once
+constexpr double least = 0.5;

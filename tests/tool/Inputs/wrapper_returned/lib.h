@@ -1,0 +1,36 @@
+#pragma once
+#include <Eigen/Core>
+#include <array>
+#include <complex>
+#include <utility>
+#include <vector>
+
+struct Pose {
+  double at[2];
+  struct {
+    double angle;
+  } heading;
+  std::vector<double> joints;
+  std::complex<double> phase;
+};
+class Hidden {
+public:
+  Hidden(double a, double b) : a_(a), b_(b) {}
+  double sum() const { return a_ + 2 * b_; }
+
+private:
+  double a_, b_;
+};
+struct Judged {
+  double value;
+  int status;
+};
+
+std::complex<double> root(double x);
+std::array<double, 3> powers(double x);
+std::vector<double> series(double x);
+Eigen::Matrix2d matrix(double x);
+Pose pose(double x);
+Hidden hidden(double x);
+std::pair<double, double> both(double x);
+Judged judged(double x);
