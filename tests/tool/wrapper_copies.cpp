@@ -104,7 +104,7 @@ int main() {
   Worn const worn;
   Motor const *motors[] = {&linear, &worn};
   for (Motor const *motor : motors) std::printf("%g\n", motor->torque(3));
-  std::printf("%g %g %g\n", mixed<double, 2>(1.5, 2.5), mixed<double, 3>(1.5, 2.5), double(mixed<float, 2>(1.5f, 2.5f)));
+  std::printf("%g %g\n", mixed<double, 2>(1.5, 2.5), mixed<double, 3>(1.5, 2.5));
   Made const made(3);
   std::printf("%g %g\n", made.a, made.b);
 }

@@ -232,6 +232,11 @@ void write_config(ProjectOptions const &project, std::vector<Lacking> const &lac
 bool write_results(std::vector<Product> const &products, program::Front const &front,
                    program::FrontRequest const &request, Options const &options) {
   if (options.check) return check_products(products);
+  if (options.wrapper) // of functions in headers
+    for (Product const &product : products)
+      for (OutputFile const &file : product.files)
+        if (fs::path const directory = fs::path(file.path).parent_path(); !directory.empty())
+          make_directory(directory.string());
   BundleOption const &bundle = options.bundle;
   bool const several = front.kernels.size() > 1;
   Outputs outputs = outputs_of(

@@ -5,12 +5,8 @@ typedef struct {
   } turn[2];
 } pose;
 
-#ifdef MAIN
 #include <stdio.h>
-pose turned(pose p, double by);
-#endif
 
-#if defined LIB || !defined MAIN
 #pragma symreal function input(p, by) output(return)
 pose turned(pose p, double by)
 {
@@ -23,9 +19,7 @@ pose turned(pose p, double by)
     q.turn[1].rate = 2;
     return q;
 }
-#endif
 
-#ifdef MAIN
 int main(void)
 {
     pose p = {{1, 2}, {{3, 4}, {5, 6}}};
@@ -36,4 +30,3 @@ int main(void)
     }
     return 0;
 }
-#endif
