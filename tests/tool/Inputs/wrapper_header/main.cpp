@@ -7,5 +7,8 @@
 double other(double x);
 
 int main() {
-  for (double x : {1.5, 0.25}) std::printf("%g %g %g\n", gain(x, 3), other(x), loss(x));
+  for (double x : {1.5, 0.25}) {
+    double const three = gain(x, 3), lost = loss(x);
+    std::printf("%g %g %g\n", three, other(x), lost);
+  }
 }

@@ -1,3 +1,6 @@
 #include "gain.h"
 
-double other(double x) { return gain(x, 3) - gain(x, 2); }
+double other(double x) {
+  double const three = gain(x, 3);
+  return three - gain(x, 2);
+}
