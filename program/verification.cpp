@@ -439,19 +439,36 @@ private:
       is_named_ |= result_.wrapped[slot].add(k, generated[slot], wrapped[slot], FloatingPoint::strict, 0);
     for (replay::LeftBehind const &left : wrapped_->left_behind())
       if (!is_left_by_generated(left)) add_left(result_.left_by_wrapper, describe(left));
-    compare_wrapped_calls(k, sample);
+    compare_wrapped_calls(k, sample, generated);
     if (tried_wrapped_.size() < most_varied) tried_wrapped_.push_back(sample);
   }
 
-  // In later calls, whatever the guards say in them, the program with the wrapper is the original.
-  void compare_wrapped_calls(std::size_t k, Sample const &sample) {
-    if (banner_.mode == FloatingPoint::fast || code_.needs_program()) return; // where errors go on, or none evaluates
+  // In later calls, of which a guard refuses one where it can, the program with the wrapper is the original.
+  void compare_wrapped_calls(std::size_t k, Sample const &sample, std::vector<double> const &generated) {
+    bool const has_answer = banner_.mode != FloatingPoint::fast && !code_.needs_program() && banner_.has_values;
+    if (!has_answer || tried_wrapped_calls_ >= most_beyond) return; // errors go on, or none evaluates
+    ++tried_wrapped_calls_;
+    std::vector<Sample> later;
+    if (std::optional<Sample> beyond = later_calls_.beyond_guards(*original_, sample, generated))
+      later.push_back(std::move(*beyond));
+    for (LaterCall &call : later_calls_.inside(*original_, sample, generated))
+      if (later.size() < Replay::most_later) later.push_back(std::move(call.sample));
+    try {
+      (void)original_->run(sample, later, seconds_beyond);
+    } catch (DiagnosticError const &) {
+      tried_wrapped_calls_ = most_beyond;
+      return;
+    }
+    (void)wrapped_->run(sample, later);
     for (std::size_t call = 1; call < std::min(original_->calls(), wrapped_->calls()); ++call) {
-      std::vector<double> const inputs = original_->next_inputs(sample, original_->outputs_of(call - 1));
-      if (!evaluate_sample(graph_, inputs, sample.parameters).premises.hold_in(banner_.mode)) return;
+      std::vector<double> const inputs = original_->next_inputs(later[call - 1], original_->outputs_of(call - 1));
+      Evaluation const evaluated = evaluate_sample(graph_, inputs, later[call - 1].parameters);
+      bool const is_refused = evaluated.failing_guard < graph_.guards.size();
+      if (!is_refused && !evaluated.premises.hold_in(banner_.mode)) return;
       std::vector<double> const original = original_->outputs_of(call), wrapped = wrapped_->outputs_of(call);
       for (std::size_t slot = 0; slot < original.size(); ++slot)
-        is_named_ |= result_.wrapped[slot].add(k, original[slot], wrapped[slot], banner_.mode, options_.tolerance);
+        if (original[slot] != replay::spoilt_output) // else it is not written there
+          is_named_ |= result_.wrapped[slot].add(k, original[slot], wrapped[slot], banner_.mode, options_.tolerance);
     }
   }
 
@@ -488,7 +505,7 @@ private:
   CoveredRun covered_run_;
   static constexpr std::size_t most_beyond = 100; // samples that are followed by one beyond the guards
   static constexpr unsigned seconds_beyond = 1;
-  std::size_t tried_beyond_ = 0;
+  std::size_t tried_beyond_ = 0, tried_wrapped_calls_ = 0;
   std::vector<replay::LeftBehind> left_by_generated_;
   std::vector<symreal::Decision> decisions_;
   std::vector<double> values_; // of the recorded graph, at the sample that is tried

@@ -196,7 +196,8 @@ private:
       for (ItemFact const &item : clause.items)
         if (!item.is_return && (takes_numbers(clause) || clause.clause == Clause::constant))
           items.push_back({item.label, item.base, item.sections, item.place,
-                           type_of_item(item.expression, function, find).type, clause.clause == Clause::constant});
+                           type_of_item(item.expression, function->getASTContext(), function, find).type,
+                           clause.clause == Clause::constant});
     return items;
   }
 
