@@ -205,26 +205,35 @@ template <class T> constexpr T &&symreal_bits(T &&object, char const *name, char
   return static_cast<T &&>(object);
 }
 
-// Of an object that shares its bytes with numbers: `count` bits from `first` on, or all of it.
+// Of an object that shares its bytes with numbers, or that a pointer leads to: `count` bits from `first` on. Where no
+// count is given, all of the object itself.
+namespace detail {
+template <class T> void const *begin_of_part(T &object, std::size_t count) noexcept {
+  if constexpr (std::is_pointer_v<T>)
+    if (count != 0) return bytes_of(object);
+  return bytes_of(&object);
+}
+} // namespace detail
 template <class T> constexpr T &&symreal_part_stored(T &&object, std::size_t first, std::size_t count, char const *name,
                                                      char const *place) noexcept {
-  if (count == 0) count = 8 * sizeof object;
-  if (!__builtin_is_constant_evaluated() && detail::recording && (detail::any_torn || count % 64 != 0))
-    detail::note_bits_stored(detail::bytes_of(&object), first, count, detail::Holds::anything, name, place);
+  if (!__builtin_is_constant_evaluated() && detail::recording &&
+      (detail::any_torn || count % 64 != 0 || sizeof object % 8 != 0))
+    detail::note_bits_stored(detail::begin_of_part(object, count), first, count == 0 ? 8 * sizeof object : count,
+                             detail::Holds::anything, name, place);
   return static_cast<T &&>(object);
 }
 template <class T> constexpr T &&symreal_part_replaced(T &&object, std::size_t first, std::size_t count,
                                                        char const *name, char const *place) noexcept {
-  if (count == 0) count = 8 * sizeof object;
   if (!__builtin_is_constant_evaluated() && detail::recording)
-    detail::note_bits_stored(detail::bytes_of(&object), first, count, detail::Holds::number, name, place);
+    detail::note_bits_stored(detail::begin_of_part(object, count), first, count == 0 ? 8 * sizeof object : count,
+                             detail::Holds::number, name, place);
   return static_cast<T &&>(object);
 }
 template <class T> constexpr T &&symreal_part_read(T &&object, std::size_t first, std::size_t count, char const *name,
                                                    char const *place) noexcept {
-  if (count == 0) count = 8 * sizeof object;
   if (!__builtin_is_constant_evaluated() && detail::recording)
-    detail::check_part(detail::bytes_of(&object), first, count, name, place);
+    detail::check_part(detail::begin_of_part(object, count), first, count == 0 ? 8 * sizeof object : count, name,
+                       place);
   return static_cast<T &&>(object);
 }
 // As numbers.

@@ -130,6 +130,7 @@ void Pool::refuse(RealNumber number) const {
   std::uint32_t const generation = payload::generation_of(number.to_bits());
   if (!is_known(generation) || generation == generation_) {
     std::string const place = TornNumbers::current().place_of(number);
+    TornNumbers::current().end();
     report_here(DiagnosticId::torn_number,
                 "a number is used of which a part was overwritten; the rest is that of a symbolic value" +
                     (place.empty() ? "" : ": overwritten at " + place));

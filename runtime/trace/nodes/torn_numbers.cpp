@@ -48,18 +48,30 @@ TornNumbers &TornNumbers::current() {
 void TornNumbers::begin() {
   memory::OwnWork const own;
   torn_.clear();
+  gone_.clear();
   reported_.clear();
   changed();
 }
 
-void TornNumbers::changed() { detail::any_torn = !torn_.empty(); }
+void TornNumbers::changed() { detail::any_torn = !torn_.empty() || !gone_.empty(); }
 
 // A torn number that was copied to this word: enough of its bits are here to exclude chance.
-TornNumbers::Table::iterator TornNumbers::find_copied(std::uint64_t const *word) {
+TornNumbers::Torn const *TornNumbers::find_copied(std::uint64_t word) const {
   constexpr int enough = 16;
-  return std::find_if(torn_.begin(), torn_.end(), [word](auto const &one) {
-    return std::popcount(~one.second.stored) >= enough && one.second.is_left_in(*word);
-  });
+  auto const is_origin = [word](Torn const &torn) {
+    return std::popcount(~torn.stored) >= enough && torn.is_left_in(word);
+  };
+  for (auto const &[at, torn] : torn_)
+    if (is_origin(torn)) return &torn;
+  auto const found = std::find_if(gone_.begin(), gone_.end(), is_origin);
+  return found == gone_.end() ? nullptr : &*found;
+}
+
+void TornNumbers::drop(Table::iterator torn) {
+  constexpr std::size_t most = 64;
+  gone_.push_back(torn->second);
+  if (gone_.size() > most) gone_.pop_front();
+  torn_.erase(torn);
 }
 
 // What is known of the word, unless the program has stored something else there since.
@@ -69,7 +81,7 @@ TornNumbers::Table::iterator TornNumbers::find(std::uint64_t *word) {
   Torn const &torn = found->second;
   if (!is_whole(*word) && torn.is_left_in(*word)) return found;
   if (torn.is_number) report_store(torn, "");
-  torn_.erase(found);
+  drop(found);
   return torn_.end();
 }
 
@@ -84,14 +96,16 @@ void TornNumbers::store(Bits bits, bool is_number, Site const &site) {
     if (mask == all_bits && torn_.empty()) return;
     auto found = find(word);
     if (found == torn_.end() && mask != all_bits && !is_whole(*word))
-      if (auto const copied = find_copied(word); copied != torn_.end()) {
-        Torn torn = copied->second;
+      if (Torn const *copied = find_copied(*word)) {
+        Torn torn = *copied;
         torn.is_number = false;
         found = torn_.insert({word, torn}).first;
       }
     if (found != torn_.end()) {
-      found->second.stored |= mask;
-      if (found->second.stored == all_bits) torn_.erase(found);
+      if ((found->second.stored | mask) == all_bits)
+        drop(found);
+      else
+        found->second.stored |= mask;
     } else if (mask != all_bits && is_whole(*word)) {
       torn_.insert({word, {*word, mask, is_number, site}});
       *word ^= mark;
@@ -102,12 +116,12 @@ void TornNumbers::store(Bits bits, bool is_number, Site const &site) {
 
 void TornNumbers::use(Bits bits, Site const &site) {
   each_word(bits, [&](std::uint64_t *word, std::uint64_t mask) {
-    auto found = find(word);
-    if (found == torn_.end() && !is_whole(*word)) found = find_copied(word);
-    if (found == torn_.end() || (mask & ~found->second.stored) == 0) return;
-    report_store(found->second, ", and the number is used at " + std::string(site.place));
-    *word = found->second.before; // so that the program goes on with a value
-    torn_.erase(found);
+    auto const found = find(word);
+    Torn const *torn = found != torn_.end() ? &found->second : is_whole(*word) ? nullptr : find_copied(*word);
+    if (!torn || (mask & ~torn->stored) == 0) return;
+    report_store(*torn, ", and the number is used at " + std::string(site.place));
+    *word = torn->before; // so that the program goes on with a value
+    if (found != torn_.end()) torn_.erase(found);
   });
   changed();
 }
@@ -115,17 +129,17 @@ void TornNumbers::use(Bits bits, Site const &site) {
 bool TornNumbers::is_symbolic(Bits bits) {
   bool is_any = false;
   each_word(bits, [&](std::uint64_t *word, std::uint64_t mask) {
-    auto found = find(word);
-    if (found == torn_.end() && Pool::is_torn(RealNumber::from_bits(*word))) found = find_copied(word);
-    is_any |= found != torn_.end() ? (mask & ~found->second.stored) != 0 : RealNumber::from_bits(*word).is_node();
+    auto const found = find(word);
+    RealNumber const number = RealNumber::from_bits(*word);
+    Torn const *torn = found != torn_.end() ? &found->second : Pool::is_torn(number) ? find_copied(*word) : nullptr;
+    is_any |= torn ? (mask & ~torn->stored) != 0 : number.is_node();
   });
   return is_any;
 }
 
 std::string TornNumbers::place_of(RealNumber number) const {
-  for (auto const &[word, torn] : torn_)
-    if (*word == number.to_bits()) return torn.site.place;
-  return "";
+  Torn const *torn = Pool::is_torn(number) ? find_copied(number.to_bits()) : nullptr;
+  return torn ? torn->site.place : "";
 }
 
 void TornNumbers::end() {

@@ -10,6 +10,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <set>
 #include <string>
 #include <unordered_map>
@@ -53,11 +54,13 @@ private:
   using Table = std::unordered_map<std::uint64_t *, Torn>;
 
   Table::iterator find(std::uint64_t *word);
-  Table::iterator find_copied(std::uint64_t const *word);
+  Torn const *find_copied(std::uint64_t word) const;
+  void drop(Table::iterator torn);
   void report_store(Torn const &torn, std::string const &used);
   void changed();
 
   Table torn_;
+  std::deque<Torn> gone_;          // the last of those whose memory holds something else by now; copies may be left
   std::set<std::string> reported_; // places
 };
 

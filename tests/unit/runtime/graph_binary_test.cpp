@@ -18,9 +18,10 @@ kernel "arm"
 decisions guard
 input "q[0:2]" [2] at "arm.cpp" 12 9 range -3.14 3.14 = 0.5 0.25
 input "s" [2] { "mass" "com" [3] "joint" { "a" "d" } }
+input "r" [3]
 parameter "m" at "arm.cpp" 12 20 = 2
 output "tau" [3] at "arm.cpp" 14 9
-state "q" "dq" at "arm.cpp" 12 30
+state "r" "tau" at "arm.cpp" 12 30
 frozen "g" at "arm.cpp" 3 1 = 9.81
 frozen "p" at "arm.cpp" 9 3 around = 2
 table 0 "drag" [3] at "arm.cpp" 4 8 = 0.1 0.4 0.2
