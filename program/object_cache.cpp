@@ -77,8 +77,11 @@ void add_compilation(Key &key, Command const &compilation) {
 
 // The result depends on what a compiler reads of the user's; the rewriter does not see all of it: neither headers of
 // the symbolic program alone nor those of sources that it leaves as they are.
+// What is not rewritten is linked to from the workspace.
 void note_compiled(std::string const &path, std::string const &workspace) {
-  if (!path.starts_with(workspace) && !path.starts_with("/usr/")) note_read(path);
+  std::error_code error;
+  std::string const real = fs::canonical(path, error).string();
+  if (!error && !real.starts_with(workspace) && !real.starts_with("/usr/")) note_read(real);
 }
 
 std::string key_of_words(Command const &compilation, std::string const &workspace) {
@@ -119,7 +122,7 @@ std::optional<Preprocessed> preprocess(Command const &compilation, std::string c
     if (!fs::is_regular_file(path)) return {};
     note_compiled(path, workspace);
     key.add(file);
-    key.add(read_file(path));
+    key.add(text_of_file(path).value_or(""));
   }
   fs::remove(text);
   fs::remove(rule);
@@ -162,7 +165,7 @@ ObjectCache::Search ObjectCache::search_by_words(Command const &compilation, std
   search.taken = before && directory_->take_file(before->second, search.object);
   if (search.taken)
     for (auto const &[path, id] : before->first.files)
-      if (!path.starts_with('@')) note_compiled(path, workspace);
+      note_compiled(path.starts_with('@') ? workspace + path.substr(1) : path, workspace);
   return search;
 }
 

@@ -125,8 +125,8 @@ std::vector<std::string> written_beside(std::string const &generated) {
     if (!name.starts_with(stem) || name.size() <= stem.size() || !one->is_regular_file(error)) continue;
     std::string const rest = name.substr(stem.size());
     if ((rest[0] != '.' && rest[0] != '_') || fs::path(path) == fs::path(generated)) continue;
-    std::string_view const line = banner_of(text_of_file(path).value_or(""));
-    Json const other = Json::parse(line, nullptr, /*allow_exceptions=*/false);
+    std::string const text = text_of_file(path).value_or("");
+    Json const other = Json::parse(banner_of(text), nullptr, /*allow_exceptions=*/false);
     bool const is_wrapper = rest == "_wrapper.c" || rest == "_wrapper.cpp";
     bool const is_same = other.is_object() && own.is_object() && other.value("kernel", "") == own.value("kernel", "") &&
                          other.value("prefix", "") == own.value("prefix", "");
