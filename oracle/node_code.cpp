@@ -61,8 +61,7 @@ Value *Recorder::shown(IRBuilder<> &at, Value *x) const { return at.CreateCall(s
 Value *is_node(IRBuilder<> &at, Value *number) {
   if (llvm::isa<llvm::Constant>(number)) return at.getFalse();
   Value *bits = at.CreateBitCast(number, at.getInt64Ty());
-  Value *upper = at.CreateTrunc(at.CreateLShr(bits, 32), at.getInt32Ty());
-  return at.CreateICmpULT(at.CreateSub(upper, at.getInt32(detail::first_node_half)), at.getInt32(detail::node_halves));
+  return at.CreateICmpEQ(at.CreateLShr(bits, detail::node_shape_at), at.getInt64(detail::node_shape));
 }
 
 Value *either(llvm::Instruction *before, llvm::ArrayRef<Value *> numbers, Make const &if_node, Make const &otherwise) {

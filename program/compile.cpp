@@ -10,8 +10,8 @@
 #include "support/installation.h"
 
 #include <algorithm>
-#include <fmt/format.h>
 #include <filesystem>
+#include <fmt/format.h>
 #include <llvm/Support/Program.h>
 #include <mutex>
 #include <set>

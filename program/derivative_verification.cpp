@@ -15,7 +15,7 @@ namespace symreal::program {
 
 namespace {
 
-constexpr std::size_t least_samples = 4, most_samples = 200;
+constexpr std::size_t least_samples = 4, most_samples = 500;
 constexpr double usual_operations = 4e7; // in extended precision: a few seconds
 constexpr double most_operations = 4e8;  // for as many samples as are required, or as judge each element
 constexpr double most_off_duals = 1e-12; // of the larger of the magnitude and 1, where equal numbers are promised

@@ -3,6 +3,7 @@
 #include "program/make_rule.h"
 #include "program/read_files.h"
 #include "support/files.h"
+#include "support/installation.h"
 #include "support/version.h"
 
 #include <llvm/ADT/StringExtras.h>
@@ -81,7 +82,10 @@ void add_compilation(Key &key, Command const &compilation) {
 void note_compiled(std::string const &path, std::string const &workspace) {
   std::error_code error;
   std::string const real = fs::canonical(path, error).string();
-  if (!error && !real.starts_with(workspace) && !real.starts_with("/usr/")) note_read(real);
+  // Those of this tool, which the result depends on as a whole.
+  static std::string const own =
+      fs::canonical(runtime_include() + "/symreal/real.h", error).parent_path().string() + "/";
+  if (!error && !real.starts_with(workspace) && !real.starts_with("/usr/") && !real.starts_with(own)) note_read(real);
 }
 
 std::string key_of_words(Command const &compilation, std::string const &workspace) {

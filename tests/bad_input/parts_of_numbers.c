@@ -112,7 +112,7 @@ static double of_another(double x, double y)
 static double cast(double x)
 {
     double h = x;
-    // CHECK-DAG: parts_of_numbers.c:[[@LINE+1]]:{{[0-9]+}}: error: a part of the symbolic value behind '((unsigned char *)&h)[0]' is overwritten [SYM035]
+    // CAST-DAG: parts_of_numbers.c:[[@LINE+1]]:{{[0-9]+}}: error: a part of the symbolic value behind '((unsigned char *)&h)[0]' is overwritten [SYM035]
     ((unsigned char *)&h)[0] = 0;
     // CAST-DAG: parts_of_numbers.c:[[@LINE+1]]:{{[0-9]+}}: error: a part of the symbolic value behind '*(1 + (int32_t *)&x)' is overwritten [SYM035]
     *(1 + (int32_t *)&x) = 0x40080000;

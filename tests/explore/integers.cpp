@@ -38,7 +38,7 @@
 // RUN: FileCheck %s --check-prefix=WRAPPER < wrapped_wrapper.cpp
 // RUN: %symreal verify %s wrapped.c --kernel class_of 2>&1 | FileCheck %s --check-prefix=TRIED
 // WRAPPER: int class_of(double x, double y)
-// WRAPPER: return symreal_output[0];
+// WRAPPER: return (int)symreal_output[0];
 // TRIED: the wrapper was tried as well
 
 // More than 32 bits are too many.

@@ -1,6 +1,8 @@
 // The value that a kernel returns is the function's own type, however the expression behind `return` becomes one: an
 // expression template, a conversion, an aggregate in braces. The caller's room for it is no state.
-// RUN: %symreal generate %s -o %t/ --run-on -- -I/usr/include/eigen3 && %symreal verify %s %t/*.c --samples=50 -- -I/usr/include/eigen3 2>&1 | FileCheck %s
+// RUN: %symreal generate %s -o %t/ --run-on -- -I/usr/include/eigen3
+// RUN: %symreal verify %s %t/*.c --samples=50 -- -I/usr/include/eigen3 > %t.verified 2>&1
+// RUN: FileCheck %s --input-file=%t.verified
 // CHECK-COUNT-9: mode finite: 50 samples
 #include <Eigen/Dense>
 #include <array>

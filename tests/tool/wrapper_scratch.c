@@ -1,6 +1,6 @@
-/* Where a guard does not hold the wrapper calls the original, which finds its statics as generated code leaves them.
+/* Where a guard does not hold the wrapper calls the original, which finds its statics as generated code leaves them: generate refuses one that it may read.
    RUN: rm -rf %t && mkdir %t && cd %t && not %symreal generate %s -o k.c --wrapper --decisions=guard 2>&1 | FileCheck %s
-   CHECK: error: --wrapper cannot take the place of 'kern': where a guard does not hold the original is called, and may read 'last', which generated code does not write [SYM095]
+   CHECK: error: the kernel writes 'last', which is not an output [SYM053]
    RUN: ls %t | count 0
 */
 #pragma symreal function input(x, u) output(return)

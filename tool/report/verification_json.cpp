@@ -374,8 +374,7 @@ Json to_json(VerificationRecord const &record) {
   json["left_by_wrapper"] = left_json(verification.left_by_wrapper);
   if (!verification.changes_outside.empty()) json["changes_outside"] = left_json(verification.changes_outside);
   if (!verification.outside.empty()) json["outside"] = left_json(verification.outside);
-  if (!verification.missed_by_wrapper.empty())
-    json["missed_by_wrapper"] = left_json(verification.missed_by_wrapper);
+  if (!verification.missed_by_wrapper.empty()) json["missed_by_wrapper"] = left_json(verification.missed_by_wrapper);
   add_guards(json, verification);
   json["decisions"] = decisions_json(verification.decisions);
   if (verification.branches) json["branches"] = branches_json(*verification.branches);

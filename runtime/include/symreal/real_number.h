@@ -11,7 +11,7 @@
 // fabs or negation clears the sign bit. Both are caught when the value is next read. The check bits depend on all bits
 // of the id and on the recording that the node belongs to, so that neither a node of another recording or thread nor a
 // number of which the program has overwritten some bytes is taken for a node (trace/nodes/payload.h). They are never 0:
-// the negative of numeric_limits<double>::signaling_NaN() is an ordinary number.
+// so the negative of numeric_limits<double>::signaling_NaN(), which has the shape of a node, is a constant.
 #pragma once
 
 #include <symreal/op.h>
@@ -49,9 +49,9 @@ namespace detail {
 // Is it one for the compiler? std::is_class says of RealNumber what it says of double.
 template <class T> inline constexpr bool is_class = __is_class(T);
 
-// Bits 63..32 of a node: from the first on, so many.
-inline constexpr std::uint32_t first_node_half = 0xFFF4'0001u, node_halves = 0x3'FFFFu;
-constexpr bool is_node_half(std::uint32_t upper) noexcept { return upper - first_node_half < node_halves; }
+// Bits 63..50, the same of all nodes: what compilers leave of the test in registers is no trace of the path.
+inline constexpr std::uint64_t node_shape = 0x3FFDu;
+inline constexpr unsigned node_shape_at = 50;
 constexpr std::uint64_t bits(double value) noexcept { return __builtin_bit_cast(std::uint64_t, value); }
 
 // How many operations the program has executed, by kind: per thread, counted whether or not an operand is a node.
@@ -138,7 +138,7 @@ public:
     return number;
   }
   constexpr std::uint64_t to_bits() const noexcept { return detail::bits(value_); }
-  constexpr bool is_node() const noexcept { return detail::is_node_half(static_cast<std::uint32_t>(to_bits() >> 32)); }
+  constexpr bool is_node() const noexcept { return to_bits() >> detail::node_shape_at == detail::node_shape; }
   // The number itself where it is no node.
   constexpr double plain() const noexcept { return value_; }
 

@@ -16,7 +16,9 @@
 
 namespace symreal::trace::payload {
 
-inline constexpr std::uint32_t check_mask = detail::node_halves;
+inline constexpr std::uint32_t check_mask = (1u << (detail::node_shape_at - 32)) - 1;
+// What has the shape of a node and no check bits.
+inline constexpr std::uint64_t signaling = detail::node_shape << detail::node_shape_at;
 // From one generation to the next. Check bits that would be 0 are 1, and no two generations are that close.
 inline constexpr std::uint32_t generation_step = 0x1'9E37u;
 
@@ -33,7 +35,7 @@ constexpr NodeId id_of(std::uint64_t bits) { return static_cast<NodeId>(bits) ^ 
 constexpr std::uint32_t offset_of(std::uint32_t generation) { return generation * generation_step; }
 constexpr std::uint32_t upper_half(NodeId id, std::uint32_t offset) {
   std::uint32_t const check = (hash(id) + offset) & check_mask;
-  return detail::first_node_half - 1 + check + (check == 0 ? 1 : 0);
+  return static_cast<std::uint32_t>(signaling >> 32) + check + (check == 0 ? 1 : 0);
 }
 
 constexpr std::uint64_t bits_of(NodeId id, std::uint32_t offset) {

@@ -55,13 +55,15 @@ static std::atomic<std::uint32_t> last_known = 0;
 
 bool Pool::is_known(std::uint32_t generation) { return generation - 1 < last_known; }
 
+static_assert(payload::generation_of(payload::signaling) > 255); // that of no recording
+
 // The check bits tell each generation, and none of their nodes is like what has no check bits.
 static_assert([] {
   for (std::uint32_t generation = 1; generation < 256; ++generation) {
     for (NodeId id : {0u, 1u, 0x1234'5678u, 0xFFFF'FFFEu}) {
       std::uint64_t const bits = payload::bits_of(id, payload::offset_of(generation));
       if (payload::generation_of(bits) != generation || payload::id_of(bits) != id) return false;
-      if (!detail::is_node_half(static_cast<std::uint32_t>(bits >> 32))) return false;
+      if (!RealNumber::from_bits(bits).is_node()) return false;
     }
     std::uint32_t const distance = payload::offset_of(generation) & payload::check_mask;
     if (distance <= 1 || distance == payload::check_mask) return false;

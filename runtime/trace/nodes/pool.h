@@ -45,7 +45,7 @@ public:
   // The node behind a number; a constant is interned. Leaks and stale nodes end the program with a diagnostic.
   NodeId node(RealNumber number) {
     if (is_own(number.to_bits())) return payload::id_of(number.to_bits());
-    if (number.is_node()) refuse(number);
+    if (number.is_node() && number.to_bits() != payload::signaling) refuse(number);
     return node_of_constant(number);
   }
   double carried_value(RealNumber number);
@@ -59,7 +59,9 @@ public:
     return RealNumber::from_bits((bits & ~marks) | std::uint64_t{1} << 63);
   }
   // What is left of a node where some of its bytes were overwritten.
-  static bool is_torn(RealNumber number) { return number.is_node() && !is_tagged(number.to_bits()); }
+  static bool is_torn(RealNumber number) {
+    return number.is_node() && number.to_bits() != payload::signaling && !is_tagged(number.to_bits());
+  }
   // The recording has outgrown the memory: gives its memory back, so that this can be told, and ends the program.
   [[noreturn]] void run_out();
   bool owns(RealNumber number) const { return is_own(number.to_bits()); }

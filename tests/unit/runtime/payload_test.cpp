@@ -63,7 +63,7 @@ TEST(Payload, TellsGenerations) {
 
 TEST(Payload, OrdinaryNumbersAreNoNodes) {
   using Limits = std::numeric_limits<double>;
-  for (double plain : {0.0, 1.0, Limits::infinity(), Limits::quiet_NaN(), Limits::signaling_NaN(), Limits::max()})
+  for (double plain : {0.0, 1.0, Limits::infinity(), Limits::quiet_NaN(), Limits::max()})
     for (std::uint64_t sign : {std::uint64_t{0}, std::uint64_t{1} << 63})
       EXPECT_FALSE(RealNumber::from_bits(detail::bits(plain) ^ sign).is_node()) << plain;
 }
@@ -135,6 +135,13 @@ TEST_F(TornNumber, IsRefused) {
   EXPECT_EXIT((void)static_cast<bool>(low_lost < x), testing::ExitedWithCode(1),
               "a part was overwritten.*\\[SYM199\\]");
   EXPECT_EXIT((void)symreal_value(low_lost), testing::ExitedWithCode(1), "a part was overwritten.*\\[SYM199\\]");
+}
+
+TEST_F(TornNumber, IsNotTheNegativeOfASignalingNaN) {
+  RealNumber const signaling = RealNumber::from_bits(payload::signaling);
+  EXPECT_EQ(payload::signaling, detail::bits(std::numeric_limits<double>::signaling_NaN()) | std::uint64_t{1} << 63);
+  EXPECT_FALSE(Pool::is_torn(signaling));
+  EXPECT_TRUE((signaling * x).is_node());
 }
 
 TEST_F(TornNumber, KeepsItsBytesWhenOthersBecomePlain) {

@@ -11,7 +11,8 @@ int main() {
     Eigen::Matrix2d const m = matrix(x);
     std::printf("%g %g %g %g\n", m(0, 0), m(0, 1), m(1, 0), m(1, 1));
     Pose const p = pose(x);
-    std::printf("%g %g %g %zu %g %g\n", p.at[1], p.heading.angle, p.joints[0], p.joints.size(), p.joints[1], p.phase.imag());
+    std::printf("%g %g %g %zu %g %g\n", p.at[1], p.heading.angle, p.joints[0], p.joints.size(), p.joints[1],
+                p.phase.imag());
     std::printf("%g %g %g %g\n", hidden(x).sum(), both(x).first, both(x).second, judged(x).value);
   }
 }
