@@ -109,13 +109,13 @@ std::string constants_statements(Graph const &graph, std::string const &prefix) 
                      count, prefix);
 }
 
+// Without names of parameters, which may be macros of the program.
 std::string c_declarations(Graph const &graph, std::string const &prefix) {
-  std::string text = fmt::format("#ifdef __cplusplus\nextern \"C\" {{\n#endif\n"
-                                 "void {0}preprocess(double const *parameters, double *constants);\n"
-                                 "{1} {0}compute(double const *input, double const *constants, double *output);\n"
-                                 "#ifdef __cplusplus\n}}\n#endif\n",
-                                 prefix, graph.guards.empty() ? "void" : "int");
-  return text;
+  return fmt::format("#ifdef __cplusplus\nextern \"C\" {{\n#endif\n"
+                     "void {0}preprocess(double const *, double *);\n"
+                     "{1} {0}compute(double const *, double const *, double *);\n"
+                     "#ifdef __cplusplus\n}}\n#endif\n",
+                     prefix, graph.guards.empty() ? "void" : "int");
 }
 
 // Statements for a call that the generated code is not for.
