@@ -137,8 +137,9 @@ void DerivativeVerification::compare(Sample const &sample, std::span<double cons
     auto const dual = static_cast<double>(duals[k]);
     bool const has_dual = std::isfinite(dual) && !is_implicit_;
     if (has_dual) judge(element, shared, dual, found[k], least, rounding[k], false);
-    if (!sharp[k]) continue;
-    auto const difference = static_cast<double>(*sharp[k]);
+    SharpNumber const &one = sharp[k];
+    if (!one) continue;
+    auto const difference = static_cast<double>(*one);
     // Differences that leap agree with each other and with nothing else, and a low kink is hidden behind what bends:
     // there dual numbers decide.
     bool const may_err =

@@ -33,7 +33,7 @@ struct body {
     };
 };
 
-// CHECK: #define X(p) (REAL_READ({{.*}}, (p)->REAL_ONLY(symreal_with_x.) x))
+// CHECK: #define X(p) (REAL_PART(used, 0, 0, {{.*}}, REAL_READ({{.*}}, (p)->REAL_ONLY(symreal_with_x.) x)))
 #define X(p) ((p)->x)
 
 static double f(vec *p, struct body *b)
