@@ -67,20 +67,14 @@ std::string line_of(std::string_view text, std::size_t line) {
   return std::string(text);
 }
 
-// Of the kernel as it was generated all that a header shows.
+// The kernel as it was generated, with all that a header shows.
 Graph shown_of(Graph const &recorded, Banner const &banner) {
   std::optional<Graph> differentiated;
   if (!banner.derivatives.empty()) {
     differentiated = differentiate(recorded, banner.derivatives, [](Diagnostic const &) {});
     if (!banner.has_values) differentiated = derivatives_of(std::move(*differentiated), recorded.outputs.size());
   }
-  Graph const &whole = differentiated ? *differentiated : recorded;
-  Graph shown;
-  shown.kernel = whole.kernel;
-  shown.inputs = whole.inputs;
-  shown.parameters = whole.parameters;
-  shown.outputs = whole.outputs;
-  shown.matrices = whole.matrices;
+  Graph shown = without_nodes(differentiated ? *differentiated : recorded);
   shown.guards.resize(banner.guards, Guard{0, no_location, "a condition"});
   return shown;
 }

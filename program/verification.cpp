@@ -364,8 +364,10 @@ private:
   void compare_later(std::size_t k, std::vector<LaterCall> const &planned) {
     std::vector<std::pair<LaterCall, std::vector<double>>> calls; // and what the original gives
     for (std::size_t call = 1; call < original_->calls(); ++call) {
-      std::optional<LaterCall> now =
-          later_calls_.after(*original_, planned[call - 1].sample, original_->outputs_of(call - 1));
+      LaterCall const &plan = planned[call - 1];
+      std::vector<double> const before = original_->outputs_of(call - 1);
+      bool const as_planned = original_->next_inputs(plan.sample, before) == plan.sample.inputs;
+      std::optional<LaterCall> now = as_planned ? plan : later_calls_.after(*original_, plan.sample, before);
       if (!now) break;
       calls.emplace_back(std::move(*now), original_->outputs_of(call));
     }
@@ -378,7 +380,7 @@ private:
     }
   }
 
-  // Where a guard fails the user calls the original, which has not seen the calls of the generated code: it must not
+  // The user calls the original where a guard fails, which has not seen the calls of the generated code: it must not
   // need anything that they would have left. Beyond the guards the original may fail or not end, which says nothing.
   void compare_beyond(std::size_t k, Sample const &sample, std::vector<double> const &generated) {
     std::optional<Sample> const beyond = later_calls_.beyond_guards(*original_, sample, generated);

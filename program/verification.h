@@ -91,7 +91,7 @@ struct Verification {
   std::vector<OutputComparison> called_beyond;
   std::vector<OutputComparison> wrapped; // per slot, the generated code behind its wrapper against itself; or empty
   std::vector<LeftState> left, left_by_wrapper;
-  // What the original does outside of the program, in words: that lasts, and else. Of a few samples.
+  // Effects of the original outside of the program, in words, on a few samples: those that last, and others.
   std::vector<LeftState> changes_outside, outside;
   std::vector<LeftState> missed_by_wrapper; // values that are baked in, and that it does not compare
 

@@ -45,10 +45,7 @@ public:
 
   bool shouldVisitTemplateInstantiations() const override { return true; }
   bool TraverseDecl(Decl *declaration) override {
-    if (!declaration) return true;
-    if (!isa<TranslationUnitDecl>(declaration) && declaration->getLexicalDeclContext()->isFileContext() &&
-        !map_.in_roots(declaration->getLocation()) && !map_.in_roots(declaration->getBeginLoc()))
-      return true;
+    if (!declaration || map_.is_outside(declaration)) return true;
     auto const *function = dyn_cast<FunctionDecl>(declaration);
     if (!function || is_of_lambda(function)) return Walk::TraverseDecl(declaration);
     if (function->isDependentContext()) return true; // its instantiations are walked
@@ -167,7 +164,7 @@ private:
   std::string name_of(QualType type) const { return in_original(type.getCanonicalType().getAsString(policy_)); }
   void type(ValueDecl const *declaration, QualType type, std::string const &what) {
     std::string const name = name_of(type);
-    // What is deduced may be a class of the runtime.
+    // A deduced type may be a class of the runtime.
     if (type->getContainedAutoType() || is_nameless(name) || name.find("symreal") != name.npos) return;
     add(declaration->getLocation(), what, "'" + name + "'");
   }

@@ -18,10 +18,7 @@ public:
   bool shouldVisitTemplateInstantiations() const override { return true; }
 
   bool TraverseDecl(Decl *declaration) override {
-    if (!declaration) return true;
-    if (!isa<TranslationUnitDecl>(declaration) && declaration->getLexicalDeclContext()->isFileContext() &&
-        !map_.in_roots(declaration->getLocation()) && !map_.in_roots(declaration->getBeginLoc()))
-      return true;
+    if (!declaration || map_.is_outside(declaration)) return true;
     auto const *context = dyn_cast<DeclContext>(declaration);
     if (!context || (!isa<FunctionDecl>(declaration) && !isa<CXXRecordDecl>(declaration)))
       return Walk::TraverseDecl(declaration);

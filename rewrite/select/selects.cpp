@@ -18,10 +18,7 @@ public:
   std::vector<ConditionalOperator const *> choices;
 
   bool TraverseDecl(Decl *declaration) override {
-    if (!declaration) return true;
-    if (!isa<TranslationUnitDecl>(declaration) && declaration->getLexicalDeclContext()->isFileContext() &&
-        !map_.in_roots(declaration->getLocation()) && !map_.in_roots(declaration->getBeginLoc()))
-      return true;
+    if (!declaration || map_.is_outside(declaration)) return true;
     return Walk::TraverseDecl(declaration);
   }
   bool VisitFunctionDecl(FunctionDecl *function) override {

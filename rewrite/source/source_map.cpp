@@ -44,6 +44,11 @@ bool SourceMap::in_roots(clang::SourceLocation location) const {
   return location.isValid() && !path(sources_.getFileID(sources_.getExpansionLoc(location))).empty();
 }
 
+bool SourceMap::is_outside(clang::Decl const *declaration) const {
+  return !llvm::isa<clang::TranslationUnitDecl>(declaration) && declaration->getLexicalDeclContext()->isFileContext() &&
+         !in_roots(declaration->getLocation()) && !in_roots(declaration->getBeginLoc());
+}
+
 std::string SourceMap::display_path(llvm::StringRef name) const {
   if (directory_ == here_) return compiled_name(name);
   auto const [at, is_new] = display_paths_.try_emplace(name.str());

@@ -27,6 +27,8 @@ public:
 
   // Does the location, seen through macros to where it is expanded, lie within the roots?
   bool in_roots(clang::SourceLocation location) const;
+  // A declaration at file level that neither stands nor begins there: a walk need not enter it.
+  bool is_outside(clang::Decl const *declaration) const;
 
   // The token as it is spelled; nothing when that is outside the roots or was pasted together.
   std::optional<Span> token(clang::SourceLocation location) const;

@@ -156,6 +156,7 @@ private:
   bool has_changed(RealNumber const *number) const;
   void judge_memory(Place const &kernel);
   void judge_initialised(Place const &kernel);
+  std::string name_of(memory::Change const &change) const;
   bool holds_input(memory::Known object) const;
   // The kernel's own, though it may lie with its caller: what is left in it does not matter.
   static bool is_private(Site const &site) {

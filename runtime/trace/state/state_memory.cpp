@@ -14,7 +14,7 @@ namespace symreal::trace {
 
 namespace {
 
-// Of a temporary that a reference keeps alive: the reference.
+// A temporary that a reference keeps alive has the reference's name.
 std::string readable(std::string const &linkers_name) {
   int status = 0;
   char *const text = abi::__cxa_demangle(linkers_name.c_str(), nullptr, nullptr, &status);
@@ -90,16 +90,22 @@ bool State::holds_input(memory::Known object) const {
   });
 }
 
+std::string State::name_of(memory::Change const &change) const {
+  auto const named = names_.find(change.object);
+  return named == names_.end() ? readable(change.name) : std::string(named->second.site.name);
+}
+
 // A later call finds the object as the first call has made it, whatever its own inputs are.
 void State::judge_initialised(Place const &kernel) {
   if (!image_) return;
   for (memory::Change const &object : image_->initialised()) {
     if (!holds_input({object.object, object.size})) continue;
     auto const named = names_.find(object.object);
-    std::string const name = named == names_.end() ? readable(object.name) : std::string(named->second.site.name);
-    if (named != names_.end() && !reported_.insert(named->second.site).second) continue;
-    report({DiagnosticId::static_of_inputs, named == names_.end() ? kernel : place_of(named->second.site),
-            "the first call initialises static '" + name + "' from its inputs, and later calls keep this value"});
+    bool const is_named = named != names_.end();
+    if (is_named && !reported_.insert(named->second.site).second) continue;
+    report({DiagnosticId::static_of_inputs, is_named ? place_of(named->second.site) : kernel,
+            "the first call initialises static '" + name_of(object) +
+                "' from its inputs, and later calls keep this value"});
   }
 }
 
@@ -109,25 +115,19 @@ void State::judge_memory(Place const &kernel) {
   bool const calls_externals = !Externals::current().functions().empty();
   for (memory::Change const &change : image_->changes(known_changes())) {
     auto const named = names_.find(change.object);
-    if (named == names_.end() && calls_externals) continue;
-    if (named != names_.end() && reported_.contains(named->second.site)) continue;
-    std::string what;
+    bool const is_named = named != names_.end();
+    if (is_named ? reported_.contains(named->second.site) : calls_externals) continue;
+    std::string const size = std::to_string(change.size) + " bytes";
+    std::string what = "bytes " + std::to_string(change.first) + " to " + std::to_string(change.end - 1) + " of ";
     switch (change.region) {
-    case memory::Region::static_object:
-      what = "bytes " + std::to_string(change.first) + " to " + std::to_string(change.end - 1) + " of '" +
-             (named == names_.end() ? readable(change.name) : std::string(named->second.site.name)) + "' (static, " +
-             std::to_string(change.size) + " bytes)";
-      break;
-    case memory::Region::heap_block:
-      what = "bytes " + std::to_string(change.first) + " to " + std::to_string(change.end - 1) + " of a block of " +
-             std::to_string(change.size) + " bytes on the heap";
-      break;
+    case memory::Region::static_object: what += "'" + name_of(change) + "' (static, " + size + ")"; break;
+    case memory::Region::heap_block: what += "a block of " + size + " on the heap"; break;
     case memory::Region::stack:
       what = std::to_string(change.end - change.first) + (change.end - change.first == 1 ? " byte" : " bytes") +
              " in a variable of a calling function";
       break;
     }
-    report({DiagnosticId::state_not_output, named == names_.end() ? kernel : place_of(named->second.site),
+    report({DiagnosticId::state_not_output, is_named ? place_of(named->second.site) : kernel,
             "the kernel changes " + what + ", which is not an output"});
   }
 }
