@@ -65,7 +65,7 @@ bool keep_members(Shape &shape, std::string const &name, std::function<bool(std:
   return !shape.members.empty();
 }
 
-// Of `p->mode`, `mode`; of `s.index[i]`, `index`.
+// The last name: `mode` of `p->mode`, `index` of `s.index[i]`.
 std::string last_word(std::string text) {
   while (text.ends_with(']')) text.erase(std::min(text.rfind('['), text.size()));
   std::size_t begin = text.size();
@@ -197,7 +197,7 @@ bool symreal_is_other(symreal_T const &symreal_object, unsigned long long const 
 }
 )";
 
-// What a program that tells the values uses besides.
+// Helpers of a program that tells the values.
 constexpr char const *tellers_in_c = R"(
 char *symreal_environment(char const *) __asm__("getenv");
 int symreal_create(char const *, unsigned) __asm__("creat");

@@ -24,7 +24,7 @@ constexpr char const *file_kind = ".file", *text_kind = ".text";
 
 void mark_used(std::string const &entry) { utimensat(AT_FDCWD, entry.c_str(), nullptr, 0); }
 
-// What an entry begins with. The key counts, since an entry under another name is as wrong as another content.
+// The head of an entry. The key counts, since an entry under another name is as wrong as another content.
 std::string hash_of(std::string_view key, std::string_view text) {
   return content_id(std::string(key) + '\0' + std::string(text));
 }

@@ -258,7 +258,7 @@ BoundedCompilation bounded(BuildRequest const &request, rewrite::Compilation con
   return all;
 }
 
-// Of what decides how long the compiler takes.
+// A hash of all that decides how long the compiler takes.
 std::string bounded_key(Command const &command, std::string const &workspace) {
   std::string text = "bounded " + read_file(command.arguments[position_after(command.arguments, "-c")]);
   for (std::string const &word : command.arguments)

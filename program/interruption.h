@@ -1,6 +1,6 @@
-// What goes when a signal ends the tool: the processes that it started, with those that these started, and files that
-// are of no use yet. SIGINT, SIGTERM, SIGHUP and SIGPIPE are caught from the first of them on; a signal that the tool
-// was started with as an ignored one, as by nohup, stays so.
+// All that goes when a signal ends the tool: the processes that it started, with those that these started, and files
+// that are of no use yet. SIGINT, SIGTERM, SIGHUP and SIGPIPE are caught from the first of them on; a signal that the
+// tool was started with as an ignored one, as by nohup, stays so.
 #pragma once
 
 #include <csignal>

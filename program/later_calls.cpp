@@ -34,7 +34,7 @@ std::vector<LaterCall> LaterCalls::inside(Replay const &original, Sample const &
   (void)source.next(); // the recorded one
   std::vector<LaterCall> calls;
   for (int draw = 0; draw < most_draws && calls.size() < Replay::most_later; ++draw) {
-    // Where nothing that is drawn lies inside, the first sample on its new state may.
+    // The first sample on its new state may lie inside where nothing that is drawn does.
     std::optional<LaterCall> next = after(original, draw + 1 < most_draws ? source.next() : first, outputs);
     if (!next) continue;
     calls.push_back(std::move(*next));

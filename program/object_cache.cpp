@@ -78,11 +78,11 @@ void add_compilation(Key &key, Command const &compilation) {
 
 // The result depends on what a compiler reads of the user's; the rewriter does not see all of it: neither headers of
 // the symbolic program alone nor those of sources that it leaves as they are.
-// What is not rewritten is linked to from the workspace.
+// The workspace links to sources that are not rewritten.
 void note_compiled(std::string const &path, std::string const &workspace) {
   std::error_code error;
   std::string const real = fs::canonical(path, error).string();
-  // Those of this tool, which the result depends on as a whole.
+  // The tool's own headers are left out: the result depends on the tool as a whole.
   static std::string const own =
       fs::canonical(runtime_include() + "/symreal/real.h", error).parent_path().string() + "/";
   if (!error && !real.starts_with(workspace) && !real.starts_with("/usr/") && !real.starts_with(own)) note_read(real);
@@ -133,7 +133,7 @@ std::optional<Preprocessed> preprocess(Command const &compilation, std::string c
   return Preprocessed{key.result(), compiled_from(compilation, files, run.output, workspace)};
 }
 
-// Of a compilation of which nothing is kept.
+// A compilation of which nothing is kept.
 Captured compiled_with_notes(Command compilation, std::string const &object, std::string const &workspace) {
   std::string const rule = object + ".d";
   Words &words = compilation.arguments;

@@ -40,7 +40,7 @@ constexpr unsigned plain_open = SYS_open;
 constexpr unsigned plain_open = SYS_openat; // there is no other
 #endif
 
-// Of the calls of this architecture those that open are asked about.
+// The calls of this architecture that open a file are asked about.
 constexpr std::array filter = {
     sock_filter BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, arch)),
     sock_filter BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, own_architecture, 0, 4),

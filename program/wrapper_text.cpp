@@ -256,7 +256,7 @@ std::string fill_members(std::string const &element, std::vector<Member> const &
   return text;
 }
 
-// Where the numbers of a structure lie, by its layout (symreal/object_layout.h). The size of one.
+// The places of the numbers of a structure, by its layout (symreal/object_layout.h). The size of one.
 std::size_t add_offsets(std::string_view &layout, std::size_t begin, std::vector<std::size_t> &offsets,
                         bool &is_plain) {
   auto const take_number = [&layout] {

@@ -25,7 +25,7 @@ bool is_list(QualType type) {
          (record->getName() == "__va_list_tag" || record->getName() == "__va_list");
 }
 
-// Where the lists go that a function has.
+// The destinations of a function's argument lists.
 class Lists : public Walk {
 public:
   Lists(SourceMap const &map, Reals const &reals, ListFact &fact) : map_(map), reals_(reals), fact_(fact) {}

@@ -1,4 +1,4 @@
-// What a recording bakes in, and where a wrapper finds it in another call.
+// Values that a recording bakes in, and where a wrapper finds them in another call.
 //
 //   shape  := { "[" count "]" } what
 //   what   := "d"                          a floating-point number

@@ -16,7 +16,7 @@ bool names(Expr const *expression, VarDecl const *variable) {
 
 enum class Does { nothing, reads, writes };
 
-// What evaluating this expression itself, and not its operands, does to the variable.
+// The effect on the variable of evaluating this expression itself, without its operands.
 Does effect_of(Stmt const *statement, VarDecl const *variable) {
   if (auto const *operation = dyn_cast<BinaryOperator>(statement);
       operation && operation->isAssignmentOp() && names(operation->getLHS(), variable))

@@ -352,7 +352,7 @@ private:
     }
   }
 
-  // What the function returns, in parentheses, as the function itself can write it; empty where it cannot.
+  // The returned type in parentheses, as the function itself can write it; empty where it cannot.
   static std::string type_in_words(FunctionDecl const *function) {
     QualType const type = function->getReturnType();
     ASTContext const &context = function->getASTContext();

@@ -45,7 +45,7 @@ QualType without_const(ASTContext &context, QualType type) {
   return type.getUnqualifiedType();
 }
 
-// What a program cannot declare an object of: functions, text and what is not known.
+// Types of which a program cannot declare an object: functions, text and unknown ones.
 bool is_opaque(QualType type) {
   return type->isFunctionType() || type->isVoidType() || type->isIncompleteType() || type->isAnyCharacterType();
 }

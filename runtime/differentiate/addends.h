@@ -20,7 +20,7 @@ public:
   Addends(Graph const &graph, std::vector<std::uint32_t> outputs);
 
   std::vector<NodeId> const &terms() const { return terms_; }
-  // Of each term the slots of the inputs that it depends on.
+  // The slots of the inputs that each term depends on.
   Pattern const &inputs() const { return inputs_; }
   // One that would gain nothing is its own only term. Constants and parameters are left out.
   std::vector<Addend> const &of(std::uint32_t output) const;

@@ -164,7 +164,7 @@ bool DualNumbers::is_whole(PointDuals const &point, DerivativeRequest const &req
       long double const part = matrix[i * columns + j] * static_cast<long double>(numbers[j]);
       sum += part, magnitude += std::abs(part);
     }
-    // What is infinite or not a number tells nothing.
+    // An infinity or a NaN tells nothing.
     if (std::isfinite(magnitude) && std::abs(sum - product[slots[i]]) > most_off_product * magnitude) return false;
   }
   return true;

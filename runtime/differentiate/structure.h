@@ -9,13 +9,13 @@
 
 namespace symreal {
 
-// Of each row the columns that are not zero by structure, ascending.
+// The columns of each row that are not zero by structure, ascending.
 using Pattern = std::vector<std::vector<std::uint32_t>>;
 
-// Of each node the slots of the inputs that it depends on, in whatever way.
+// The slots of the inputs that each node depends on, in whatever way.
 Pattern inputs_of(Graph const &graph, std::span<NodeId const> nodes);
 
-// Of each input slot those that stand with it in a second derivative of one of the nodes: symmetric.
+// The slots that stand with each input slot in a second derivative of one of the nodes: symmetric.
 Pattern coupled_inputs(Graph const &graph, std::span<NodeId const> nodes);
 
 // Columns of which no row has two have one colour (Curtis, Powell and Reid): the sum of all columns of a colour shows

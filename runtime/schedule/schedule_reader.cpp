@@ -178,7 +178,7 @@ private:
     if (!is_leaf(op) && info(op).has(flag::STRUCTURE | flag::WIDE)) line.error("this is no number");
   }
 
-  // What may stand behind `set`.
+  // The nodes that may stand behind `set`.
   void require_statement(Line const &line, NodeId id) {
     if (graph_->nodes[id].op == Op::argument) line.error("a list of arguments is part of its call");
     if (is_nested_[id]) line.error("a statement above has computed this for itself: set it before that");

@@ -29,7 +29,7 @@ enum class State : std::uint32_t { begun, complete, wrong_shape };
 enum class Command : char { original = 'o', generated = 'c', graph = 'g', functions = 'f' };
 inline constexpr std::uint32_t no_function = ~std::uint32_t{0};
 
-// What outputs that are no inputs hold before a later call: one that the original does not write shows.
+// Outputs that are no inputs hold this before a later call, so that one which is not written shows.
 inline constexpr double spoilt_output = -7654.321;
 
 // What the original's kernel has left in memory that outlives it, and that is no output.
@@ -44,7 +44,7 @@ struct LeftBehind {
   }
 };
 
-// What the original's kernel has done outside of the program, in words.
+// An effect of the original's kernel outside of the program, in words.
 struct OutsideEffect {
   std::uint8_t changes; // something that lasts
   char what[183];

@@ -26,7 +26,7 @@ bool is_below(std::string const &path, std::string const &directory) {
   return !directory.empty() && path.starts_with(directory + "/");
 }
 
-// What the user, or the system, may change: not what the run itself makes, nor the parts of an installation.
+// Files that the user, or the system, may change: not what the run itself makes, nor the parts of an installation.
 bool counts(std::string const &path, program::Front const &front) {
   std::error_code error;
   return fs::is_regular_file(path, error) && !is_below(path, front.workspace->path()) &&
@@ -61,7 +61,7 @@ std::vector<std::string> system_directories(program::FrontRequest const &request
   return program::searched_directories(run.output);
 }
 
-// What __has_include looks for in vain in the texts.
+// Names that __has_include looks for in vain in the texts.
 std::vector<std::string> absent_headers(program::Front const &front, program::FrontRequest const &request) {
   std::vector<std::string> absent;
   std::vector<std::string> const own = own_directories(request);

@@ -149,7 +149,7 @@ std::string call_of(std::string const &prefix) {
 
 bool caches(Graph const &graph) { return !graph.precomputed.empty() && graph.parameter_count() != 0; }
 
-// What both forms have before the function.
+// The text that both forms have before the function.
 std::vector<std::string> preamble(program::Recorded const &recorded, Graph const &graph, std::string const &prefix) {
   std::vector<std::string> blocks = program::baked_helpers(recorded);
   std::vector<std::string> const templates = program::wrapper_templates(recorded.kernel, graph);
@@ -202,7 +202,7 @@ std::string indented(std::string const &text, std::string const &by) {
   return result;
 }
 
-// What stands before the body in a copy: the body is what else is done.
+// The statements before the body in a copy; the body is the fallback.
 std::string try_statements(program::Recorded const &recorded, Graph const &graph, std::string const &prefix) {
   auto const other = [](std::string const &) { return "symreal_same = 0;"; };
   std::string checks = program::baked_checks(recorded, other);
@@ -244,7 +244,7 @@ std::regex const &inclusions() {
   return pattern;
 }
 
-// What it includes from beside itself is found from where the copy is.
+// Inclusions from beside the source are found from where the copy is.
 std::string with_inclusions(std::string const &text, Copy const &copy, std::vector<Copy> const &copies) {
   std::string result;
   std::size_t begin = 0;
@@ -302,7 +302,7 @@ std::string later_standard(std::vector<std::string> const &flags, bool c) {
   return "";
 }
 
-// What the compiler says against it, as the project compiles the original; empty where nothing.
+// The compiler's objection, as the project compiles the original; empty if it has none.
 std::string compiler_objection(program::Front const &front, rewrite::Kernel const &kernel, std::string const &source,
                                std::vector<OutputFile> const &files, OutputFile const *main) {
   auto const compiled =

@@ -218,7 +218,7 @@ std::vector<std::string> differences(Json const &certificate, Json const &run) {
   std::vector<std::string> found;
   compare_hashes(certificate["sources"], run["sources"], "source", found);
   compare_hashes(certificate["generated"], run["generated"], "generated file", found);
-  // What was generated beside them since is not in it.
+  // Files that were generated beside them since are not in it.
   Json beside = Json::object();
   Json const certified = certificate.value("beside", Json::object()); // older ones have none
   for (auto const &[name, hash] : certified.items())

@@ -55,7 +55,7 @@ private:
   std::size_t at_ = 0;
 };
 
-// Of <math.h> and <stdbool.h>: a prototype of such a name is another text.
+// Names of <math.h> and <stdbool.h>: a prototype of such a name is another text.
 bool is_macro(std::string_view name) {
   static constexpr std::string_view macros[] = {
       "bool",        "true",          "false",       "isnan",     "isinf",    "isfinite",

@@ -74,7 +74,7 @@ void TornNumbers::drop(Table::iterator torn) {
   torn_.erase(torn);
 }
 
-// What is known of the word, unless the program has stored something else there since.
+// The torn number at the word, unless the program has stored something else there since.
 TornNumbers::Table::iterator TornNumbers::find(std::uint64_t *word) {
   auto const found = torn_.find(word);
   if (found == torn_.end()) return found;

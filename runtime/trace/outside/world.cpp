@@ -255,7 +255,7 @@ void on_call(int, siginfo_t *, void *context) {
   long const arguments[6] = {registers[REG_RDI], registers[REG_RSI], registers[REG_RDX],
                              registers[REG_R10], registers[REG_R8],  registers[REG_R9]};
   bool const is_own = memory::OwnWork::is_going_on();
-  // What is new goes on behind the call, on a stack that may be its own: the call is made again, unwatched.
+  // A new thread or process goes on behind the call, on a stack that may be its own: the call is made again, unwatched.
   bool const is_copy = number == SYS_clone && (arguments[0] & CLONE_VM) == 0; // of the process
   if ((number == SYS_clone && !is_copy) || number == SYS_clone3 || number == SYS_vfork) {
     if (!is_own) note(number, arguments);

@@ -1,4 +1,4 @@
-// What a kernel does to the world outside of the program, in files, the environment and processes. Its system calls are
+// Effects of a kernel outside of the program: on files, the environment and processes. Its system calls are
 // watched between two moments, and the environment is compared.
 //
 // Method: Linux hands each system call of this thread over as a signal (syscall user dispatch, Linux 5.11), whose
