@@ -53,9 +53,10 @@ public:
       std::string const inner = item_.expression.substr(index.open + 1, index.close - index.open - 1);
       Elements const named = elements(inner, item_.sections, look_up_);
       if (index.count && named.first && named.count) {
-        if (!named.are_within(*index.count)) refuse(written(object, item_.sections), *index.count);
-      } else
-        test(tested, index, object, inner);
+        if (named.are_within(*index.count)) continue;
+        refuse(written(object, item_.sections), *index.count);
+      }
+      test(tested, index, object, inner); // what is refused, too: the original does not rely on it
     }
     if (tested != item_.expression) item_.tested = tested;
   }
