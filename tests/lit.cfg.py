@@ -15,7 +15,9 @@ config.suffixes = [".test", ".cpp", ".c", ".graph", ".txt", ".facts"]
 # Unit tests are GoogleTest's, fuzzers are programs; a directory "Inputs" holds what tests read; the files of CMake and pip are no tests.
 config.excludes = ["unit", "tools", "Inputs", "fuzzers", "CMakeLists.txt", "requirements.txt"]
 config.test_source_root = os.path.join(config.source_dir, "tests")
-config.test_exec_root = os.path.join(config.binary_dir, "tests")
+# Of the mutation test: the rule that a build for it leaves out. What tests leave behind without it is for nobody else.
+dropped = os.environ.get("SYMREAL_DROP_RULE")
+config.test_exec_root = os.path.join(config.binary_dir, "tests", *(["without-" + dropped] if dropped else []))
 
 # Leaks into foreign code are trapped there.
 if platform.system() == "Linux" and platform.machine() == "x86_64":
@@ -72,6 +74,5 @@ config.environment["XDG_CACHE_HOME"] = os.path.join(config.test_exec_root, "cach
 config.environment["SYMREAL_UNDER_TEST"] = os.path.join(config.binary_dir, "tool", "symreal")
 # FileCheck and count; `not` is built into lit. At the end of PATH: the compilers are the system's.
 config.environment["PATH"] = os.pathsep.join([os.environ["PATH"], os.path.join(config.llvm_tools, "bin"), venv])
-# Of the mutation test: the rule that a build for it leaves out.
-if "SYMREAL_DROP_RULE" in os.environ:
-    config.environment["SYMREAL_DROP_RULE"] = os.environ["SYMREAL_DROP_RULE"]
+if dropped:
+    config.environment["SYMREAL_DROP_RULE"] = dropped

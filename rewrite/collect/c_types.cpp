@@ -3,6 +3,8 @@
 // silent.
 #include "rewrite/collect/collector.h"
 
+#include "support/mutation/is_dropped.h"
+
 namespace symreal::rewrite {
 using namespace clang;
 
@@ -211,7 +213,7 @@ static void null_control(Expr const *null, SourceMap const &map, Facts &facts) {
 
 // The controlling expression of _Generic; an integer that stays symbolic counts as what it stands for (of_c.h).
 void Collector::c_control(Expr const *control) {
-  if (map_.language().CPlusPlus || !map_.in_roots(control->getBeginLoc())) return;
+  if (map_.language().CPlusPlus || !map_.in_roots(control->getBeginLoc()) || is_dropped("generic")) return;
   Expr const *written = control->IgnoreParenImpCasts();
   // In C++ the elements are const.
   if (isa<StringLiteral>(written)) return wrap(written, Use::cast, spelled(control->getType()));

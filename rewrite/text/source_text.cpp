@@ -2,6 +2,7 @@
 
 #include "rewrite/request/request.h"
 #include "rewrite/text/raw_tokens.h"
+#include "support/mutation/is_dropped.h"
 
 #include <cctype>
 #include <cmath>
@@ -45,6 +46,7 @@ bool is_not_finite(std::string const &number) {
 }
 
 std::string wrong_range(std::string const &low, std::string const &high) {
+  if (is_dropped("SYM204")) return "";
   for (std::string const *end : {&low, &high})
     if (is_not_finite(*end)) return "a range has two finite ends, and '" + *end + "' is not finite";
   std::optional<double> const first = literal(low), last = literal(high);

@@ -1,6 +1,7 @@
 // Recording: annotated numbers become nodes, and at the kernel's end the graph is checked, handed over, and every
 // annotated number becomes an ordinary one again.
 #include "graph/names.h"
+#include "support/mutation/is_dropped.h"
 #include "support/number.h"
 #include "trace/calls/implicit.h"
 #include "trace/decisions/checkpoint.h"
@@ -125,6 +126,7 @@ public:
     if (kind_ == Kind::output) handed_over(begin, size);
   }
   void handed_over(void const *begin, std::size_t size) override {
+    if (is_dropped("handed_over")) return;
     Pause const pause;
     State::current().handed_over(begin, size);
   }

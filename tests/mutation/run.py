@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Drops the rules of the rewriter, one at a time, and tells what notices: the net (`generate` and `verify`), and the tests.
+"""Drops the rules, one at a time, and tells what notices: the net (`generate` and `verify`), and the tests.
 
 It needs a build that was configured with -DSYMREAL_MUTATION=ON. docs/mutation.md has the results.
 """
@@ -49,20 +49,34 @@ def library(rule, directory):
     return (f"--link={directory}/library.o",)
 
 
+def warm_cache(options):
+    """What any run would compile first. Each gets a copy: what a rule leaves there is for nobody else."""
+    options.cache = tempfile.mkdtemp(prefix="mutation-cache-")
+    for program in ("returned.c", "read.cpp"):
+        subprocess.run([os.path.join(options.build, "tool", "symreal"), "generate", os.path.join(HERE, "Inputs", program), "--frozen=allow",
+                        "-o", os.path.join(options.cache, "k.c")], env=dict(environment(""), XDG_CACHE_HOME=options.cache),
+                       capture_output=True, check=True)
+
+
 def net(options, rule, dropped):
     """What of the net notices, or nothing."""
     directory = tempfile.mkdtemp(prefix="mutation-")
     try:
         shutil.copy(os.path.join(HERE, "Inputs", rule.program), directory)
+        shutil.copytree(options.cache, os.path.join(directory, "cache"))
         link = library(rule, directory)
-        for words in (("generate", rule.program, "-o", "k.c", *rule.options, *link), ("verify", rule.program, "k.c", *link),
-                      ("verify", "--numeric", rule.program)):
-            done = subprocess.run([os.path.join(options.build, "tool", "symreal"), *words, "--", *rule.flags], cwd=directory,
-                                  env=environment(dropped), capture_output=True, text=True, errors="replace", timeout=600)
+        tool = os.path.join(options.build, "tool", "symreal")
+        script = os.path.join(HERE, "Inputs", os.path.splitext(rule.program)[0] + ".sh")
+        between = [["sh", script, tool]] if os.path.exists(script) else []
+        for command in ([tool, "generate", rule.program, "-o", "k.c", *rule.options, *link, "--", *rule.flags], *between,
+                        [tool, "verify", rule.program, "k.c", *link, "--", *rule.flags],
+                        [tool, "verify", "--numeric", rule.program, "--", *rule.flags]):
+            done = subprocess.run(command, cwd=directory, env=dict(environment(dropped), XDG_CACHE_HOME=os.path.join(directory, "cache")),
+                                  capture_output=True, text=True, errors="replace", timeout=600)
             if options.verbose:
                 print(done.stderr, end="")
             if done.returncode != 0:
-                return f"{words[0]}: {reason(done)}"
+                return f"{command[1]}: {reason(done)}"
         return ""
     finally:
         shutil.rmtree(directory)
@@ -72,6 +86,8 @@ def tests(options, rule, dropped):
     """The first test that fails, or nothing."""
     done = subprocess.run([sys.executable, options.lit, "-s", "-j1", "--max-failures=1", f"--filter={rule.tests}",
                            os.path.join(options.build, "tests")], env=environment(dropped), capture_output=True, text=True)
+    if dropped:
+        shutil.rmtree(os.path.join(options.build, "tests", "without-" + dropped), ignore_errors=True)
     if options.verbose:
         print(done.stdout, end="")
     if "Passed" not in done.stdout and "Failed" not in done.stdout:
@@ -82,7 +98,7 @@ def tests(options, rule, dropped):
 
 def as_it_is(options, rule, noticed, failed):
     """What is wrong with the row itself: nothing may be noticed where nothing is dropped, but what the rule is there to refuse."""
-    refused = f"generate: {rule.refused}" if rule.refused else ""
+    refused = rule.refused if ": " in rule.refused or not rule.refused else f"generate: {rule.refused}"
     if (noticed or refused) and not options.tests:
         found = net(options, rule, "")
         if found != refused:
@@ -101,6 +117,8 @@ def main():
     options.build = os.path.abspath(options.build)
     wanted = set(filter(None, options.rules.split(",")))
     rules = [rule for rule in RULES if not wanted or rule.name in wanted]
+    if not options.tests:
+        warm_cache(options)
     by_net, by_tests, wrong = 0, 0, 0
     print("| Rule | What it does | The net | The tests |\n|---|---|---|---|")
     with ThreadPoolExecutor(options.jobs) as pool:
@@ -108,6 +126,8 @@ def main():
             by_net, by_tests, wrong = by_net + bool(noticed), by_tests + bool(failed), wrong + bool(fault)
             words = f"without the mutation: {fault}" if fault else f"{noticed or '-'} | {failed or '-'}"
             print(f"| {rule.name} | {rule.what} | {words} |", flush=True)
+    if not options.tests:
+        shutil.rmtree(options.cache)
     print(f"{len(rules)} rules, {by_net} noticed by the net, {by_tests} by the tests, {wrong} with a fault of their own")
     return 1 if wrong or (by_tests < len(rules) and not options.net) else 0
 

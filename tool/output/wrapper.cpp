@@ -4,6 +4,7 @@
 #include "program/baked_values.h"
 #include "program/wrapper_text.h"
 #include "support/files.h"
+#include "support/mutation/is_dropped.h"
 #include "support/quoted.h"
 #include "tool/output/fallback.h"
 
@@ -28,7 +29,8 @@ void require_sense(rewrite::Kernel const &kernel) {
   if (kernel.signature.returns_value && !returns_output)
     fail(DiagnosticId::no_wrapper, kernel.place,
          "--wrapper cannot return what '" + kernel.name + "' returns, which is no output: add output(return)");
-  if (std::string const &obstacle = kernel.signature.redefinition.result.obstacle; returns_output && !obstacle.empty())
+  std::string const &obstacle = kernel.signature.redefinition.result.obstacle;
+  if (returns_output && !obstacle.empty() && !is_dropped("SYM095"))
     fail(DiagnosticId::no_wrapper, kernel.place,
          fmt::format("--wrapper cannot take the place of '{}': {}", kernel.name, obstacle));
 }

@@ -1,6 +1,7 @@
 #include "trace/nodes/pool.h"
 
 #include "memory/heap_blocks.h"
+#include "support/mutation/is_dropped.h"
 #include "trace/nodes/torn_numbers.h"
 #include "trace/report/events.h"
 
@@ -128,7 +129,8 @@ RealNumber Pool::leaf(Node const &node, double value, void const *caller) {
   return number(id);
 }
 
-void Pool::refuse(RealNumber number) const {
+NodeId Pool::refuse(RealNumber number) const {
+  if (is_dropped("check_bits")) return payload::id_of(number.to_bits()) % static_cast<NodeId>(table_.size());
   std::uint32_t const generation = payload::generation_of(number.to_bits());
   if (!is_known(generation) || generation == generation_) {
     std::string const place = TornNumbers::current().place_of(number);

@@ -45,7 +45,7 @@ public:
   // The node behind a number; a constant is interned. Leaks and stale nodes end the program with a diagnostic.
   NodeId node(RealNumber number) {
     if (is_own(number.to_bits())) return payload::id_of(number.to_bits());
-    if (number.is_node() && number.to_bits() != payload::signaling) refuse(number);
+    if (number.is_node() && number.to_bits() != payload::signaling) return refuse(number);
     return node_of_constant(number);
   }
   double carried_value(RealNumber number);
@@ -112,12 +112,12 @@ private:
   double value(NodeId id) const;
   double value_of(Node const &node) const;
   NodeId record_arithmetic(Op op, RealNumber x, RealNumber y, void const *caller);
-  [[noreturn]] void refuse(RealNumber number) const;
+  // Says what is wrong with the number, and ends the program: it has no node.
+  NodeId refuse(RealNumber number) const;
   // An operand, which this process has.
   NodeId operand(RealNumber number) {
     NodeId const id = node(number);
-    if (id >= table_.size()) refuse(number);
-    return id;
+    return id < table_.size() ? id : refuse(number);
   }
   void mark_exact(NodeId id);
   // Fills the columns for a node if it is new.

@@ -1,6 +1,7 @@
 #include "trace/nodes/torn_numbers.h"
 
 #include "memory/own_memory.h"
+#include "support/mutation/is_dropped.h"
 #include "trace/nodes/pool.h"
 #include "trace/report/events.h"
 #include "trace/report/written_place.h"
@@ -92,6 +93,7 @@ void TornNumbers::report_store(Torn const &torn, std::string const &used) {
 }
 
 void TornNumbers::store(Bits bits, bool is_number, Site const &site) {
+  if (is_dropped("torn")) return;
   each_word(bits, [&](std::uint64_t *word, std::uint64_t mask) {
     if (mask == all_bits && torn_.empty()) return;
     auto found = find(word);

@@ -2,6 +2,7 @@
 
 #include "memory/heap_blocks.h"
 #include "support/files.h"
+#include "support/mutation/is_dropped.h"
 #include "trace/report/call_stack.h"
 
 #include <algorithm>
@@ -94,6 +95,7 @@ void event(std::initializer_list<std::string> fields) {
 }
 
 void report(Diagnostic const &diagnostic) {
+  if (is_dropped(code(diagnostic.id))) return;
   bool const is_error = diagnostic.severity == Severity::error;
   log().wrong = log().wrong || is_error;
   event({is_error ? "diagnostic" : "warning", code(diagnostic.id), diagnostic.place.file,

@@ -5,6 +5,7 @@
 // Weak, so that a program with a function of such a name has its own.
 #include "memory/heap_blocks.h"
 #include "memory/own_memory.h"
+#include "support/mutation/is_dropped.h"
 #include "trace/state/state.h"
 
 #ifdef __GLIBC__
@@ -49,7 +50,7 @@ char symreal_outside_hooks = 0;
     using Function = result(*) parameters;                                                                             \
     static auto const original = reinterpret_cast<Function>(dlsym(RTLD_NEXT, #symbol));                                \
     result const value = original arguments;                                                                           \
-    if (!is_of_runtime arguments) note(name, value);                                                                   \
+    if (!is_of_runtime arguments && !symreal::is_dropped(#symbol)) note(name, value);                                  \
     return value;                                                                                                      \
   }
 #include "support/outside.def"

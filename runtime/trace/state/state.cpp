@@ -1,6 +1,7 @@
 #include "trace/state/state.h"
 
 #include "memory/own_memory.h"
+#include "support/mutation/is_dropped.h"
 #include "support/number.h"
 #include "trace/nodes/pool.h"
 #include "trace/report/call_stack.h"
@@ -90,7 +91,8 @@ State::Read &State::read_at(Site const &site) {
 
 void State::read(RealNumber const *number, char const *name, char const *place) {
   // A constant may be read; that it still is what it was shows when the kernel ends.
-  if ((shadow_.at(number) & mark::is_judged) != 0 || !outlives(number)) return;
+  Marks const judged = is_dropped("constant_changed") ? mark::may_be_read : mark::is_judged;
+  if ((shadow_.at(number) & judged) != 0 || !outlives(number)) return;
   shadow_.add(number, sizeof *number, mark::noted);
   Site const site = site_of(number, name, place);
   if (number->is_node()) { // code that is not rewritten has written it
@@ -404,7 +406,7 @@ std::vector<Frozen> State::end(Place const &kernel, bool has_guards) {
   judge_initialised(kernel); // while the objects still hold nodes
   mark_scratch();
   judge_inputs();
-  judge_integers(has_guards);
+  judge_integers(has_guards && !is_dropped("beyond_guards"));
   std::vector<Frozen> frozen;
   judge_reads(frozen);
   for (auto &[function, values] : outside_)

@@ -1,5 +1,6 @@
 // The memory that outlives a kernel, compared with what it was: text, bytes, and all that code which was not rewritten
 // has written there. Such code tells the State nothing.
+#include "support/mutation/is_dropped.h"
 #include "trace/nodes/externals.h"
 #include "trace/nodes/pool.h"
 #include "trace/report/events.h"
@@ -110,7 +111,7 @@ void State::judge_initialised(Place const &kernel) {
 }
 
 void State::judge_memory(Place const &kernel) {
-  if (!image_) return;
+  if (!image_ || is_dropped("memory")) return;
   // An external function may keep what it likes.
   bool const calls_externals = !Externals::current().functions().empty();
   for (memory::Change const &change : image_->changes(known_changes())) {

@@ -1,5 +1,7 @@
 // The text of a list of arguments in which symbolic values stand for numbers: a function of the library would print the
 // bytes of their nodes.
+#include "support/mutation/is_dropped.h"
+
 #include <symreal/standard_library.h>
 #include <symreal/text.h>
 
@@ -242,7 +244,7 @@ private:
 
 Shown ListText::print(char const *format, std::va_list list, std::string &text) {
   Parser parser(format);
-  if (!parser.parse()) return {};
+  if (!parser.parse() || is_dropped("list_text")) return {};
   std::va_list copy;
   va_copy(copy, list);
   for (Argument &argument : parser.arguments) read(argument, copy);

@@ -1,8 +1,8 @@
 #include <cstdio>
-#pragma symreal function input(x) output(return)
-double kernel(double x) {
+#pragma symreal function input(x) constant(n) output(return)
+double kernel(double x, int n) {
   static int i;
-  for (i = 0; i < 3; i++) x = x * 1.5;
-  return x;
+  if (n > 0) i = 3;
+  return x * i;
 }
-int main() { std::printf("%g\n", kernel(5.3)); }
+int main() { std::printf("%g\n", kernel(5.3, 1)); }

@@ -1,0 +1,17 @@
+# For tests/mutation: a build that leaves out the rule that SYMREAL_DROP_RULE names. Only the files that ask are compiled
+# in another way.
+option(SYMREAL_MUTATION "Build tools whose rules can be dropped, one at a time, to test what notices" OFF)
+if(SYMREAL_MUTATION)
+  target_sources(symreal_runtime_support PRIVATE ${PROJECT_SOURCE_DIR}/runtime/support/mutation/is_dropped.cpp)
+  target_sources(symreal_rewrite_decide PRIVATE ${PROJECT_SOURCE_DIR}/rewrite/decide/mutation/drop_rule.cpp)
+  foreach(folder runtime rewrite program tool)
+    file(GLOB_RECURSE files CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${folder}/*.cpp)
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${files})
+    foreach(file ${files})
+      file(STRINGS ${file} asks LIMIT_COUNT 1 REGEX "/mutation/")
+      if(asks)
+        set_property(SOURCE ${file} DIRECTORY ${PROJECT_SOURCE_DIR}/${folder} APPEND PROPERTY COMPILE_DEFINITIONS SYMREAL_MUTATION)
+      endif()
+    endforeach()
+  endforeach()
+endif()
