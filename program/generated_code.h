@@ -25,6 +25,7 @@ struct Banner {
   unsigned vector = 1;                          // numbers that are computed side by side, where the processor can
   std::vector<DerivativeWish> derivatives = {}; // that were added, as in Graph
   bool has_values = true;                       // and not the derivatives alone
+  std::string mathematics = {};                 // the original's library when it was generated; may be unknown
 };
 // Does the file begin as a generated one?
 bool is_generated(std::string const &path);

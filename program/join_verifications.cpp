@@ -40,6 +40,10 @@ static void join(ExactJudgement &all, ExactJudgement const &other) {
   }
 }
 
+static void join_mathematics(std::string &all, std::string const &other) {
+  if (all.find(other) == all.npos) all += "; " + other;
+}
+
 static void join(Verification &all, ThreadResult const &threads) {
   if (!all.threads)
     all.threads = threads;
@@ -76,6 +80,7 @@ void join(Verification &verification, Verification const &other) {
         &Verification::outside_different, &Verification::graph_different, &Verification::decided_otherwise,
         &Verification::tried, &Verification::around, &Verification::refused, &Verification::guards_different})
     verification.*member += other.*member;
+  join_mathematics(verification.mathematics, other.mathematics);
   for (std::size_t slot = 0; slot < verification.lost.size(); ++slot) verification.lost[slot] += other.lost[slot];
   join(verification.outputs, other.outputs);
   join(verification.rewritten, other.rewritten);

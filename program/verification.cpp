@@ -11,6 +11,7 @@
 #include "program/single_runs.h"
 #include "program/wrapped_original.h"
 #include "program/wrapper_verification.h"
+#include "support/math_library.h"
 #include "verify/boundaries.h"
 
 #include <algorithm>
@@ -123,6 +124,7 @@ public:
     result_.is_single = banner.is_single;
     result_.has_values = banner.has_values;
     result_.tolerance = options.tolerance;
+    result_.mathematics = math_library();
     result_.lost.resize(graph_.output_count());
     result_.outputs.resize(graph_.output_count());
     result_.rewritten.resize(graph_.output_count());

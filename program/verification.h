@@ -66,6 +66,7 @@ struct Verification {
   bool is_single = false;                    // of code in single precision, see single_runs.h
   bool has_values = true;                    // otherwise the code has derivatives alone
   double tolerance = 0;                      // that it was compared with
+  std::string mathematics;                   // the mathematical library of the original; of shards, all of them
   std::size_t inside = 0;                    // samples that satisfy the premises of the mode and all guards
   std::size_t not_finite = 0, zero_sign = 0; // and those that do not, by premise
   std::size_t undefined = 0;                 // samples on which the original has no meaning, in no mode

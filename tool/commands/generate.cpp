@@ -5,6 +5,7 @@
 #include "program/baked_values.h"
 #include "schedule/angles.h"
 #include "support/files.h"
+#include "support/math_library.h"
 #include "tool/analysis/parallel_option.h"
 #include "tool/calls/driver_program.h"
 #include "tool/commands/products.h"
@@ -257,6 +258,7 @@ int run(CLI::App &command, Options &options, Session &session) {
   require_sense(options);
   Console console;
   program::FrontRequest request = options.source.request(session.flags);
+  options.emitter.reference = math_library();
   require_outputs(options);
   request.run.decisions = options.decisions.of_recording();
   request.run.paths_met = options.decisions.paths_met;

@@ -161,11 +161,17 @@ std::string bisected(program::Recorded const &recorded, program::Banner const &b
   return place.empty() ? text : text + ", of what stands at " + place;
 }
 
+void note_other_mathematics(std::string const &made, std::string const &before, std::string const &now,
+                            Console &console) {
+  if (std::string const other = other_mathematics(made, before, now); !other.empty()) console.note(other);
+}
+
 // Whether the run confirms the certificate.
 bool confirms(std::string const &path, nlohmann::ordered_json const &wanted, nlohmann::ordered_json const &run,
               Console &console) {
   std::vector<std::string> const found = differences(wanted, run);
-  if (std::string const other = other_mathematics(wanted, run); !other.empty()) console.note(other);
+  note_other_mathematics("the certificate was written", wanted.value("mathematics", ""), run.value("mathematics", ""),
+                         console);
   if (found.empty()) {
     console.note("certificate " + path + " holds");
     return true;
@@ -258,6 +264,8 @@ int run(CLI::App &command, Options &options, Session &session) {
     program::Verification const verification = program::verify(*front, as, recorded, generated[k], banner, asked);
     console.clear();
     print_verification(std::cerr, recorded.graph, verification);
+    note_other_mathematics("'" + generated[k] + "' was generated", banner.mathematics, verification.mathematics,
+                           console);
     records.push_back(record_of(recorded.graph, generated[k], verification, asked));
     if (options.json) json.push_back(to_json(records.back()));
     if (auto failure = verification_failure(recorded.graph, verification, asked, generated[k])) {

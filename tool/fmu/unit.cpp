@@ -65,7 +65,8 @@ std::string unit_bytes(Schedule const &plan, EmitterOptions const &emitter, Floa
                             .prefix = emitter.prefix,
                             .mode = mode,
                             .trace_comments = emitter.trace_comments,
-                            .check_values = emitter.check_values};
+                            .check_values = emitter.check_values,
+                            .reference = emitter.reference};
   std::vector<UnitVariable> const variables = unit_variables(graph);
   Files sources;
   for (EmittedFile const &file : symreal::emit(plan, c, options)) sources.emplace_back(file.name, file.text);

@@ -51,6 +51,7 @@ struct EmitterOptions {
   bool trace_comments = false, check_values = false;
   Nesting nesting() const { return check_values ? Nesting::none : Nesting::bounded; }
   std::string map_file;
+  std::string reference; // as in EmitOptions
 
   void add_to(CLI::App &app);
   // Throws bad_option for another word than these.

@@ -39,7 +39,8 @@ std::vector<OutputFile> package_files(Schedule const &plan, EmitterOptions const
                             .prefix = emitter.prefix,
                             .mode = mode,
                             .trace_comments = emitter.trace_comments,
-                            .check_values = emitter.check_values};
+                            .check_values = emitter.check_values,
+                            .reference = emitter.reference};
   Emission const emission{plan, python, options};
   std::vector<OutputFile> files;
   auto const add = [&](fs::path const &path, std::string text) {

@@ -76,6 +76,11 @@ Json named_flags(std::vector<std::string> flags, Names const &names) {
   return flags;
 }
 
+// The library that a file names is compared by itself.
+std::string generated_hash(std::string const &path) {
+  return program::content_hash(without_reference(read_file(path)));
+}
+
 std::string text_hash(Graph graph, Names const &names) {
   for (auto *objects : {&graph.inputs, &graph.parameters, &graph.outputs})
     for (Object &one : *objects) names.move(one.place);
@@ -162,15 +167,18 @@ Json certificate(Verified const &verified, std::vector<VerificationRecord> const
     json["sources"][names.of(file.path)] = program::content_hash(file.original);
   std::set<std::string> beside;
   for (std::string const &file : verified.generated) {
-    json["generated"][names.of(file)] = program::file_hash(file);
+    json["generated"][names.of(file)] = generated_hash(file);
     for (std::string const &other : written_beside(file)) beside.insert(other);
   }
   for (std::string const &file : beside)
-    if (!json["generated"].contains(names.of(file))) json["beside"][names.of(file)] = program::file_hash(file);
+    if (!json["generated"].contains(names.of(file))) json["beside"][names.of(file)] = generated_hash(file);
   for (program::Recorded const &recorded : verified.front->kernels)
     json["graphs"][recorded.graph.kernel] = text_hash(recorded.graph, names);
   json["verified"] = Json::array();
-  for (VerificationRecord const &record : records) json["verified"].push_back(to_json(record));
+  for (VerificationRecord const &record : records) {
+    json["verified"].push_back(to_json(record));
+    json["verified"].back().erase("mathematics"); // said above
+  }
   names.move(json["verified"]);
   return json;
 }
@@ -231,10 +239,9 @@ std::vector<std::string> differences(Json const &certificate, Json const &run) {
   return found;
 }
 
-std::string other_mathematics(Json const &certificate, Json const &run) {
-  std::string const before = certificate.value("mathematics", ""), now = run.value("mathematics", "");
+std::string other_mathematics(std::string const &made, std::string const &before, std::string const &now) {
   if (before.empty() || before == now) return {};
-  return fmt::format("the certificate was written with {}; these functions are those of {}", before, now);
+  return fmt::format("{} with {}; these functions are those of {}", made, before, now);
 }
 
 } // namespace symreal::tool

@@ -270,6 +270,7 @@ VerificationRecord record_of(Json const &json) {
   if (!mode) throw std::invalid_argument("no mode");
   verification.mode = *mode;
   verification.tolerance = options.tolerance;
+  verification.mathematics = json.value("mathematics", "");
   verification.tried = json.at("samples");
   verification.inside = json.at("inside");
   verification.not_finite = json.at("not_finite");
@@ -335,6 +336,7 @@ Json to_json(VerificationRecord const &record) {
   Json json = {{"kernel", record.graph.kernel},
                {"file", record.file},
                {"mode", to_string(verification.mode)},
+               {"mathematics", verification.mathematics},
                {"tolerance", verification.tolerance},
                {"drawn", record.options.samples},
                {"min_samples", record.options.min_samples},

@@ -225,9 +225,7 @@ std::size_t wanted_samples(program::Verification const &verification, program::V
   return is_whole ? std::min({options.min_samples, options.samples, verification.tried}) : 0;
 }
 
-} // namespace
-
-void print_verification(std::ostream &out, Graph const &graph, program::Verification const &verification) {
+void print_comparisons(std::ostream &out, Graph const &graph, program::Verification const &verification) {
   fmt::print(out, "kernel {}, mode {}{}: {} sample{}{}, {} within the premises\n", graph.kernel,
              to_string(verification.mode), verification.is_single ? ", float" : "",
              verification.tried - verification.around, verification.tried - verification.around == 1 ? "" : "s",
@@ -271,6 +269,13 @@ void print_verification(std::ostream &out, Graph const &graph, program::Verifica
                ulp_column(object, verification.own_code_ulp));
   }
   if (verification.derivatives) print_derivatives(out, *verification.derivatives);
+}
+
+} // namespace
+
+void print_verification(std::ostream &out, Graph const &graph, program::Verification const &verification) {
+  print_comparisons(out, graph, verification);
+  if (!verification.mathematics.empty()) fmt::print(out, "  functions of the original: {}\n", verification.mathematics);
 }
 
 std::optional<Diagnostic> verification_failure(Graph const &graph, program::Verification const &verification,

@@ -18,6 +18,39 @@ std::string_view banner_of(std::string_view text) {
   return line.substr(at + opening.size() - 1);
 }
 
+constexpr std::string_view reference_begin = "The functions of the original are those of ", reference_end = ".";
+
+std::string reference_line(std::string const &library) {
+  return std::string(reference_begin) + library + std::string(reference_end);
+}
+
+// Where the line begins, and where the next one does; both 0 where there is none.
+static std::pair<std::size_t, std::size_t> reference_bounds(std::string_view text) {
+  constexpr int banner_lines = 4;
+  if (banner_of(text).empty()) return {};
+  std::size_t begin = 0;
+  for (int k = 0; k < banner_lines; ++k) {
+    std::size_t const end = text.find('\n', begin);
+    if (end == text.npos) return {};
+    if (k != 0 && text.substr(begin, end - begin).find(reference_begin) != text.npos) return {begin, end + 1};
+    begin = end + 1;
+  }
+  return {};
+}
+
+std::string_view reference_of(std::string_view text) {
+  auto const [begin, end] = reference_bounds(text);
+  if (begin == end) return {};
+  std::string_view line = text.substr(begin, end - begin);
+  line.remove_prefix(line.find(reference_begin) + reference_begin.size());
+  return line.substr(0, line.rfind(reference_end));
+}
+
+std::string without_reference(std::string text) {
+  auto const [begin, end] = reference_bounds(text);
+  return text.erase(begin, end - begin);
+}
+
 void require_ours(std::string const &path, std::string const &text) {
   if (banner_of(text).empty() || !std::filesystem::is_regular_file(path)) return;
   std::optional<std::string> const there = text_of_file(path);

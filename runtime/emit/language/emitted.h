@@ -16,10 +16,11 @@ struct EmitOptions {
   FloatingPoint mode = FloatingPoint::finite;
   std::set<std::string, std::less<>> extras = {}; // files on request, such as "mainline" (language.h)
   bool trace_comments = false;                    // every statement says which source lines it comes from
-  bool check_values = false; // one operation a statement, and the first NaN or infinity of a call is reported
-  bool is_single = false;    // numbers are float
-  bool angles = false;       // sines and cosines of inputs are computed side by side (schedule/angles.h)
-  bool origins = false;      // where the lines of statements come from is wanted
+  bool check_values = false;  // one operation a statement, and the first NaN or infinity of a call is reported
+  bool is_single = false;     // numbers are float
+  bool angles = false;        // sines and cosines of inputs are computed side by side (schedule/angles.h)
+  bool origins = false;       // where the lines of statements come from is wanted
+  std::string reference = {}; // the mathematical library of the original; none where there is no original
 };
 
 // Lines of a file that hold one statement, and where its operations come from.
