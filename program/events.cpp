@@ -63,6 +63,7 @@ void add(Events &events, std::vector<std::string> const &field) {
   if (kind == "joined" && has(5))
     events.joined.push_back({number<std::size_t>(field[1]), number<std::size_t>(field[2]),
                              number<std::size_t>(field[3]), number<std::size_t>(field[4])});
+  if (kind == "in_vain" && has(2)) events.in_vain += number<std::size_t>(field[1]);
   if (kind == "join" && has(2)) events.joined_at.push_back(addresses(field[1]));
   if (kind == "undecided" && has(2)) events.undecided.push_back(number<std::size_t>(field[1]));
   if (kind == "followed" && has(2)) events.followed = number<std::size_t>(field[1]);

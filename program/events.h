@@ -16,6 +16,7 @@
 //                                                              T or F: assumed, without a path for the other outcome,
 //                                                              which is an exact zero; Y or N: out of an input's range
 //   joined      pieces  selects   of the last decision, a j: both its ways are recorded, and have come together
+//   in_vain     pieces  whose ways did not come together
 //   join        address,address,...   where ways part that come together
 //   followed    count   of decisions that earlier ones settle
 //   beyond      count   of decisions beyond the depth, which are guards
@@ -87,7 +88,7 @@ struct Events {
   std::vector<std::vector<std::uint64_t>> joined_at;
   std::vector<std::size_t> undecided; // kernels, by number
   std::vector<JoinedEvent> joined;
-  std::size_t followed = 0, beyond = 0;
+  std::size_t followed = 0, beyond = 0, in_vain = 0;
   bool is_cut_off = false;
   std::vector<Located> located;
   std::vector<FrozenRead> frozen;

@@ -66,10 +66,15 @@ void add_joined(Exploration &exploration, Events const &events, std::optional<Ou
 
 } // namespace
 
-std::string path_variable(std::size_t kernel, Outcomes const &outcomes, bool is_cut_at_end,
-                          ExploreBounds const &bounds) {
-  return fmt::format("SYMREAL_PATH={}:{}{}:{}{}{}", kernel, outcomes, is_cut_at_end ? "!" : "", bounds.depth,
-                     bounds.zeros ? "z" : "", bounds.joins ? "" : "p");
+std::string path_variable(std::size_t kernel, Outcomes const &outcomes, bool is_cut_at_end, ExploreBounds const &bounds,
+                          std::size_t pieces) {
+  return fmt::format("SYMREAL_PATH={}:{}{}:{}{}:{}", kernel, outcomes, is_cut_at_end ? "!" : "", bounds.depth,
+                     bounds.zeros ? "z" : "", bounds.joins ? pieces : 0);
+}
+
+static std::size_t pieces_left(Exploration const &exploration) {
+  std::size_t const all = first_pieces_in_vain + exploration.decided;
+  return all - std::min(all, exploration.in_vain);
 }
 
 static std::optional<Graph> explore_paths(std::size_t kernel, Place const &place, ExploreBounds const &bounds,
@@ -82,13 +87,13 @@ static std::optional<Graph> explore_paths(std::size_t kernel, Place const &place
   for (std::size_t tried = 0; outcomes;) {
     exploration.paths_left = tried == bounds.paths;
     if (exploration.paths_left) break;
-    std::optional<PathRun> run = run_path(path_variable(kernel, *outcomes, false, bounds));
+    std::optional<PathRun> run = run_path(path_variable(kernel, *outcomes, false, bounds, pieces_left(exploration)));
     if (!run) return std::nullopt;
     bool const has_ended = !run->graph, is_late = has_ended && run->is_late;
     if (has_ended && tried == 0 && !met) fail_to_repeat(place); // the program's own path, which came to the end before
     if (has_ended) {                                            // once more, up to the last decision before
       if (run->taken.size() < outcomes->size() || run->taken.empty()) fail_to_repeat(place);
-      run = run_path(path_variable(kernel, run->taken, true, bounds));
+      run = run_path(path_variable(kernel, run->taken, true, bounds, 0));
       if (!run) return std::nullopt;
       if (!run->graph) fail_to_repeat(place);
     }
@@ -114,6 +119,8 @@ static std::optional<Graph> explore_paths(std::size_t kernel, Place const &place
        : is_cut_off ? exploration.cut_off
                     : exploration.paths);
     exploration.followed += run->events.followed;
+    exploration.in_vain += run->events.in_vain;
+    exploration.decided += run->events.decided.size();
     exploration.beyond += run->events.beyond;
     add_joined(exploration, run->events, tried == 0 ? std::nullopt : outcomes);
     if (!tree.add(std::move(path))) fail_to_repeat(place);

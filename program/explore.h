@@ -40,6 +40,8 @@ struct Exploration {
   std::size_t selects = 0;  // between paths, before any pass
   std::size_t joins = 0;    // decisions whose ways come together again, on the first path
   std::size_t pieces = 0;   // of a run, between decisions, that this took
+  std::size_t in_vain = 0;  // pieces of attempts at a join that failed, on all paths
+  std::size_t decided = 0;  // decisions on all paths
   std::size_t joined = 0;   // selects where they come together
   std::size_t open = 0;     // branches that no recorded path takes: a guard each
   std::size_t samples = 0;  // that were given to choose the paths
@@ -57,9 +59,13 @@ struct Exploration {
   bool is_complete() const { return open == 0 && beyond == 0; }
 };
 
-// How a path of the K-th kernel is asked for: $SYMREAL_PATH.
-std::string path_variable(std::size_t kernel, Outcomes const &outcomes, bool is_cut_at_end,
-                          ExploreBounds const &bounds);
+// How a path of the K-th kernel is asked for: $SYMREAL_PATH. Attempts at joins may take so many pieces in vain.
+std::string path_variable(std::size_t kernel, Outcomes const &outcomes, bool is_cut_at_end, ExploreBounds const &bounds,
+                          std::size_t pieces);
+
+// Pieces of a run that attempts at joins may take in vain before the first path is recorded. Then as many more as there
+// are decisions on the paths: so the attempts take no longer than the paths, and these pieces.
+inline constexpr std::size_t first_pieces_in_vain = 2000;
 
 // One run of the program along a path: what it told, and what it recorded, if it came so far.
 struct PathRun {

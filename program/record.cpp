@@ -225,7 +225,7 @@ Recording record(std::string const &executable, RunOptions const &options, rewri
   std::optional<ExploreBounds> const bounds = explore_bounds(options.decisions);
   FloatingPoint const mode = parse_floating_point(options.floating_point).value_or(FloatingPoint::finite);
   Command program = recording_command(executable, options, directory);
-  if (bounds) program.environment.push_back(path_variable(0, {}, false, *bounds));
+  if (bounds) program.environment.push_back(path_variable(0, {}, false, *bounds, 0));
   if (!options.run_on && !wanted.empty())
     program.environment.push_back("SYMREAL_KERNELS=" + std::to_string(wanted.size()));
   std::vector<MemoryFile> files; // as the program will name them

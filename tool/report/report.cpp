@@ -130,6 +130,7 @@ Json to_json(program::Exploration const &exploration) {
                {"followed", exploration.followed},     {"cut_off", exploration.cut_off},
                {"ended", exploration.ended},           {"late", exploration.late},
                {"joins", exploration.joins},           {"pieces", exploration.pieces},
+               {"decided", exploration.decided},       {"in_vain", exploration.in_vain},
                {"zeros", exploration.zeros},           {"more_paths", exploration.paths_left},
                {"complete", exploration.is_complete()}};
   if (exploration.samples != 0) {

@@ -15,6 +15,8 @@
 namespace symreal::trace {
 namespace {
 
+constexpr int files_of_program = 1000;
+
 bool read_whole(int file, void *begin, std::size_t size) {
   auto *next = static_cast<char *>(begin);
   while (size != 0) {
@@ -34,17 +36,18 @@ void close_one(int &file) {
 
 } // namespace
 
-bool Arms::open(pid_t *shared_pids) {
+bool Arms::open(int count, pid_t *shared_pids) {
   pids_ = shared_pids;
+  count_ = count;
   rlimit files;
-  rlim_t const wanted = rlim_t{4} * most;
+  auto const wanted = static_cast<rlim_t>(4 * count + files_of_program);
   if (getrlimit(RLIMIT_NOFILE, &files) == 0 && files.rlim_cur < wanted) {
     files.rlim_cur = std::min<rlim_t>(wanted, files.rlim_max);
     setrlimit(RLIMIT_NOFILE, &files);
   }
-  std::fill(pids_, pids_ + most, 0);
+  std::fill(pids_, pids_ + count, 0);
   bool is_open = pipe2(reports_, O_CLOEXEC) == 0;
-  for (Channel &one : channels_) {
+  for (Channel &one : opened()) {
     int ends[2] = {-1, -1};
     is_open = is_open && pipe2(ends, O_CLOEXEC) == 0;
     one = {ends[0], ends[1], is_open ? memfd_create("symreal", MFD_CLOEXEC) : -1};
@@ -54,7 +57,7 @@ bool Arms::open(pid_t *shared_pids) {
 }
 
 void Arms::close_all() {
-  for (Channel &one : channels_)
+  for (Channel &one : opened())
     for (int *file : {&one.listen, &one.speak, &one.file}) close_one(*file);
   for (int &file : reports_) close_one(file);
 }
@@ -83,13 +86,13 @@ std::optional<Arrival> Arms::arrival(int arm) const {
 }
 
 void Arms::kill_all(int but) const {
-  for (int arm = 0; arm < most; ++arm)
+  for (int arm = 0; arm < count_; ++arm)
     if (arm != but && pids_[arm] > 0) kill(pids_[arm], SIGKILL);
 }
 
 void Arms::become(int arm) {
   pids_[arm] = getpid();
-  for (Channel &one : channels_) close_one(one.speak); // so that an arm ends with its coordinator
+  for (Channel &one : opened()) close_one(one.speak); // so that an arm ends with its coordinator
   close_one(reports_[0]);
 }
 

@@ -11,6 +11,7 @@
 
 #include <array>
 #include <optional>
+#include <span>
 #include <sys/types.h>
 
 namespace symreal::trace {
@@ -19,6 +20,7 @@ namespace symreal::trace {
 class Arms {
 public:
   static constexpr int most = 1000;
+  static constexpr int usual = 16;   // that most regions come by with: channels cost more than what goes through them
   static constexpr int none = -1;    // no process came there
   static constexpr int settled = -2; // nobody goes there
 
@@ -40,8 +42,10 @@ public:
     bool is_hypothetical = false;
   };
 
-  bool open(pid_t *shared_pids);
+  // For so many.
+  bool open(int count, pid_t *shared_pids);
   void close_all();
+  int count() const { return count_; }
 
   // The coordinator's side.
   void send(int arm, Command command, std::vector<char> const &bytes = {}) const;
@@ -60,7 +64,10 @@ private:
   struct Channel {
     int listen = -1, speak = -1, file = -1;
   };
-  std::array<Channel, most> channels_ = {};
+  std::span<Channel> opened() { return {channels_.data(), static_cast<std::size_t>(count_)}; }
+
+  std::array<Channel, most> channels_ = {}; // the first `count_` are open
+  int count_ = 0;
   int reports_[2] = {-1, -1};
   pid_t *pids_ = nullptr; // shared
 };

@@ -11,6 +11,7 @@
 #include "trace/report/call_stack.h"
 #include "trace/report/events.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cstdlib>
 #include <fcntl.h>
@@ -53,14 +54,14 @@ void ExploredPath::begin() {
   known_ = KnownOutcomes(floating_point() == FloatingPoint::strict);
   char const *const asked = std::getenv("SYMREAL_PATH");
   std::string_view const path = asked ? asked : "";
-  std::size_t const first = path.find(':'), last = path.rfind(':');
+  std::size_t const first = path.find(':'), second = path.find(':', first + 1), last = path.rfind(':');
   if (first == path.npos || number(path.substr(0, first)) != kernel) return;
   is_explored_ = true;
   (void)!ftruncate(taken_file(), 0); // what a process has noted that went back to here (checkpoint.h)
-  prescribed_ = path.substr(first + 1, last - first - 1);
-  depth_ = number(path.substr(last + 1));
-  explores_zeros_ = path.substr(last).find('z') != path.npos;
-  joins_ = path.substr(last).find('p') == path.npos;
+  prescribed_ = path.substr(first + 1, second - first - 1);
+  depth_ = number(path.substr(second + 1));
+  explores_zeros_ = path.substr(second).find('z') != path.npos;
+  pieces_left_ = number(path.substr(last + 1));
   is_cut_at_end_ = prescribed_.ends_with('!');
   if (is_cut_at_end_) prescribed_.pop_back();
 }
@@ -122,10 +123,12 @@ bool ExploredPath::decide(Stand &stand) {
       return carried;
     }
     bool const is_prescribed = count_ < prescribed_.size();
-    if (is_prescribed ? prescribed_[count_] == 'j' : joins_) {
+    if (is_prescribed ? prescribed_[count_] == 'j' : pieces_left_ != 0) {
       begin_attempt(condition);
-      if (std::optional<bool> const outcome = Join::current().attempt(stand, *this))
+      std::size_t const most = is_prescribed ? Region::unbounded : pieces_left_;
+      if (std::optional<bool> const outcome = Join::current().attempt(stand, *this, most))
         return take_in_arm(stand, *outcome);
+      note_in_vain(Join::current().tried());
     }
     bool const outcome = is_prescribed ? prescribed_[count_] == 't' : carried;
     is_hypothetical_ = is_hypothetical_ || outcome != carried;
@@ -175,6 +178,11 @@ void ExploredPath::begin_attempt(RealNumber condition) {
   guards_before_ = Guards::current().recorded().size();
   attempted_ = condition;
   attempted_at_ = call_stack();
+}
+
+void ExploredPath::note_in_vain(std::size_t pieces) {
+  pieces_left_ -= std::min(pieces_left_, pieces);
+  event({"in_vain", std::to_string(pieces)});
 }
 
 // The decision at which the ways have parted is none between paths.

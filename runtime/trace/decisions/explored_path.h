@@ -1,10 +1,10 @@
 // One path through the decisions of a kernel, under policy explore. The driver runs the program once for each path, and
 // prescribes how it begins:
 //
-//   $SYMREAL_PATH   K:outcomes:depth, as in 0:tft:64, or 0:tft:64z
+//   $SYMREAL_PATH   K:outcomes:depth:pieces, as in 0:tft:64:4000, or 0:tft:64z:0
 //
 // An outcome j: both ways from the decision come together again, and are recorded as one (join.h). Beyond the outcomes
-// that are prescribed the program tries that first, unless `p` stands at the end.
+// that are prescribed the program tries that first, until this took so many pieces of a run in vain.
 //
 // The kernel that begins as the K-th of the run takes these outcomes at its first decisions and carries its values'
 // outcomes on from there; other kernels of the run do so from the beginning. What earlier outcomes settle is no
@@ -12,7 +12,7 @@
 // what was recorded until then is handed over. `outcomes` that end in `!` are cut off where the last is taken.
 //
 // A test for exact zero that the program's own values do not meet is taken as not met, which no outcome is prescribed
-// for; with `z` at the end it is a decision as any.
+// for; with `z` behind the depth it is a decision as any.
 //
 // The driver is told of each decision by an event `decided`. The file `taken` has a byte for each as well, whatever
 // ends the program.
@@ -60,12 +60,13 @@ private:
   std::optional<Assumed> assumed(NodeId condition, bool carried) const;
   bool take_in_arm(Stand const &stand, bool outcome);
   void begin_attempt(RealNumber condition);
+  void note_in_vain(std::size_t pieces);
   void end_attempt();
   void take(NodeId condition, bool outcome, RealNumber number);
   void tell(NodeId condition, bool outcome, RealNumber number, char const *letter);
 
-  bool is_explored_ = false, is_hypothetical_ = false, is_cut_at_end_ = false, explores_zeros_ = false, joins_ = false;
-  std::size_t kernels_ = 0, count_ = 0, followed_ = 0, beyond_ = 0, depth_ = 0;
+  bool is_explored_ = false, is_hypothetical_ = false, is_cut_at_end_ = false, explores_zeros_ = false;
+  std::size_t kernels_ = 0, count_ = 0, followed_ = 0, beyond_ = 0, depth_ = 0, pieces_left_ = 0;
   std::string prescribed_;
   KnownOutcomes known_, known_before_; // before the last attempt at a join
   std::size_t count_before_ = 0, guards_before_ = 0;

@@ -45,7 +45,7 @@ Join &Join::current() {
 
 JoinCosts const &Join::costs() const { return shared_->costs; }
 
-std::optional<bool> Join::attempt(Stand &stand, Traveller &traveller) {
+std::optional<bool> Join::attempt(Stand &stand, Traveller &traveller, std::size_t most_pieces) {
   if (has_other_threads()) return std::nullopt;         // a fork would lose them
   if (memory::has_mapped_memory()) return std::nullopt; // nobody would compare what lies there
   if (!shared_) {
@@ -56,13 +56,13 @@ std::optional<bool> Join::attempt(Stand &stand, Traveller &traveller) {
     prctl(PR_SET_CHILD_SUBREAPER, 1);
     shared_->main = getpid();
   }
-  shared_->unwritten_count = 0;
+  shared_->unwritten_count = shared_->tried = 0;
   pid_t const coordinator = fork();
   if (coordinator < 0) return std::nullopt;
   if (coordinator == 0) {
     is_root_ = false;
     keep_events(true);
-    return coordinate(stand, traveller);
+    return coordinate(stand, traveller, most_pieces);
   }
   if (exit_status(coordinator) != come_together) {
     Checkpoint::current().go_back({shared_->unwritten, shared_->unwritten_count});
@@ -94,13 +94,14 @@ void Join::hand_over(pid_t process) {
   _exit(0);
 }
 
-std::optional<bool> Join::coordinate(Stand &stand, Traveller &traveller) {
+std::optional<bool> Join::coordinate(Stand &stand, Traveller &traveller, std::size_t most_pieces) {
   parted_ = PartingPoint::now();
   State::current().begin_journal();
-  Region region(arms_, parted_, RealNumber::from_bits(stand.condition), traveller.is_hypothetical());
+  Region region(arms_, parted_, RealNumber::from_bits(stand.condition), traveller.is_hypothetical(), most_pieces);
   std::optional<int> last;
-  for (std::size_t round = 0; round < Region::most_rounds && !last; ++round) {
-    if (!arms_.open(shared_->arms)) break;
+  int arms = Arms::usual;
+  for (std::size_t round = 0; round < Region::most_rounds && !last;) {
+    if (!arms_.open(arms, shared_->arms)) break;
     pid_t const first = fork();
     if (first == 0) {
       is_arm_ = true;
@@ -109,10 +110,16 @@ std::optional<bool> Join::coordinate(Stand &stand, Traveller &traveller) {
       return serve(&stand, nullptr, traveller);
     }
     last = first < 0 ? std::nullopt : region.run();
+    shared_->tried = region.tried();
     if (last) break;
     arms_.kill_all();
     arms_.close_all();
-    if (!region.wants_another_round()) break;
+    if (region.wants_more_arms())
+      arms = std::min(arms * 4, Arms::most);
+    else if (region.wants_another_round())
+      ++round;
+    else
+      break;
   }
   if (!last) _exit(0);
   arms_.kill_all(*last); // before the last goes on, and has arms of its own

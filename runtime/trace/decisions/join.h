@@ -33,7 +33,8 @@ public:
   bool is_arm() const { return is_arm_; }
   // The program stands at a decision, and its ways may come together. Returns nothing if they do not; else another
   // process goes on in the place of this one. An arm returns the outcome to take.
-  std::optional<bool> attempt(Stand &stand, Traveller &traveller);
+  // Nothing as well where that would take more pieces of a run than these.
+  std::optional<bool> attempt(Stand &stand, Traveller &traveller, std::size_t most_pieces);
   // An arm stands at a decision. Returns the outcome to take, in a process for each; or nothing: all ways have come
   // together here, and this process is the program.
   std::optional<bool> stand(Stand &stand, Traveller &traveller);
@@ -47,6 +48,8 @@ public:
   }
   // The last attempt that succeeded.
   JoinCosts const &costs() const;
+  // Pieces of a run that the last attempt took, whatever came of it.
+  std::size_t tried() const { return shared_ ? shared_->tried : 0; }
   // An arm ends here: it comes to no decision.
   [[noreturn]] void leave();
   // An arm ends here, since nobody can tell whether it has written these. The program goes back to where one can.
@@ -61,12 +64,13 @@ private:
   struct Shared {
     pid_t main; // the process that is the program
     JoinCosts costs;
+    std::size_t tried;
     pid_t arms[Arms::most];
     std::size_t unwritten_count; // of the last arm that has left because of them
     Unwritten unwritten[most_unwritten];
   };
 
-  std::optional<bool> coordinate(Stand &stand, Traveller &traveller);
+  std::optional<bool> coordinate(Stand &stand, Traveller &traveller, std::size_t most_pieces);
   [[noreturn]] void stand_for_main();
   void arrive(std::optional<Arrival> const &arrival);
   std::optional<bool> serve(Stand *stand, std::vector<RealNumber> *results, Traveller &traveller);

@@ -10,6 +10,8 @@
 namespace symreal::trace {
 namespace {
 
+constexpr std::size_t pieces_of_a_late_arm = 200;
+
 // An arm may go round for ever: generous, by how long the program has run.
 int milliseconds_for_an_arm() {
   timespec used;
@@ -20,14 +22,17 @@ int milliseconds_for_an_arm() {
 
 } // namespace
 
-Region::Region(Arms &arms, PartingPoint const &parted, RealNumber condition, bool is_hypothetical)
+Region::Region(Arms &arms, PartingPoint const &parted, RealNumber condition, bool is_hypothetical,
+               std::size_t most_pieces)
     : arms_(arms),
       parted_(parted),
       condition_(condition),
-      is_hypothetical_(is_hypothetical) {}
+      is_hypothetical_(is_hypothetical),
+      most_pieces_(most_pieces) {}
 
 std::optional<int> Region::run() {
-  wants_another_round_ = false;
+  wants_another_round_ = wants_more_arms_ = false;
+  JoinCosts const before = costs_;
   ways_.clear();
   where_.clear();
   places_.clear();
@@ -46,15 +51,24 @@ std::optional<int> Region::run() {
     int const arm = ways_[places_[*at].ways.front()].arm;
     if (is_last && *at != 0) return arm;
     if (places_[*at].is_end) return std::nullopt; // and so are the others: they have other results
-    if (arms_used_ + 2 > Arms::most) return std::nullopt;
+    if (tried_ + 2 > most_pieces_) return std::nullopt;
+    if (arms_used_ + 2 > arms_.count()) {
+      wants_more_arms_ = arms_.count() < Arms::most;
+      if (wants_more_arms_) costs_.pieces = before.pieces; // they come again
+      return std::nullopt;
+    }
     places_[*at].has_gone_on = true;
     arms_.send(arm, {.what = Arms::advance, .arm = {arms_used_, arms_used_ + 1}});
     arms_used_ += 2;
     std::optional<Arms::Report> const report = arms_.receive(milliseconds_for_an_arm());
-    if (!report) return std::nullopt;
+    if (!report) {
+      tried_ += pieces_of_a_late_arm;
+      return std::nullopt;
+    }
     for (bool outcome : {false, true}) {
       if (report->arm[outcome] == Arms::settled) continue;
       ++costs_.pieces;
+      ++tried_;
       if (report->arm[outcome] == Arms::none || !arrive(report->arm[outcome], *at, outcome)) return std::nullopt;
     }
   }

@@ -21,13 +21,20 @@ class Region {
 public:
   static constexpr std::size_t most_rounds = 8;
 
-  Region(Arms &arms, PartingPoint const &parted, RealNumber condition, bool is_hypothetical);
+  static constexpr std::size_t unbounded = static_cast<std::size_t>(-1);
+
+  // Ends where it would take more pieces, all rounds together.
+  Region(Arms &arms, PartingPoint const &parted, RealNumber condition, bool is_hypothetical, std::size_t most_pieces);
 
   // The first arm stands at the decision. Returns the arm in which all ways have come together.
   std::optional<int> run();
   // Whether a place that waits longer may help.
   bool wants_another_round() const { return wants_another_round_; }
+  // Whether the same round with more arms may help.
+  bool wants_more_arms() const { return wants_more_arms_; }
   JoinCosts costs() const { return costs_; }
+  // Pieces of all rounds; an arm that does not come to a place in time counts as many as might have run in that time.
+  std::size_t tried() const { return tried_; }
   // Where the decisions after the first are at which ways have parted, as addresses.
   std::vector<std::vector<std::uintptr_t>> decided_at() const;
 
@@ -74,7 +81,9 @@ private:
   std::vector<Place> places_;
   std::vector<ProcessImage> late_;           // places that have gone on too early, in earlier rounds
   std::map<std::size_t, std::size_t> where_; // by way: the place
-  bool wants_another_round_ = false;
+  bool wants_another_round_ = false, wants_more_arms_ = false;
+  std::size_t const most_pieces_;
+  std::size_t tried_ = 0;
   int arms_used_ = 0;
   JoinCosts costs_;
 };
