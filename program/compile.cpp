@@ -8,6 +8,7 @@
 #include "rewrite/request/driver_options.h"
 #include "support/files.h"
 #include "support/installation.h"
+#include "support/progress.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -231,7 +232,11 @@ Captured link(Command const &command) {
 
 template <class Run> std::vector<Captured> run_all(std::vector<Command> const &commands, Run run) {
   std::vector<Captured> results(commands.size());
-  in_parallel(commands.size(), std::thread::hardware_concurrency(), [&](std::size_t k) { results[k] = run(k); });
+  Progress progress("objects", commands.size());
+  in_parallel(commands.size(), std::thread::hardware_concurrency(), [&](std::size_t k) {
+    results[k] = run(k);
+    progress.add();
+  });
   return results;
 }
 

@@ -1,5 +1,7 @@
 #include "program/explore.h"
 
+#include "support/progress.h"
+
 #include <algorithm>
 #include <charconv>
 #include <fmt/format.h>
@@ -84,6 +86,7 @@ static std::optional<Graph> explore_paths(std::size_t kernel, Place const &place
   Graph first; // its interface
   std::optional<MetPaths> met;
   std::optional<Outcomes> outcomes = Outcomes();
+  Progress progress("paths");
   for (std::size_t tried = 0; outcomes;) {
     exploration.paths_left = tried == bounds.paths;
     if (exploration.paths_left) break;
@@ -125,6 +128,7 @@ static std::optional<Graph> explore_paths(std::size_t kernel, Place const &place
     add_joined(exploration, run->events, tried == 0 ? std::nullopt : outcomes);
     if (!tree.add(std::move(path))) fail_to_repeat(place);
     ++tried;
+    progress.add();
     outcomes = tree.next();
   }
   Graph graph = tree.merge();

@@ -12,6 +12,7 @@
 #include "program/wrapped_original.h"
 #include "program/wrapper_verification.h"
 #include "support/math_library.h"
+#include "support/progress.h"
 #include "verify/boundaries.h"
 
 #include <algorithm>
@@ -140,12 +141,14 @@ public:
     for (symreal::Decision const &decision : decisions_)
       result_.decisions.push_back({place_of(decision), decision.is_guards, {}});
     if (options_.replayed.empty()) {
-      for (std::size_t k = 0; k < options_.samples; ++k) try_sample(k, source_.next());
+      try_drawn();
       Boundaries const boundaries = find_boundaries(graph_, options_.seed, is_exact() ? 0 : least_apart);
       result_.crossed = boundaries.crossed;
+      Progress progress("samples around decisions", boundaries.samples.size());
       for (std::size_t k = 0; k < boundaries.samples.size(); ++k) {
         result_.around += options_.shard.has(options_.samples + k);
         try_sample(options_.samples + k, boundaries.samples[k]);
+        progress.add();
       }
       std::size_t const drawn = options_.samples + boundaries.samples.size();
       for (std::size_t k = 0; k < options_.given.size(); ++k) try_sample(drawn + k, options_.given[k]);
@@ -210,6 +213,14 @@ private:
   std::string place_of(symreal::Decision const &decision) const {
     std::string const place = decision.location == no_location ? "" : describe_locations(graph_, {decision.location});
     return place.empty() ? "where no place is known" : place;
+  }
+
+  void try_drawn() {
+    Progress progress("samples", options_.samples);
+    for (std::size_t k = 0; k < options_.samples; ++k) {
+      try_sample(k, source_.next());
+      progress.add();
+    }
   }
 
   void try_sample(std::size_t k, Sample const &drawn) {

@@ -27,7 +27,8 @@ Facts Reading::all() {
   wanted_.resize(sources_.size());
   std::iota(wanted_.begin(), wanted_.end(), 0);
   if (request_.reachable) choose_reachable();
-  in_threads(std::min<std::size_t>(std::max(1U, request_.jobs), wanted_.size()), [this] { work(); });
+  Progress progress("sources", wanted_.size());
+  in_threads(std::min<std::size_t>(std::max(1U, request_.jobs), wanted_.size()), [&] { work(progress); });
   if (failure_) std::rethrow_exception(failure_);
   configurations_.report(facts_);
   if (request_.reachable) std::erase_if(facts_.uses, [this](auto const &use) { return !reached_.contains(use.first); });
@@ -76,7 +77,7 @@ void Reading::choose_reachable() {
     if (!found.sources.contains(k)) unreached.push_back(sources_[k]);
 }
 
-void Reading::work() {
+void Reading::work(Progress &progress) {
   for (std::size_t mine = next_++; mine < wanted_.size(); mine = next_++) {
     Compilation const &source = sources_[wanted_[mine]];
     Facts found;
@@ -99,6 +100,7 @@ void Reading::work() {
     if (problem && !failure_) failure_ = problem;
     if (!failure_) add(source, std::move(found));
     ++merged_;
+    progress.add();
     turn_.notify_all();
   }
 }

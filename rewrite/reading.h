@@ -3,6 +3,7 @@
 
 #include "rewrite/decide/configurations.h"
 #include "rewrite/unit/kept_facts.h"
+#include "support/progress.h"
 
 #include <condition_variable>
 #include <exception>
@@ -29,7 +30,7 @@ public:
 private:
   void choose_reachable();
   std::set<std::size_t> begin() const;
-  void work();
+  void work(Progress &progress);
   void add(Compilation const &source, Facts &&found);
 
   Request const &request_;

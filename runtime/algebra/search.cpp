@@ -3,6 +3,7 @@
 #include "algebra/factoring.h"
 #include "algebra/resubstitution.h"
 #include "algebra/windows.h"
+#include "support/progress.h"
 
 #include <algorithm>
 #include <utility>
@@ -69,7 +70,8 @@ struct Found {
 };
 
 // Passes over windows until so much work is done. What gets no better for some passes is disturbed.
-Found search_in_windows(Network start, Search &search, std::uint64_t end, int disturbances) {
+Found search_in_windows(Network start, Search &search, std::uint64_t end, int disturbances, Progress &progress) {
+  std::uint64_t counted = search.work;
   constexpr std::size_t lengths[] = {150, 300, 600, 1000};
   constexpr int patience = 5;
   std::size_t cost = cost_of(start);
@@ -77,6 +79,8 @@ Found search_in_windows(Network start, Search &search, std::uint64_t end, int di
   Found best = {start, cost};
   Network network = std::move(start);
   for (int idle = 0, disturbed_in_vain = 0; search.work < end;) {
+    progress.add(search.work - counted);
+    counted = search.work;
     Network next = improved_in_windows(network, {.length = lengths[search.random() % 4]}, search);
     std::size_t const next_cost = cost_of(next);
     idle = next_cost < cost ? 0 : idle + 1;
@@ -118,17 +122,18 @@ Searched searched(Network const &network, int effort) {
   Budget const budget = budget_for(effort, cost);
   Found best = {network, cost};
   std::uint64_t work = 0;
+  Progress progress("units of the search", budget.all);
   for (int start = 0; start < budget.starts; ++start) {
     Search search(static_cast<std::uint64_t>(start) + 1);
     search.end = most_of_a_step(cost);
     Network whole = cost > largest_as_a_whole ? network : improved(network, 12, search);
-    Found found = search_in_windows(std::move(whole), search, budget.first / budget.starts, 0);
+    Found found = search_in_windows(std::move(whole), search, budget.first / budget.starts, 0, progress);
     work += search.work;
     if (found.cost < best.cost) best = std::move(found);
   }
   Search search(0);
   search.work = work;
-  Found found = search_in_windows(std::move(best.network), search, budget.all, budget.disturbances);
+  Found found = search_in_windows(std::move(best.network), search, budget.all, budget.disturbances, progress);
   return {std::move(found.network), search.work};
 }
 

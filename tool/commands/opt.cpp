@@ -9,6 +9,7 @@
 #include "tool/options/reroll_option.h"
 #include "tool/options/vector_option.h"
 #include "tool/output/outputs.h"
+#include "tool/report/console.h"
 
 #include <iostream>
 #include <memory>
@@ -92,8 +93,11 @@ Input read_input(Options const &options) {
 }
 
 Optimised optimised_graph(Graph graph, Options const &options) {
-  if (!options.reroll.is_given) return optimise(std::move(graph), options.passes);
-  return optimise_around_loops(std::move(graph), options.passes, options.emitter, options.language.languages());
+  Console console;
+  console.stage("optimising");
+  auto const report = [&](Diagnostic const &one) { console.report(one); };
+  if (!options.reroll.is_given) return optimise(std::move(graph), options.passes, report);
+  return optimise_around_loops(std::move(graph), options.passes, options.emitter, options.language.languages(), report);
 }
 
 std::vector<OutputFile> result_files(Optimised const &optimised, Schedule const *read, Options const &options,

@@ -2,6 +2,7 @@
 
 #include "graph/statistics.h"
 #include "passes/pass.h"
+#include "support/progress.h"
 #include "tool/output/outputs.h"
 
 #include <iostream>
@@ -22,7 +23,9 @@ Optimised optimise(Graph recorded, PassOptions const &options, Report const &rep
     tell_of_exact_constants(recorded, settings, tell);
   }
   result.graph = std::move(recorded);
+  Progress progress("passes", options.names().size());
   for (std::string const &pass : options.names()) {
+    progress.add();
     if (!find_pass(pass).runs_in(settings.mode)) continue; // nor is it a stage
     result.graph = run_passes(std::move(result.graph), {&pass, 1}, settings);
     result.stages.push_back({pass, live_operations(result.graph)});
