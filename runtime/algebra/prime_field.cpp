@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <utility>
+#include <vector>
 
 namespace symreal::algebra {
 
@@ -26,6 +27,20 @@ Residue inverse(Residue a) {
   if (a == 0) return 0;
   return multiple < 0 ? static_cast<Residue>(multiple + static_cast<std::int64_t>(prime))
                       : static_cast<Residue>(multiple);
+}
+
+// Products from the front, one inverse, and back.
+void invert(std::span<Residue> all) {
+  std::vector<Residue> before;
+  before.reserve(all.size());
+  Residue product = 1;
+  for (Residue const a : all) {
+    before.push_back(product);
+    if (a != 0) product = multiply(product, a);
+  }
+  Residue rest = inverse(product);
+  for (std::size_t k = all.size(); k-- > 0;)
+    if (all[k] != 0) rest = multiply(rest, std::exchange(all[k], multiply(rest, before[k])));
 }
 
 Residue residue_of(double value) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 
 namespace symreal::algebra {
 
@@ -33,6 +34,8 @@ inline Residue multiply(Residue a, Residue b) {
 Residue power(Residue base, std::uint64_t exponent);
 // Of 0 it is 0.
 Residue inverse(Residue a);
+// The same of each, in the time of one inverse and three products each.
+void invert(std::span<Residue> all);
 
 // The same for a and -a.
 inline Residue magnitude(Residue a) { return a <= prime / 2 ? a : prime - a; }

@@ -20,9 +20,10 @@ Proposal Proposals::best_for(Index target) {
   network_.look_for_users(target);
   std::erase_if(near_, [&](Index near) { return network_.needs_it(near); });
   search_.work += 2 * near_.size() + network_.take_far_visits() / 8;
-  for (Index other : near_) {
-    try_sum(other);
-    try_product(other);
+  if (cone_ >= 3) invert_rests();
+  for (std::size_t i = 0; i < near_.size(); ++i) {
+    try_sum(i);
+    try_product(near_[i]);
   }
   try_multiple();
   if (cone_ >= 2) {
@@ -65,27 +66,39 @@ void Proposals::look_around() {
   std::erase(near_, Index{1}); // one
 }
 
+// target - other, or target + other.
+Residue Proposals::rest(Index other, bool negative) const {
+  return negative ? algebra::add(first(target_), first(other)) : subtract(first(target_), first(other));
+}
+
+void Proposals::invert_rests() {
+  inverse_rests_.clear();
+  for (Index other : near_)
+    for (bool negative : {false, true}) inverse_rests_.push_back(rest(other, negative));
+  invert(inverse_rests_);
+}
+
 // target = other + x, or x - other.
-void Proposals::try_sum(Index other) {
-  Value const &target = network_[target_].value;
+void Proposals::try_sum(std::size_t near) {
+  Index const other = near_[near];
   for (bool negative : {false, true}) {
-    Residue const rest =
-        negative ? algebra::add(target.field[0], first(other)) : subtract(target.field[0], first(other));
+    Residue const rest = this->rest(other, negative);
     if (Index const found = network_.find(rest); found != no_index && found != target_ && found != 0) {
       Literal const a = Literal::of(other, negative), b = Literal::of(found, first(found) != rest);
       if (matches(network_.value(a) + network_.value(b), a)) consider({{{{Kind::sum, a, b}}}, 1});
     }
-    if (cone_ >= 3 && !network_[other].is_free()) try_sum_with_multiple(other, negative, rest);
+    if (cone_ >= 3 && !network_[other].is_free())
+      try_sum_with_multiple(other, negative, inverse_rests_[2 * near + (negative ? 1 : 0)]);
   }
 }
 
 // target = other + k x, or k x - other.
-void Proposals::try_sum_with_multiple(Index other, bool negative, Residue rest) {
+void Proposals::try_sum_with_multiple(Index other, bool negative, Residue inverse_rest) {
   Literal const a = Literal::of(other, negative);
   Residue const rest_2 = subtract(network_[target_].value.field[1],
                                   negative ? negate(network_[other].value.field[1]) : network_[other].value.field[1]);
-  if (rest == 0 || rest_2 == 0) return;
-  Index const found = by_ratio_.find(multiply(rest_2, inverse(rest)));
+  if (inverse_rest == 0 || rest_2 == 0) return;
+  Index const found = by_ratio_.find(multiply(rest_2, inverse_rest));
   if (found == KeyTable::none || found == target_ || found == other || !network_.is_alive(found)) return;
   Proposal proposal{
       {{{Kind::product, Literal::of(found), Proposal::constant_result()}, {Kind::sum, a, Proposal::result(0)}}}, 2};

@@ -46,8 +46,10 @@ private:
 
   Residue first(Index node) const { return network_[node].value.field[0]; }
   void look_around();
-  void try_sum(Index other);
-  void try_sum_with_multiple(Index other, bool negative, Residue rest);
+  Residue rest(Index other, bool negative) const;
+  void invert_rests();
+  void try_sum(std::size_t near);
+  void try_sum_with_multiple(Index other, bool negative, Residue inverse_rest);
   void try_multiple();
   void try_product(Index other);
   void make_pairs();
@@ -64,6 +66,7 @@ private:
   std::vector<Residue> inverse_, ratio_; // of the values at the first point; of those at the first two
   KeyTable by_ratio_;
   std::vector<Index> near_;
+  std::vector<Residue> inverse_rests_; // of each of them, two
   std::vector<char> is_near_;
   std::vector<Pair> pairs_;
   KeyTable pair_by_value_;

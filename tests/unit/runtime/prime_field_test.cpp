@@ -2,6 +2,7 @@
 #include "algebra/value.h"
 
 #include <gtest/gtest.h>
+#include <vector>
 #include <random>
 
 namespace symreal::algebra {
@@ -18,6 +19,15 @@ TEST(PrimeField, ComputesAsWideIntegersDo) {
     if (a != 0) EXPECT_EQ(multiply(a, inverse(a)), 1u);
   }
   EXPECT_EQ(inverse(Residue{0}), 0u);
+}
+
+TEST(PrimeField, InvertsSeveralAsEachByItself) {
+  std::vector<Residue> all = {0, 1, 2, prime - 1, 0, random_residue(5), random_residue(6), 0};
+  std::vector<Residue> expected;
+  for (Residue const a : all) expected.push_back(inverse(a));
+  invert(all);
+  EXPECT_EQ(all, expected);
+  invert({});
 }
 
 // So that no power of 2 that a double can hold is another one.
