@@ -347,12 +347,6 @@ void require_compiles(program::Front const &front, rewrite::Kernel const &kernel
 
 } // namespace
 
-// Functions whose copies have files in common, and these.
-struct Wrappers::Group {
-  std::vector<Inserted const *> functions;
-  std::set<std::string> files;
-};
-
 std::vector<OutputFile> Wrappers::add(program::Recorded const &recorded, Graph const &graph,
                                       EmitterOptions const &options, std::string const &generated) {
   rewrite::Kernel const &kernel = recorded.kernel;
@@ -383,64 +377,42 @@ std::vector<OutputFile> Wrappers::add(program::Recorded const &recorded, Graph c
   return {};
 }
 
-std::vector<Wrappers::Group> Wrappers::groups() const {
-  std::vector<Group> groups;
-  for (Inserted const &one : inserted_) {
-    Group group{{&one}, copied_with(front_, one.kernel.signature.redefinition.file)};
-    std::erase_if(groups, [&](Group const &other) {
-      bool const meets = std::ranges::any_of(other.files, [&](auto const &file) { return group.files.contains(file); });
-      if (!meets) return false;
-      group.functions.insert(group.functions.begin(), other.functions.begin(), other.functions.end());
-      group.files.insert(other.files.begin(), other.files.end());
-      return true;
-    });
-    groups.push_back(std::move(group));
-  }
-  return groups;
-}
-
-std::vector<OutputFile> Wrappers::group_files(Group const &group, std::vector<Diagnostic> &remarks) const {
-  fs::path const root = root_of(front_, group.files), wrapper = group.functions.front()->wrapper;
-  bool const is_one_source = group.files.size() == 1 && is_source(front_, *group.files.begin());
+// Each copy is one function's: the generated code of all kernels of a run has the same names.
+std::vector<OutputFile> Wrappers::copies_for(Inserted const &inserted, std::vector<Diagnostic> &remarks) const {
+  rewrite::Redefinition const &function = inserted.kernel.signature.redefinition;
+  std::set<std::string> const copied = copied_with(front_, function.file);
+  fs::path const root = root_of(front_, copied), wrapper = inserted.wrapper;
+  bool const is_one_source = copied.size() == 1 && is_source(front_, *copied.begin());
   std::vector<Copy> copies;
   for (rewrite::File const &one : front_.rewritten.files)
-    if (group.files.contains(one.path))
+    if (copied.contains(one.path))
       copies.push_back({&one, is_one_source ? wrapper.string() + fs::path(one.path).extension().string()
                                             : (wrapper / fs::path(one.path).lexically_relative(root)).string()});
   std::vector<OutputFile> files;
   std::string sources;
   for (Copy const &copy : copies) {
     std::string const name = in_quotes(copy.file->display_path), &text = copy.file->original;
-    std::vector<Inserted const *> here;
-    for (Inserted const *one : group.functions)
-      if (one->kernel.signature.redefinition.file == copy.file->path) here.push_back(one);
-    std::ranges::sort(here, {}, [](Inserted const *one) { return one->kernel.signature.redefinition.body; });
-    std::string top, functions, inner;
-    std::vector<std::string> known;
-    std::size_t begin = 0;
-    for (Inserted const *one : here) {
-      functions += (functions.empty() ? "" : ", ") + one->kernel.signature.redefinition.qualified;
-      if (one->with_classes && top.find("#include <typeinfo>") == top.npos) top.insert(0, "#include <typeinfo>\n");
-      for (std::string const &block : one->blocks)
-        if (std::ranges::find(known, block) == known.end()) top += known.emplace_back(block);
-      std::size_t const end = one->kernel.signature.redefinition.body;
-      auto const lines = std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(end), '\n');
-      inner += with_inclusions(text.substr(begin, end - begin), copy, copies) + "\n" + one->statements +
+    bool const is_here = function.file == copy.file->path;
+    std::string top, before;
+    if (is_here) {
+      top = inserted.with_classes ? "#include <typeinfo>\n" : "";
+      for (std::string const &block : inserted.blocks) top += block;
+      auto const lines = std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(function.body), '\n');
+      before = with_inclusions(text.substr(0, function.body), copy, copies) + "\n" + inserted.statements +
                fmt::format("#line {} {}\n", lines + 1, name);
-      begin = end;
     }
     // A header may be included again.
-    if (!here.empty() && !is_source(front_, copy.file->path))
+    if (is_here && !is_source(front_, copy.file->path))
       top = fmt::format("#ifndef SYMREAL_COPY_WITH_{0}\n#define SYMREAL_COPY_WITH_{0}\n{1}#endif\n",
-                        identifier(here.front()->kernel.name), top);
-    std::string const what =
-        here.empty() ? "which includes other copies" : "in which generated code stands before the body of " + functions;
+                        identifier(inserted.kernel.name), top);
+    std::string const what = is_here ? "in which generated code stands before the body of " + function.qualified
+                                     : "which includes other copies";
     files.push_back({copy.path, fmt::format("/* Generated by Symreal: a copy of {}, {}. */\n{}#line 1 {}\n",
                                             fs::path(copy.file->path).filename().string(), what, top, name) +
-                                    inner + with_inclusions(text.substr(begin), copy, copies)});
+                                    before + with_inclusions(text.substr(is_here ? function.body : 0), copy, copies)});
     if (is_source(front_, copy.file->path)) sources += (sources.empty() ? "" : ", ") + copy.file->display_path;
   }
-  rewrite::Kernel const &kernel = group.functions.front()->kernel;
+  rewrite::Kernel const &kernel = inserted.kernel;
   for (std::size_t k = 0; k < files.size(); ++k)
     if (is_source(front_, copies[k].file->path))
       require_compiles(front_, kernel, copies[k].file->path, files, &files[k]);
@@ -450,21 +422,19 @@ std::vector<OutputFile> Wrappers::group_files(Group const &group, std::vector<Di
                           : sources.empty()
                               ? fmt::format("search {} before other directories", wrapper.string())
                               : fmt::format("compile the copies in {} in place of {}", wrapper.string(), sources);
-  for (Inserted const *one : group.functions) {
-    remarks.push_back(
-        {DiagnosticId::wrapper_needs_source,
-         one->kernel.place,
-         fmt::format("the wrapper of '{}' is a copy of its file, since {}: {}", one->kernel.name, one->why, way),
-         {},
-         Severity::remark});
-  }
+  remarks.push_back(
+      {DiagnosticId::wrapper_needs_source,
+       kernel.place,
+       fmt::format("the wrapper of '{}' is a copy of its file, since {}: {}", kernel.name, inserted.why, way),
+       {},
+       Severity::remark});
   return files;
 }
 
 std::vector<OutputFile> Wrappers::copies(std::vector<Diagnostic> &remarks) const {
   std::vector<OutputFile> all;
-  for (Group const &group : groups()) {
-    std::vector<OutputFile> const files = group_files(group, remarks);
+  for (Inserted const &one : inserted_) {
+    std::vector<OutputFile> const files = copies_for(one, remarks);
     all.insert(all.end(), files.begin(), files.end());
   }
   return all;

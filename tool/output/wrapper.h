@@ -24,11 +24,11 @@ public:
   explicit Wrappers(program::Front const &front) : front_(front) {}
 
   // For `generated` = "arm.c" the file arm_wrapper.c of a function in C, arm_wrapper.cpp in C++. None where a copy is
-  // needed, which may be for several functions.
+  // needed.
   std::vector<OutputFile> add(program::Recorded const &recorded, Graph const &graph, EmitterOptions const &options,
                               std::string const &generated);
-  // The copies: arm_wrapper.c, or the directory arm_wrapper for a function in a header, by the first of the functions
-  // that are in them. `remarks` says how they are used.
+  // The copies: arm_wrapper.c, or the directory arm_wrapper for a function in a header. `remarks` says how they are
+  // used.
   std::vector<OutputFile> copies(std::vector<Diagnostic> &remarks) const;
 
 private:
@@ -41,9 +41,7 @@ private:
     std::vector<std::string> blocks; // before the text of the file
     std::string statements;          // before the function's body
   };
-  struct Group;
-  std::vector<Group> groups() const;
-  std::vector<OutputFile> group_files(Group const &group, std::vector<Diagnostic> &remarks) const;
+  std::vector<OutputFile> copies_for(Inserted const &inserted, std::vector<Diagnostic> &remarks) const;
 
   program::Front const &front_;
   std::vector<Inserted> inserted_;
