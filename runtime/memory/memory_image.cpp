@@ -60,6 +60,9 @@ MemoryImage MemoryImage::capture(void const *frame) {
   if (Known const stack = callers_stack(frame); stack.begin)
     image.save({Region::stack, {}, const_cast<char *>(stack.begin), stack.size, 0, 0});
   std::sort(image.parts_.begin(), image.parts_.end(), [](Part const &a, Part const &b) { return a.begin < b.begin; });
+  for (std::size_t k = 0; k < image.parts_.size(); ++k)
+    if (Part const &part = image.parts_[k]; part.size > 1 && part.begin[0] == 0 && !guarded_by(part.name).empty())
+      image.guards_.push_back(k);
   return image;
 }
 
@@ -91,6 +94,15 @@ void MemoryImage::update(void const *begin, std::size_t size) {
 
 bool MemoryImage::has_changed(Part const &part) const {
   return std::memcmp(part.begin, bytes_.data() + part.saved, part.size) != 0;
+}
+
+// While an object is initialised the second byte of its guard is set; once it is, the first (Itanium C++ ABI 3.3.2, and
+// GCC's library).
+std::vector<std::string> MemoryImage::being_initialised() const {
+  std::vector<std::string> names;
+  for (std::size_t guard : guards_)
+    if (Part const &part = parts_[guard]; part.begin[1] != 0) names.push_back(guarded_by(part.name));
+  return names;
 }
 
 std::vector<Change> MemoryImage::initialised() const {

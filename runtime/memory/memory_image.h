@@ -44,6 +44,9 @@ public:
   // that are references keep alive.
   std::vector<Change> initialised() const;
 
+  // The names of those that are being initialised now.
+  std::vector<std::string> being_initialised() const;
+
   // The bytes that lay there, of an address within the image; else null.
   char const *before(void const *address) const;
 
@@ -67,7 +70,8 @@ private:
   void compare(Part const &part, std::vector<Known> const &known, std::vector<Change> &changes) const;
   bool has_changed(Part const &part) const;
 
-  std::vector<Part> parts_; // by address
+  std::vector<Part> parts_;         // by address
+  std::vector<std::size_t> guards_; // of objects that were not initialised
   std::vector<char> bytes_;
 };
 

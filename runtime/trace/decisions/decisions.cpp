@@ -11,6 +11,7 @@
 #include "trace/describe/describe.h"
 #include "trace/nodes/pool.h"
 #include "trace/report/events.h"
+#include "trace/state/state.h"
 
 #include <symreal/symbolic_int.h>
 
@@ -95,6 +96,7 @@ static bool decide_at(trace::Stand &stand) {
   RealNumber const condition = RealNumber::from_bits(stand.condition);
   double const value = Pool::current().carried_value(condition);
   if (trace::is_missing(value)) require_value(value, "the decision on " + trace::describe(condition));
+  trace::State::current().decided();
   if (decisions() == Decisions::explore || decisions() == Decisions::best)
     return trace::ExploredPath::current().decide(stand);
   if (decisions() == Decisions::guard)
@@ -112,6 +114,7 @@ static std::string conversion(RealNumber x) { return "the conversion of " + trac
 double convert_to_integer(RealNumber x) noexcept {
   memory::OwnWork const own;
   double value = needed_value(x);
+  trace::State::current().decided();
   if (is_guarded())
     trace::Guards::current().add(trunc(x) == RealNumber(std::trunc(value)),
                                  conversion(x) + std::string(guard_gives) + shortest(std::trunc(value)));
@@ -123,6 +126,7 @@ double convert_to_integer(RealNumber x) noexcept {
 std::uint64_t convert_wide(RealNumber integer) noexcept {
   memory::OwnWork const own;
   double const value = needed_value(integer);
+  trace::State::current().decided();
   if (is_guarded())
     trace::Guards::current().add(wide_equal(integer64_of_bits(integer), integer64(bits(value))),
                                  conversion(integer) + std::string(guard_gives) +

@@ -40,6 +40,7 @@ void State::begin(void const *frame) {
   std::free(block);
   // An allocator of the program's own keeps its blocks in its static objects, those of the bookkeeping among them.
   if (heap_is_known_) image_ = memory::MemoryImage::capture(frame);
+  decided_.clear();
 }
 
 Site State::site_of(void const *address, char const *name, char const *place) const {
@@ -352,7 +353,7 @@ void State::judge_reads(std::vector<Frozen> &frozen) {
           (marks & mark::freed) == 0 && number->to_bits() != RealNumber(read.values[k]).to_bits();
       if (changed_since && (marks & mark::may_be_left) == 0 && !is_private(site))
         report_lost(site);
-      else if ((marks & mark::constant) == 0)
+      else if ((marks & mark::constant) == 0 && !was_written_by_kernel(number, read.values[k]))
         ((marks & mark::output) != 0 && !is_private(site) ? kept : state.values).push_back(read.values[k]);
       if (changed_since) make_plain(number);
     }

@@ -87,6 +87,9 @@ public:
   void released(void *block, std::size_t size);
   void moved(void *block, std::size_t size, void *to, std::size_t new_size);
 
+  // The program decides on a symbolic value: what it initialises meanwhile depends on inputs.
+  void decided();
+
   // What is baked in. Reports state that was written and is no output, and makes its numbers ordinary again.
   // `kernel`: its place. `has_guards`: other inputs may take another path through the program than this one.
   std::vector<Frozen> end(Place const &kernel = {}, bool has_guards = false);
@@ -158,6 +161,7 @@ private:
   void judge_initialised(Place const &kernel);
   std::string name_of(memory::Change const &change) const;
   bool holds_input(memory::Known object) const;
+  bool was_written_by_kernel(RealNumber const *number, double value) const;
   // The kernel's own, though it may lie with its caller: what is left in it does not matter.
   static bool is_private(Site const &site) {
     return site.scope == detail::Scope::around || site.scope == detail::Scope::parameter;
@@ -178,6 +182,7 @@ private:
   std::vector<Input> inputs_;
   std::vector<RealNumber const *> outputs_;
   std::optional<memory::MemoryImage> image_; // from when the kernel began
+  std::set<std::string> decided_;            // the names of objects that were initialised during a decision
   std::set<std::string> labels_;             // of inputs
   std::set<void const *> members_;           // integers of annotated structures
   std::map<std::string, Frozen> copies_;     // those that lie in the kernel's own arguments, by name

@@ -70,6 +70,17 @@ bool State::has_changed(RealNumber const *number) const {
   return before && std::memcmp(before, static_cast<void const *>(number), sizeof *number) != 0;
 }
 
+// A number that had this value when it was read, and another one when the kernel began: code that is not rewritten has
+// written it. What a static object of a function was initialised to is no such value.
+bool State::was_written_by_kernel(RealNumber const *number, double value) const {
+  char const *before = image_ ? image_->before(number) : nullptr;
+  if (!before || std::memcmp(before, &value, sizeof value) == 0) return false;
+  auto const *at = reinterpret_cast<char const *>(number);
+  return std::ranges::none_of(image_->initialised(), [at](memory::Change const &object) {
+    return object.object <= at && at < object.object + object.size;
+  });
+}
+
 // Nodes in the object or in what it owns, or a pointer in it to what the caller has on its stack, or to an input.
 bool State::holds_input(memory::Known object) const {
   std::vector<memory::Known> const owned = image_->owned(object, memory::heap_blocks());
@@ -96,11 +107,16 @@ std::string State::name_of(memory::Change const &change) const {
   return named == names_.end() ? readable(change.name) : std::string(named->second.site.name);
 }
 
+void State::decided() {
+  if (!image_) return;
+  for (std::string &name : image_->being_initialised()) decided_.insert(std::move(name));
+}
+
 // A later call finds the object as the first call has made it, whatever its own inputs are.
 void State::judge_initialised(Place const &kernel) {
   if (!image_) return;
   for (memory::Change const &object : image_->initialised()) {
-    if (!holds_input({object.object, object.size})) continue;
+    if (!decided_.contains(object.name) && !holds_input({object.object, object.size})) continue;
     auto const named = names_.find(object.object);
     bool const is_named = named != names_.end();
     if (is_named && !reported_.insert(named->second.site).second) continue;
