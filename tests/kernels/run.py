@@ -20,6 +20,7 @@ from kernels.outcome import Outcome
 from kernels.program import source
 from kernels.reduce import Case, reduced
 from kernels.session import Session
+from kernels.wrappers import WrapperSession
 
 
 def arguments():
@@ -27,6 +28,7 @@ def arguments():
     parser.add_argument("--symreal", default="symreal", help="the tool")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--count", type=int, default=200, help="kernels in each language and policy")
+    parser.add_argument("--first", type=int, default=0, help="the index of the first of them; from 900 on they may be such as must be refused")
     parser.add_argument("--language", default="c,cxx")
     parser.add_argument("--decisions", default="error,guard,select")
     parser.add_argument("--fp", default="finite,finite,strict", help="modes, in turn from batch to batch")
@@ -39,6 +41,7 @@ def arguments():
     parser.add_argument("--open", action="store_true", help="also the features that are known to be wrong yet")
     parser.add_argument("--verify", action="store_true", help="run symreal verify as well, which must agree")
     parser.add_argument("--oracle", action="store_true", help="run symreal oracle as well, which must give the same graph")
+    parser.add_argument("--wrapper", action="store_true", help="compare the program with a wrapper in place of each kernel with the original program")
     parser.add_argument("--via-ir", action="store_true", help="generate from the instructions of the original")
     parser.add_argument("--flags-every", metavar="N", type=int, default=8,
                         help="compile the symbolic program of C as the tool does in each N-th batch, in the others without optimisation")
@@ -66,11 +69,11 @@ def batches(options):
                 for mode in sorted(set(modes)):
                     yield language, policy, mode, range(options.index, options.index + 1)
                 continue
-            for first in range(0, options.count, options.batch):
+            for first in range(options.first, options.first + options.count, options.batch):
                 number += 1
                 if number % shards == shard % shards:
                     mode = modes[first // options.batch % len(modes)]
-                    yield language, policy, mode, range(first, min(first + options.batch, options.count))
+                    yield language, policy, mode, range(first, min(first + options.batch, options.first + options.count))
 
 
 def excluded(options, language):
@@ -88,14 +91,15 @@ def execute(options, language, policy, mode, indices):
     directory = os.path.join(options.keep, name) if options.keep else tempfile.mkdtemp(prefix="kernels-")
     os.makedirs(directory, exist_ok=True)
     try:
-        session = Session(options.symreal, language, policy, mode, directory, options.samples, options.verify,
-                          options.oracle, quick, via_ir=options.via_ir)
+        kind = WrapperSession if options.wrapper else Session
+        session = kind(options.symreal, language, policy, mode, directory, options.samples, options.verify,
+                       options.oracle, quick, via_ir=options.via_ir)
         outcome = session.execute(made, options.seed + indices.start)
         of_session = dict(symreal=options.symreal, language=language, policy=policy, mode=mode, samples=options.samples, quick=quick,
                           via_ir=options.via_ir)
         seed = options.seed + indices.start
         if options.minimise:
-            again = lambda directory: Session(**of_session, directory=directory)
+            again = lambda directory: kind(**of_session, directory=directory)
             outcome.found = [minimised(found, again, seed) for found in outcome.found]
         if options.reduce:
             for found in outcome.found:

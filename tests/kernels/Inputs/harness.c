@@ -1,6 +1,9 @@
 /* Calls originals and generated code on the same inputs and compares what they leave.
    usage: harness finite|strict SEED SAMPLES. One line a kernel:
-   NAME ok|different|lost COMPARED GUARDED OUTSIDE, and for a difference the inputs and both values. */
+   NAME ok|different|lost COMPARED GUARDED OUTSIDE, and for a difference the inputs and both values.
+   usage: harness finite|strict SEED SAMPLES KERNEL PLAINS. Calls what the program has under the kernel's name, the original or a
+   wrapper, also with PLAINS values that are baked in changed, and prints a line a call: SAMPLE CALL OUTSIDE, what was changed, the
+   outputs. The last line says how often generated code computed them. */
 #include "harness.h"
 
 #include <fenv.h>
@@ -61,6 +64,47 @@ static void show(char const *word, double const *values, int count) {
   printf("\n");
 }
 
+/* The inputs of a call, and what the caller left in the outputs; state goes on from call to call. */
+static void prepare(struct kernel const *k, int way, int is_first, int is_mixed, double const *last, double *in, double *before) {
+  for (int i = 0; i < k->inputs; i++) in[i] = within(k, draw(k, is_mixed ? (int)(next() % 9) : way, i));
+  for (int o = 0; o < k->outputs && !is_first; o++)
+    if (k->state[o] >= 0) in[k->state[o]] = within(k, last[o]);
+  for (int o = 0; o < k->outputs; o++) before[o] = 4.0 + o + (double)(next() % 8) / 4;
+  for (int o = 0; o < k->outputs; o++)
+    if (k->state[o] >= 0) before[o] = in[k->state[o]];
+}
+
+/* What the original raises, or is given by a call that has raised it, is outside of the promise. */
+static int is_outside_of_promise(struct kernel const *k, int is_strict, double const *in) {
+  int is_outside = !is_strict && fetestexcept(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW);
+  for (int i = 0; i < k->inputs && !is_strict; i++) is_outside |= !isfinite(in[i]);
+  return is_outside;
+}
+
+int chosen[8];
+int computed; /* by generated code, which counts them */
+
+static void trace(struct kernel const *k, int is_strict, int samples, int plains) {
+  double in[most], out[most], last[most] = {0};
+  for (int sample = 0; sample < samples; sample++) {
+    int way = sample == 0 ? 0 : 1 + (int)(next() % 9);
+    for (int call = 0; call < calls_in_a_row; call++) {
+      int is_mixed = next() % 4 == 0 && sample != 0;
+      prepare(k, way, call == 0, is_mixed, last, in, out);
+      int changed = plains > 0 && next() % 2 ? (int)(next() % (uint64_t)plains) : -1;
+      int value = (int)(next() % 4);
+      for (int p = 0; p < 8; p++) chosen[p] = p == changed ? value : 0;
+      feclearexcept(FE_ALL_EXCEPT);
+      k->original(in, out);
+      printf("%d %d %d %d=%d", sample, call, is_outside_of_promise(k, is_strict, in), changed, changed < 0 ? 0 : value);
+      for (int o = 0; o < k->outputs; o++) printf(" %a", out[o]);
+      printf("\n");
+      memcpy(last, out, sizeof last);
+    }
+  }
+  printf("computed %d\n", computed);
+}
+
 /* 0, or that a difference was printed. */
 static int compare(struct kernel const *k, int is_strict, int samples) {
   int compared = 0, guarded = 0, outside = 0;
@@ -68,23 +112,16 @@ static int compare(struct kernel const *k, int is_strict, int samples) {
   for (int sample = 0; sample < samples; sample++) {
     int way = sample == 0 ? 0 : 1 + (int)(next() % 9);
     for (int call = 0; call < calls_in_a_row; call++) {
-      int mixed = next() % 4 == 0 && sample != 0;
+      int is_mixed = next() % 4 == 0 && sample != 0;
       double last[most];
       if (call > 0) memcpy(last, original, sizeof last);
-      for (int i = 0; i < k->inputs; i++) in[i] = within(k, draw(k, mixed ? (int)(next() % 9) : way, i));
-      /* State goes on from call to call. */
-      for (int o = 0; o < k->outputs && call > 0; o++)
-        if (k->state[o] >= 0) in[k->state[o]] = within(k, last[o]);
-      for (int o = 0; o < k->outputs; o++) before[o] = 4.0 + o + (double)(next() % 8) / 4;
-      for (int o = 0; o < k->outputs; o++)
-        if (k->state[o] >= 0) before[o] = in[k->state[o]];
+      prepare(k, way, call == 0, is_mixed, last, in, before);
       memcpy(original, before, sizeof before);
       memcpy(generated, before, sizeof before);
       k->hidden_values(kept_before);
       feclearexcept(FE_ALL_EXCEPT);
       k->original(in, original);
-      int is_outside = !is_strict && fetestexcept(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW);
-      for (int i = 0; i < k->inputs && !is_strict; i++) is_outside |= !isfinite(in[i]); /* what a call has left */
+      int is_outside = is_outside_of_promise(k, is_strict, in);
       k->hidden_values(kept_after);
       int guard = k->generated(in, generated);
       for (int h = 0; h < k->hidden; h++)
@@ -140,8 +177,13 @@ static int compare_apart(struct kernel const *k, int is_strict, int samples) {
 }
 
 int main(int argc, char **argv) {
-  if (argc != 4) return 2;
+  if (argc != 4 && argc != 6) return 2;
   int is_strict = strcmp(argv[1], "strict") == 0, failed = 0;
+  for (int k = 0; k < kernel_count && argc == 6; k++) {
+    chance = strtoull(argv[2], 0, 10) + (uint64_t)k;
+    if (strcmp(kernels[k].name, argv[4]) == 0) trace(&kernels[k], is_strict, atoi(argv[3]), atoi(argv[5]));
+  }
+  if (argc == 6) return 0;
   for (int k = 0; k < kernel_count; k++) {
     chance = strtoull(argv[2], 0, 10) + (uint64_t)k;
     failed |= compare_apart(&kernels[k], is_strict, atoi(argv[3]));

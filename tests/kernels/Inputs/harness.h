@@ -15,6 +15,7 @@ extern "C" {
 #endif
 extern struct kernel const kernels[];
 extern int const kernel_count;
+extern int chosen[8]; /* which value each thing that is baked in has in a call: 0 is the recorded one */
 #ifdef __cplusplus
 }
 #endif

@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 from .arithmetic import DOUBLE
 from .expression import POSTFIX, Expression
 from .generator import Array, Variable
+from .returned import returned_objects
 
 
 @dataclass
@@ -21,6 +22,8 @@ class Interface:
     clauses: list = field(default_factory=list)      # constant(...), scratch(...)
     objects: list = field(default_factory=list)      # declarations of what is passed
     hidden: list = field(default_factory=list)       # objects that no annotation names
+    plains: list = field(default_factory=list)       # arguments and members that are baked in (plain.py)
+    returned: object = None                          # what an object is returned as (returned.py)
     low: float = -4.0
     high: float = 4.0
     tame: bool = True
@@ -38,6 +41,8 @@ def make_interface(g):
     forms = [pointers, pointers, scalars, in_place, structs]
     if g.language == "cxx":
         forms += [vectors, arrays, references]
+    if g.has("returned_objects") and g.chance(0.7):
+        forms = [returned_objects]
     written = g.random.choice(forms)(g, made)
     if g.has("parameters") and g.chance(0.4):
         name = g.local("c")

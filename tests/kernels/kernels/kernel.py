@@ -2,14 +2,19 @@
 import random
 from dataclasses import dataclass
 
-from . import classes, functions, library, objects, templates, text  # noqa: F401: they register their productions
+from . import classes, function_values, functions, library, objects, templates, text  # noqa: F401: they register their productions
 from .features import drawn
 from .generator import Block, Generator
 from .interface import Interface, make_interface
 from .arithmetic import DOUBLE
 from .expression import ADD, joined, number
+from .memory import declare_memory
 from .numbers import any_number, some_number
+from .parts import declare_parts
+from .plain import declare_plain
+from .returned import expression, last_lines
 from .state import declare_state
+from .statics import declare_statics
 from .statements import statements
 
 
@@ -21,6 +26,7 @@ class Kernel:
     interface: Interface
     recorded: list       # inputs, then parameters
     features: set
+    expected: set        # diagnostics, one of which the tool must give; where it is empty, none that is not of the policy
 
     @property
     def text(self):
@@ -44,14 +50,18 @@ def make_kernel(name, seed, language, policy, mode, excluded=()):
     for _ in range(g.whole(0, 4)):
         g.choose("definition", 2)
     interface, written = write_body(g)
-    return Kernel(name, seed, g.definitions, interface, recorded_inputs(g, interface), features)
+    return Kernel(name, seed, g.definitions, interface, recorded_inputs(g, interface), features, g.expected)
 
 
 def write_body(g):
     g.scopes.append([])
     interface, written = make_interface(g)
-    declare_state(g, interface)
-    if interface.result == "double":
+    for declare in (declare_plain, declare_state, declare_statics, declare_memory, declare_parts):
+        declare(g, interface)
+    if interface.returned:
+        g.returns = []
+        g.kernel_result = lambda g: expression(g, interface.returned, lambda g: some_number(g, 2).text)
+    elif interface.result == "double":
         g.returns = []
         g.kernel_result = lambda g: some_number(g, 2).text
     elif not g.has("unwritten_outputs"):
@@ -72,7 +82,10 @@ def write_body(g):
         else:
             g.line(f"{text} {g.among('+=', '-=') if g.has('returns') and g.chance(0.2) and not g.has('unwritten_outputs') else '='} {made.text};")
     keep_dependent(g, interface)
-    if interface.result == "double":
+    if interface.returned:
+        for line in last_lines(g, interface.returned, lambda g: observed(g).text):
+            g.line(line)
+    elif interface.result == "double":
         g.line(f"return {observed(g).text};")
     header = f"{interface.result} {g.name}({', '.join(interface.parameters)}) {{"
     g.definitions.append(pragma(interface))
@@ -95,6 +108,8 @@ def observed(g):
     made = any_number(g, 2)
     # An output that depends on no input is an error.
     made = number(joined("+", made, g.random.choice(g.inputs)), ADD, None, True)
+    while g.shown:
+        made = number(f"{made.at(ADD)} + {g.shown.pop()}", ADD, None, True)
     for variable in g.variables(lambda v: v.writable or v.type != DOUBLE)[-6:]:
         if variable.low != variable.high and g.chance(0.6):
             factor = g.among("", "", "0.5 * ", "3 * ") if variable.type == DOUBLE else g.among("0.5 * ", "1e-3 * ", "")

@@ -51,6 +51,7 @@ def renamed(kernel, name):
     made = copy.deepcopy(kernel)
     made.name, made.nodes = name, tree(made.nodes)
     interface = made.interface
+    interface.result = of(interface.result)
     for field in ("parameters", "arguments", "clauses", "objects", "hidden"):
         setattr(interface, field, [of(text) for text in getattr(interface, field)])
     for field in ("inputs", "values", "outputs"):

@@ -3,8 +3,8 @@ import re
 
 HEADERS = {
     "c": ["math.h", "stdbool.h", "stddef.h", "stdint.h", "stdio.h", "stdlib.h", "string.h"],
-    "cxx": ["algorithm", "array", "cmath", "complex", "cstddef", "cstdint", "cstdio", "cstdlib", "cstring", "functional", "math.h",
-            "numeric", "stdint.h", "stdio.h", "stdlib.h", "tuple", "utility", "vector"],
+    "cxx": ["algorithm", "array", "cmath", "complex", "cstddef", "cstdint", "cstdio", "cstdlib", "cstring", "functional", "map",
+            "math.h", "memory", "numeric", "optional", "stdint.h", "stdio.h", "stdlib.h", "string", "tuple", "utility", "vector"],
 }
 
 
@@ -17,12 +17,12 @@ def source(kernels, language):
         first = len(lines) + 1
         lines += kernel.text.splitlines()
         places[kernel.name] = [(first, len(lines))]
-    lines += ["", "int main(void) {"]
+    lines += ["", "#ifdef KERNEL_CALLS", "#include KERNEL_CALLS", "#else", "int main(void) {"]
     for kernel in kernels:
         first = len(lines) + 1
         lines += ["  {"] + ["    " + line for line in recorded_call(kernel)] + ["  }"]
         places[kernel.name].append((first, len(lines)))
-    lines += ["  return 0;", "}"]
+    lines += ["  return 0;", "}", "#endif"]
     return "\n".join(lines) + "\n", places
 
 
@@ -45,26 +45,35 @@ def output_elements(kernel):
 
 
 def probe(path, kernels, language):
-    """Includes the original as it is; for each kernel a call on flat arrays, and what it keeps that nobody named."""
+    """Includes the original as it is, and calls it."""
     lines = ["#define main original_main", f'#include "{path}"', "#undef main", '#include "harness.h"', ""]
+    lines.append('#ifdef __cplusplus\nextern "C" {\n#endif')
+    lines += [f"int {kernel.name}_generated(double const *in, double *out);" for kernel in kernels]
+    lines.append("#ifdef __cplusplus\n}\n#endif")
+    return "\n".join(lines) + "\n" + calls(kernels, lambda kernel: f"{kernel.name}_generated")
+
+
+def calls(kernels, generated):
+    """For each kernel a call on flat arrays, with what is baked in as it is chosen, and what it keeps that nobody named. Through a
+    pointer, so that no compiler sees what is called."""
+    lines = []
     for kernel in kernels:
         interface = kernel.interface
-        lines += [f"static void {kernel.name}_original(double const *from, double *into) {{"]
+        lines += [f"static __typeof__({kernel.name}) *volatile {kernel.name}_called = {kernel.name};",
+                  f"static void {kernel.name}_original(double const *from, double *into) {{"]
         lines += ["  " + o for o in interface.objects]
+        for k, plain in enumerate(interface.plains):
+            lines += [f"  if (chosen[{k}] == {j}) {plain.element} = {value};" for j, value in enumerate(plain.values) if j > 0]
         outputs = output_elements(kernel)
-        lines += [f"  {e} = into[{k}];" for k, e in enumerate(outputs) if e != "result"]
+        lines += [f"  {e} = into[{k}];" for k, e in enumerate(outputs) if "result" not in e]
         lines += [f"  {e} = from[{k}];" for k, e in enumerate(locals_first(kernel))]
-        call = f"{kernel.name}({', '.join(interface.arguments)});"
-        lines.append(f"  {'double result = ' if interface.result != 'void' else ''}{call}")
+        call = f"{kernel.name}_called({', '.join(interface.arguments)});"
+        lines.append(f"  {f'{interface.result} result = ' if interface.result != 'void' else ''}{call}")
         lines += [f"  into[{k}] = {e};" for k, e in enumerate(outputs)]
         lines += ["}"]
         lines += [f"static void {kernel.name}_hidden(double *out) {{", "  (void)out;"]
         lines += [f"  out[{k}] = (double){e};" for k, e in enumerate(interface.hidden)]
         lines += ["}"]
-    lines.append('#ifdef __cplusplus\nextern "C" {\n#endif')
-    for kernel in kernels:
-        lines.append(f"int {kernel.name}_generated(double const *in, double *out);")
-    lines.append("#ifdef __cplusplus\n}\n#endif")
     for kernel in kernels:
         lines.append(f"static double const {kernel.name}_recorded[] = {{{', '.join(map(repr, kernel.recorded))}}};")
     lines.append("struct kernel const kernels[] = {")
@@ -74,7 +83,7 @@ def probe(path, kernels, language):
         state = [(k, locals_first(kernel).index(e)) for k, e in enumerate(outputs) if e in locals_first(kernel)]
         fields = [f'"{kernel.name}"', f"{len(locals_first(kernel))}", f"{len(outputs)}", f"{len(interface.hidden)}",
                   f"{int(interface.tame)}", repr(interface.low), repr(interface.high), f"{kernel.name}_recorded",
-                  f"{kernel.name}_original", f"{kernel.name}_generated", f"{kernel.name}_hidden",
+                  f"{kernel.name}_original", generated(kernel), f"{kernel.name}_hidden",
                   "{" + ", ".join(str(dict(state).get(k, -1)) for k in range(len(outputs))) + "}"]
         lines.append("  {" + ", ".join(fields) + "},")
     lines += ["};", f"int const kernel_count = {len(kernels)};"]

@@ -22,7 +22,7 @@ def record_twice(session, kernels, outcome):
         if not named:
             outcome.found.append(Found(kernels[0], "oracle fails", done.stderr[-3000:], session.directory))
             return
-        outcome.not_twice += Counter(named.values())
+        outcome.not_twice += Counter(ids[0] for ids in named.values())
         kernels = [k for k in kernels if k.name not in named]
     else:
         return

@@ -8,7 +8,8 @@ import os
 import re
 import subprocess
 
-from .messages import ERROR
+from .features import MUST_BE_REFUSED, refused
+from .messages import ERROR, calls_as_errors
 from .outcome import Found, Outcome
 from .program import glue, probe, source
 from .second_recording import record_twice
@@ -20,6 +21,8 @@ REFERENCE = ["-O1", "-ffp-contract=off", "-fno-builtin", "-fno-fast-math", "-w"]
 SANITIZERS = ["-fsanitize=address,undefined,float-cast-overflow", "-fno-sanitize-recover=all"]
 SUSPICIOUS = ["-Wall", "-Werror=uninitialized", "-Werror=maybe-uninitialized", "-Werror=return-type", "-Werror=array-bounds"]
 GENERATED = ["-std=c99", "-O2", "-ffp-contract=off", "-fno-tree-slp-vectorize", "-fno-builtin-pow", "-w"]
+# A decision that the policy does not have, an output that depends on no input, a kernel that has no wrapper.
+OF_POLICIES = {"SYM016", "SYM051", "SYM095"}
 
 
 class Session:
@@ -28,7 +31,7 @@ class Session:
         self.symreal, self.language, self.policy, self.mode = symreal, language, policy, mode
         self.directory, self.samples, self.verify, self.timeout = directory, samples, verify, timeout
         self.quick, self.oracle, self.route = quick, oracle, ["--via-ir"] if via_ir else []
-        self.path = os.path.join(directory, "batch" + SUFFIX[language])
+        self.path, self.places = os.path.join(directory, "batch" + SUFFIX[language]), {}
 
     def run(self, *words):
         environment = {**os.environ, "XDG_CACHE_HOME": self.directory}  # verify needs the program that generate has built
@@ -48,7 +51,7 @@ class Session:
     def generate(self, kernels, outcome):
         """The kernels that the tool accepts; the generated code of all of them lies in out/."""
         while kernels:
-            places = self.write(kernels)
+            places = self.places = self.write(kernels)
             self.run("rm", "-rf", "out")
             os.makedirs(os.path.join(self.directory, "out"))
             try:
@@ -57,23 +60,21 @@ class Session:
             except subprocess.TimeoutExpired:
                 done = subprocess.CompletedProcess([], 1, "", "time is over")
             if done.returncode == 0:
-                return kernels
-            named = self.refusals(done.stderr, places)
+                outcome.found += [Found(k, f"taken, though it must be refused: {' or '.join(sorted(k.expected))}", "", self.directory)
+                                  for k in kernels if k.expected]
+                return [k for k in kernels if not k.expected]
+            named = self.refusals(calls_as_errors(done.stderr), places)
             if not named and len(kernels) == 1:
-                named = {kernels[0].name: self.reason(done.stderr)}
+                named = {kernels[0].name: [self.reason(done.stderr)]}
             if named:
                 for kernel in kernels:
-                    if named.get(kernel.name) == "SYM020":
-                        outcome.found.append(Found(kernel, "invalid: the generator's fault", done.stderr, self.directory))
-                    elif kernel.name in named:
-                        outcome.refused[named[kernel.name]] += 1
-                        outcome.features_refused.update(kernel.features)
-                        self.keep_refusal(kernel, named[kernel.name], done.stderr)
+                    if kernel.name in named:
+                        self.judge_refusal(kernel, named[kernel.name], done.stderr, outcome)
                 kernels = [k for k in kernels if k.name not in named]
             else:
                 half = len(kernels) // 2
                 accepted = self.generate(kernels[:half], outcome) + self.generate(kernels[half:], outcome)
-                if len(accepted) == len(kernels):
+                if len(accepted) == len([k for k in kernels if not k.expected]):
                     outcome.found.append(Found(kernels[0], "together", done.stderr[-2000:], self.directory))
                     return self.generate(kernels[:half], Outcome())
                 kernels = accepted
@@ -84,8 +85,22 @@ class Session:
         ids = re.findall(r"error: .*\[(SYM\d+)\]", text)
         return ids[0] if ids else "compiler" if "error" in text else "no reason"
 
+    def judge_refusal(self, kernel, ids, text, outcome):
+        """A kernel is refused by what the generator expects, or by what the policy and the last of a thousand may have."""
+        if "SYM020" in ids:
+            return outcome.found.append(Found(kernel, "invalid: the generator's fault", text, self.directory))
+        if "SYM095" in ids and "does not compile" in self.around(text, kernel):
+            outcome.found.append(Found(kernel, "wrapper does not compile", self.around(text, kernel), self.directory))
+        elif not kernel.expected & set(ids) and not OF_POLICIES & set(ids) and not kernel.features & set(refused(self.language)) - MUST_BE_REFUSED:
+            word = "refused for another reason than " + " or ".join(sorted(kernel.expected)) if kernel.expected else "refused, though it is right"
+            outcome.found.append(Found(kernel, f"{word}: {', '.join(ids)}", self.around(text, kernel), self.directory))
+        outcome.refused[ids[0]] += 1
+        outcome.features_refused.update(kernel.features)
+        self.keep_refusal(kernel, ids[0], text)
+
     @staticmethod
     def refusals(text, places):
+        """The diagnostics of each kernel at whose lines there are errors."""
         named = {}
         for line in text.splitlines():
             match = ERROR.match(line)
@@ -94,8 +109,15 @@ class Session:
             number = int(match.group(1))
             for name, ranges in places.items():
                 if any(first <= number <= last for first, last in ranges):
-                    named.setdefault(name, match.group(3) or "compiler")
+                    ids = named.setdefault(name, [])
+                    ids += [match.group(3) or "compiler"] * ((match.group(3) or "compiler") not in ids)
         return named
+
+    def around(self, text, kernel):
+        """What stands around the errors of a kernel."""
+        lines = text.splitlines()
+        hits = [k for k, line in enumerate(lines) if self.refusals(line, {kernel.name: self.places[kernel.name]})]
+        return "\n".join(line for hit in hits[:3] for line in lines[hit:hit + 6]) or text[-2000:]
 
     def keep_refusal(self, kernel, why, text):
         folder = os.environ.get("KERNELS_KEEP_REFUSED")

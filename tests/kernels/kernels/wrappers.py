@@ -1,0 +1,120 @@
+"""Wrappers of a batch: a program in which one stands in the place of the kernel computes what the original program does, call by
+call, also where what is baked in is another value than the recorded one, and where guards fail.
+
+   batch.c, calls.inc ─▶ original                            ─▶ lines ─┐
+   wrapper (+ original under another name), kernel.c, calls  ─▶ lines ─┴ compared
+"""
+import os
+import re
+
+from .outcome import Found
+from .program import calls
+from .session import GENERATED, HERE, REFERENCE, SUFFIX, Session
+
+CALLS = "-DKERNEL_CALLS=\"calls.inc\""
+
+
+class WrapperSession(Session):
+    """What the tool generates has a wrapper beside it; that is what is called."""
+
+    def __init__(self, *words, **named):
+        super().__init__(*words, **named)
+        self.route = [*self.route, "--wrapper"]
+        self.compiler = ["g++", "-std=c++20"] if self.language == "cxx" else ["gcc"]
+
+    def compile(self, *words):
+        done = self.run(*self.compiler, *REFERENCE, "-I", os.path.join(HERE, "Inputs"), "-I", self.directory, *words)
+        return done.stderr[:3000] if done.returncode != 0 else None
+
+    def execute(self, kernels, seed):
+        from .outcome import Outcome
+        outcome = Outcome(count=len(kernels))
+        accepted = self.generate(kernels, outcome)
+        if not accepted:
+            return outcome
+        with open(os.path.join(self.directory, "calls.inc"), "w") as file:
+            file.write('#include "harness.h"\n' + calls(accepted, lambda kernel: "0"))
+        self.run("gcc", "-O1", "-I", os.path.join(HERE, "Inputs"), "-c", os.path.join(HERE, "Inputs", "harness.c"), "-o", "harness.o")
+        message = self.compile(CALLS, "-c", os.path.basename(self.path), "-o", "original.o") or \
+            self.compile("original.o", "harness.o", "-lm", "-o", "original")
+        if message:
+            outcome.found.append(Found(accepted[0], "harness", message, self.directory))
+            return outcome
+        self.run("objcopy", "--weaken", "original.o", "weak.o")
+        for kernel in accepted:
+            self.judge(kernel, seed, outcome)
+        if self.verify:
+            self.verify_all(accepted, outcome)
+        return outcome
+
+    def swap(self, kernel):
+        """The program with the wrapper in place of the kernel; a message where something does not compile."""
+        wrapper = f"out/{kernel.name}_wrapper{SUFFIX[self.language]}"
+        with open(os.path.join(self.directory, wrapper)) as file:
+            text = file.read()
+        done = self.run("gcc", *GENERATED, "-c", f"out/{kernel.name}.c", "-o", "kernel.o")
+        if done.returncode != 0:
+            return done.stderr[:3000]
+        with open(os.path.join(self.directory, "count.c"), "w") as file:
+            file.write("extern int computed;\nint __real_compute(double const *, double const *, double *);\n"
+                       "int __wrap_compute(double const *in, double const *constants, double *out) {\n"
+                       f"  int guard = __real_compute(in, constants, out);\n  computed += {'guard == 0' if self.guards(kernel) else '1'};\n"
+                       "  return guard;\n}\n")
+        self.run("gcc", "-O1", "-c", "count.c", "-o", "count.o")
+        objects = ["kernel.o", "count.o", "harness.o"]
+        if "KERNEL_CALLS" in text:  # a copy of the source
+            message = self.compile(CALLS, "-I", "out", "-c", wrapper, "-o", "wrapper.o")
+            objects += ["wrapper.o"]
+        else:
+            message = self.compile("-I", "out", "-c", wrapper, "-o", "wrapper.o") or \
+                self.compile(f"-D{kernel.name}=fallback", "-Dmain=another_main", "-c", os.path.basename(self.path), "-o", "fallback.o")
+            self.run("objcopy", "--weaken", "fallback.o")
+            objects += ["wrapper.o", "weak.o", "fallback.o"]
+        return message or self.compile(*objects, "-Wl,--wrap=compute", "-lm", "-o", "swapped")
+
+    def guards(self, kernel):
+        return bool(self.banner(kernel).get("guards"))
+
+    def stops(self, kernel):
+        """Another value that is baked in ends the program: there is no original to call."""
+        with open(os.path.join(self.directory, f"out/{kernel.name}_wrapper{SUFFIX[self.language]}")) as file:
+            text = file.read()
+        return "KERNEL_CALLS" not in text and "fallback" not in text
+
+    def judge(self, kernel, seed, outcome):
+        message = self.swap(kernel)
+        if message:
+            outcome.found.append(Found(kernel, "wrapper does not compile", message, self.directory))
+            return
+        plains = 0 if self.stops(kernel) else len(kernel.interface.plains)
+        words = [self.mode, str(seed), str(self.samples), kernel.name, str(plains)]
+        original, swapped = self.run("./original", *words).stdout.splitlines(), self.run("./swapped", *words)
+        lines = swapped.stdout.splitlines()
+        if len(lines) != len(original):
+            outcome.found.append(Found(kernel, "wrapper ends the program", swapped.stderr[-2000:] + "\n".join(lines[-1:]), self.directory))
+            return
+        computed, skipped = int(lines[-1].split()[1]), None
+        outcome.guarded += len(lines) - 1 - computed
+        for expected, got in zip(original[:-1], lines[:-1]):
+            sample, call, outside, changed, *numbers = expected.split()
+            if outside == "1" or skipped == sample:
+                outcome.outside, skipped = outcome.outside + 1, sample  # state goes on to later calls
+                continue
+            outcome.samples += 1
+            if not all(self.same(a, b) for a, b in zip(numbers, got.split()[4:])):
+                outcome.found.append(Found(kernel, "wrapper differs", f"original {expected}\nwrapper  {got}", self.directory))
+                return
+        if computed == 0:
+            outcome.found.append(Found(kernel, "wrapper never calls generated code", "", self.directory))
+            return
+        outcome.compared += 1
+
+    def same(self, a, b):
+        if "nan" in a or "nan" in b:
+            return "nan" in a and "nan" in b
+        return a == b or self.mode != "strict" and float.fromhex(a) == float.fromhex(b)
+
+    def generate(self, kernels, outcome):
+        accepted = super().generate(kernels, outcome)
+        return [k for k in accepted if os.path.exists(os.path.join(self.directory, f"out/{k.name}_wrapper{SUFFIX[self.language]}"))
+                or outcome.found.append(Found(k, "no wrapper", "", self.directory))]
