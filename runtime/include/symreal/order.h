@@ -43,8 +43,16 @@ SYMREAL_LATER(!=)
 template <class T> using later_result =
     std::conditional_t<std::is_lvalue_reference_v<T> && !is_number_or_truth<std::remove_cvref_t<T>>, T,
                        std::remove_cvref_t<T>>;
-template <class T> [[gnu::always_inline]] constexpr later_result<T> symreal_later_value(T &&x) noexcept {
+template <class T>
+  requires(!std::is_arithmetic_v<std::remove_cvref_t<T>>)
+[[gnu::always_inline]] constexpr later_result<T> symreal_later_value(T &&x) noexcept {
   return static_cast<T &&>(x);
+}
+// A bit-field among them, to which a reference cannot be bound.
+template <class T>
+  requires std::is_arithmetic_v<T>
+[[gnu::always_inline]] constexpr T symreal_later_value(T const &x) noexcept {
+  return x;
 }
 
 // In another instantiation of a template the operand may be of a class, whose operators are calls in the original too.
