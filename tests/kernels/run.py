@@ -51,6 +51,8 @@ def arguments():
     parser.add_argument("--reduce", metavar="SECONDS", type=int, help="have C-Reduce shorten what --minimise leaves, for so long")
     parser.add_argument("--keep", metavar="DIR", help="keep the programs of all batches there")
     options = parser.parse_args()
+    if options.wrapper and (options.reduce or options.oracle):
+        parser.error("--wrapper compares programs: neither --reduce nor --oracle goes with it")
     if options.reduce and not shutil.which("creduce"):
         parser.error("--reduce needs C-Reduce: Debian's package creduce")
     return options

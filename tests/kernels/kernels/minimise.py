@@ -54,6 +54,8 @@ def renamed(kernel, name):
     interface.result = of(interface.result)
     for field in ("parameters", "arguments", "clauses", "objects", "hidden"):
         setattr(interface, field, [of(text) for text in getattr(interface, field)])
+    for plain in interface.plains:
+        plain.element, plain.values = of(plain.element), [of(value) for value in plain.values]
     for field in ("inputs", "values", "outputs"):
         setattr(interface, field, [(of(text), [of(e) for e in elements]) for text, elements in getattr(interface, field)])
     return made

@@ -23,7 +23,7 @@ def whole_number(g, depth):
         return None  # the union is defined after it
     made = g.local("w")
     value = tame_number(g, 2, 100)
-    how = g.whole(0, 6)
+    how = g.whole(0, 5)
     low, high, symbolic = value.low, value.high, True
     if how == 0:
         name = cell(g)
@@ -49,15 +49,11 @@ def whole_number(g, depth):
         g.line(f"{name}.words[1] ^= 0x80000000u;")
         g.line(f"double {made} = {name}.number;")
         low = high = -2.5
-    elif how == 5:
+    else:
         name = cell(g)
         g.line(f"{name}.number = 2.5;")
         g.line(f"double {made} = (int)({name}.words[1] >> 20) - 1023;")
         low = high = 1.0
-    else:
-        g.line(f"double {made} = 1.0, {made}_from[2] = {{{value.text}, 2.0}};")
-        g.line(f"for (int at = 0; at < 8; at++) ((unsigned char *)&{made})[at] = ((unsigned char *)&{made}_from[1])[at];")
-        low = high = 2.0
     g.declare(Variable(made, DOUBLE, min(low, 0.0), max(high, 0.0), symbolic))
     return True
 

@@ -16,8 +16,9 @@ def value(g):
 
 
 def storage(g):
+    """Constant: another number of a function is state, wherever it is changed."""
     thread = "_Thread_local" if g.language == "c" else "thread_local"
-    return g.among("static const", "static", "static const", f"static {thread} const", f"static {thread}")
+    return g.among("static const", "static const", f"static {thread} const")
 
 
 def scalar(g):
@@ -28,7 +29,7 @@ def scalar(g):
 
 def whole(g):
     name, number = g.local("fix"), g.whole(0, 3)
-    g.line(f"{storage(g)} int {name} = {number};")
+    g.line(f"{g.among(storage(g), 'static')} int {name} = {number};")
     g.declare(Variable(name, INT, number, number, False, False))
 
 
@@ -36,7 +37,7 @@ def array(g):
     name, size = g.local("row"), g.whole(2, 4)
     g.line(f"{storage(g)} double {name}[{size}] = {{{', '.join(value(g) for _ in range(size))}}};")
     g.declare(Array(name, size, DOUBLE, -10.0, 10.0, False, False, True))
-    if g.chance(0.4):
+    if g.chance(0.4) and "hread_local" not in g.body[-1]:  # whose address is no constant
         pointer = g.local("p")
         g.line(f"static double const *const {pointer} = {name if g.language == 'c' else f'&{name}[0]'};")
         g.declare(Array(pointer, size, DOUBLE, -10.0, 10.0, False, False, True))
@@ -168,6 +169,11 @@ def lazy_constants(g, name, of_input):
     return f"{name}[1]"
 
 
+def never_changed(g, name, of_input):
+    g.line(f"static double {name}{g.among('', '[2]')} = {{2.5}};")
+    return f"{name}[0]" if "[2]" in g.body[-1] else name
+
+
 def last_value(g, name, of_input):
     g.line(f"static double {name} = 0.5;")
     g.line(f"double {name}_was = {name};")
@@ -190,8 +196,8 @@ def declared(text, read):
     return make
 
 
-OF_INPUTS_C = [lazily, lazy_table, lazy_constants, last_value, of_thread]
-OF_INPUTS_CXX = [lazily, lazy_table, last_value, of_thread] + [declared(*pair) for pair in (
+OF_INPUTS_C = [lazily, lazy_table, lazy_constants, never_changed, last_value, of_thread]
+OF_INPUTS_CXX = [lazily, lazy_table, never_changed, last_value, of_thread] + [declared(*pair) for pair in (
     ("static double const NAME = INPUT;", "NAME"),
     ("static double NAME = INPUT;", "NAME"),
     ("thread_local double const NAME = INPUT;", "NAME"),

@@ -7,9 +7,9 @@ call, also where what is baked in is another value than the recorded one, and wh
 import os
 import re
 
-from .outcome import Found
+from .outcome import Found, Outcome
 from .program import calls
-from .session import GENERATED, HERE, REFERENCE, SUFFIX, Session
+from .session import GENERATED, HERE, REFERENCE, SANITIZERS, SUFFIX, SUSPICIOUS, Session
 
 CALLS = "-DKERNEL_CALLS=\"calls.inc\""
 
@@ -21,17 +21,18 @@ class WrapperSession(Session):
         super().__init__(*words, **named)
         self.route = [*self.route, "--wrapper"]
         self.compiler = ["g++", "-std=c++20"] if self.language == "cxx" else ["gcc"]
+        self.called = []
 
     def compile(self, *words):
         done = self.run(*self.compiler, *REFERENCE, "-I", os.path.join(HERE, "Inputs"), "-I", self.directory, *words)
         return done.stderr[:3000] if done.returncode != 0 else None
 
     def execute(self, kernels, seed):
-        from .outcome import Outcome
         outcome = Outcome(count=len(kernels))
         accepted = self.generate(kernels, outcome)
         if not accepted:
             return outcome
+        self.called = accepted
         with open(os.path.join(self.directory, "calls.inc"), "w") as file:
             file.write('#include "harness.h"\n' + calls(accepted, lambda kernel: "0"))
         self.run("gcc", "-O1", "-I", os.path.join(HERE, "Inputs"), "-c", os.path.join(HERE, "Inputs", "harness.c"), "-o", "harness.o")
@@ -108,6 +109,15 @@ class WrapperSession(Session):
             outcome.found.append(Found(kernel, "wrapper never calls generated code", "", self.directory))
             return
         outcome.compared += 1
+
+    def is_defined(self, seed):
+        flags = [*(flag for flag in REFERENCE if flag != "-w"), *SUSPICIOUS, *SANITIZERS]
+        built = self.run(*self.compiler, *flags, "-I", os.path.join(HERE, "Inputs"), "-I", self.directory, CALLS,
+                         os.path.basename(self.path), "harness.o", "-lm", "-o", "checked")
+        if built.returncode != 0:
+            return False
+        said = [self.run("./checked", self.mode, str(seed), str(self.samples), k.name, str(len(k.interface.plains))).stderr for k in self.called]
+        return not any("runtime error" in text or "Sanitizer" in text for text in said)
 
     def same(self, a, b):
         if "nan" in a or "nan" in b:
