@@ -186,7 +186,9 @@ void Collector::state(VarDecl const *variable, Expr const *reference, bool is_de
   if (!of_numbers && integers_.is_fixed(variable)) return;
   Use use = Use::state;
   if (variable->isStaticLocal() && !of_numbers)
-    use = written_first_.holds(variable) ? Use::scratch_state : Use::local_state;
+    use = written_first_.holds(variable)       ? Use::scratch_state
+          : written_first_.is_likely(variable) ? Use::local_state
+                                               : Use::state;
   wrap(reference, use, to_string(map_.place(variable->getCanonicalDecl()->getLocation())));
   // Where types are not known yet, every mention counts as a use.
   if (is_dependent)

@@ -13,9 +13,13 @@ public:
   //
   // Method: a forward data-flow analysis of definite assignment on Clang's control-flow graph.
   bool holds(clang::VarDecl const *variable);
+  // Whether that may well be: an element counts as the array, a member as the structure, a call that is given the
+  // address as an assignment, and each loop runs. Then the recorded path tells; otherwise another call of the function
+  // reads what a call before has left, or somebody to whom the address went.
+  bool is_likely(clang::VarDecl const *variable);
 
 private:
-  llvm::DenseMap<clang::VarDecl const *, bool> known_;
+  llvm::DenseMap<clang::VarDecl const *, bool> known_, likely_;
 };
 
 } // namespace symreal::rewrite

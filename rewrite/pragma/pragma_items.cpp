@@ -337,6 +337,11 @@ private:
     returns.TraverseStmt(function->getBody());
     for (ReturnStmt const *statement : returns.found) {
       Expr const *value = statement->getRetValue();
+      // A macro would take `a, b` for two arguments.
+      while (auto const *comma = dyn_cast<BinaryOperator>(value->IgnoreImplicit())) {
+        if (comma->getOpcode() != BO_Comma) break;
+        value = comma->getRHS();
+      }
       std::optional<Span> const span = map_.range(value->getSourceRange());
       bool const is_list = span && map_.text(*span, value->getBeginLoc()).starts_with('{');
       bool const is_converted = is_list || !function->getASTContext().hasSameUnqualifiedType(

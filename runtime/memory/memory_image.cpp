@@ -60,9 +60,6 @@ MemoryImage MemoryImage::capture(void const *frame) {
   if (Known const stack = callers_stack(frame); stack.begin)
     image.save({Region::stack, {}, const_cast<char *>(stack.begin), stack.size, 0, 0});
   std::sort(image.parts_.begin(), image.parts_.end(), [](Part const &a, Part const &b) { return a.begin < b.begin; });
-  for (std::size_t k = 0; k < image.parts_.size(); ++k)
-    if (Part const &part = image.parts_[k]; part.size > 1 && part.begin[0] == 0 && !guarded_by(part.name).empty())
-      image.guards_.push_back(k);
   return image;
 }
 
@@ -85,6 +82,22 @@ std::optional<Region> MemoryImage::region_of(void const *address) const {
   return part ? std::optional(part->region) : std::nullopt;
 }
 
+std::string MemoryImage::static_name(void const *address) const {
+  Part const *part = part_at(address);
+  return part ? part->name : "";
+}
+
+void MemoryImage::add(HeapBlock const &block) {
+  OwnWork const own;
+  auto const next = std::upper_bound(parts_.begin(), parts_.end(), block.begin,
+                                     [](char const *begin, Part const &part) { return begin < part.begin; });
+  // One that was there then and was given back has no bytes to compare any more.
+  if (next != parts_.begin() && block.begin < std::prev(next)->begin + std::prev(next)->size) return;
+  if (next != parts_.end() && next->begin < block.begin + block.size) return;
+  parts_.insert(next, {Region::heap_block, {}, block.begin, block.size, bytes_.size(), block.serial});
+  bytes_.insert(bytes_.end(), block.begin, block.begin + block.size);
+}
+
 void MemoryImage::update(void const *begin, std::size_t size) {
   if (Part const *part = part_at(begin)) {
     auto const offset = static_cast<std::size_t>(static_cast<char const *>(begin) - part->begin);
@@ -96,20 +109,22 @@ bool MemoryImage::has_changed(Part const &part) const {
   return std::memcmp(part.begin, bytes_.data() + part.saved, part.size) != 0;
 }
 
-// While an object is initialised the second byte of its guard is set; once it is, the first (Itanium C++ ABI 3.3.2, and
-// GCC's library).
-std::vector<std::string> MemoryImage::being_initialised() const {
-  std::vector<std::string> names;
-  for (std::size_t guard : guards_)
-    if (Part const &part = parts_[guard]; part.begin[1] != 0) names.push_back(guarded_by(part.name));
-  return names;
-}
-
 std::vector<Change> MemoryImage::initialised() const {
   std::set<std::string> names;
   for (Part const &part : parts_)
     if (std::string object = guarded_by(part.name); !object.empty() && has_changed(part))
       names.insert(std::move(object));
+  return named(names);
+}
+
+std::vector<Change> MemoryImage::guarded(void const *guard) const {
+  OwnWork const own;
+  std::string object = guarded_by(static_name(guard));
+  return object.empty() ? std::vector<Change>() : named({std::move(object)});
+}
+
+// The objects of these names, and the temporaries that they keep alive.
+std::vector<Change> MemoryImage::named(std::set<std::string> const &names) const {
   std::vector<Change> found;
   if (names.empty()) return found;
   for (Part const &part : parts_)

@@ -7,6 +7,8 @@
 #include "memory/static_objects.h"
 
 #include <optional>
+#include <set>
+#include <string>
 #include <vector>
 
 namespace symreal::memory {
@@ -35,6 +37,8 @@ public:
 
   // What lies there now counts as if it had lain there then.
   void update(void const *begin, std::size_t size);
+  // The same of a block of the heap that was not there then.
+  void add(HeapBlock const &block);
 
   // What has changed since, but for what is known. What the heap has given back, and objects that were initialised, are
   // left out.
@@ -43,15 +47,16 @@ public:
   // The static objects of functions that were initialised since, on their first use, and the temporaries that those
   // that are references keep alive.
   std::vector<Change> initialised() const;
-
-  // The names of those that are being initialised now.
-  std::vector<std::string> being_initialised() const;
+  // Those of them that the compiler guards with this object.
+  std::vector<Change> guarded(void const *guard) const;
 
   // The bytes that lay there, of an address within the image; else null.
   char const *before(void const *address) const;
 
   // In which part of the image the address lies; nullopt outside of it.
   std::optional<Region> region_of(void const *address) const;
+  // The linker's name of the static object there; empty elsewhere.
+  std::string static_name(void const *address) const;
 
   // All that can be reached from these bytes: the blocks of the heap that they point into, what those point into, and
   // so on. For an object that owns others, in whatever way. `blocks`: those that there are now, if they count as well.
@@ -66,12 +71,12 @@ private:
     std::uint64_t serial;    // of a block
   };
   void save(Part part);
+  std::vector<Change> named(std::set<std::string> const &names) const;
   Part const *part_at(void const *address) const;
   void compare(Part const &part, std::vector<Known> const &known, std::vector<Change> &changes) const;
   bool has_changed(Part const &part) const;
 
-  std::vector<Part> parts_;         // by address
-  std::vector<std::size_t> guards_; // of objects that were not initialised
+  std::vector<Part> parts_; // by address
   std::vector<char> bytes_;
 };
 

@@ -3,17 +3,21 @@
 #include "memory/heap_blocks.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
 #include <map>
 #include <string_view>
 #include <unistd.h>
+#include <utility>
+#include <vector>
 
 #if defined(__linux__) && defined(__x86_64__)
 #include <csignal>
 #include <fcntl.h>
 #include <sched.h>
+#include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/syscall.h>
 #include <ucontext.h>
@@ -56,6 +60,12 @@ void compare_environment(std::vector<Effect> &effects) {
     if (differs(one, now)) add(one.first);
 }
 
+bool is_open = false; // between the two moments
+std::vector<char const *> &library_effects() {
+  static auto *effects = memory::make_own<std::vector<char const *>>();
+  return *effects;
+}
+
 #if defined(__linux__) && defined(__x86_64__)
 
 #ifndef PR_SET_SYSCALL_USER_DISPATCH
@@ -80,7 +90,7 @@ struct Noted {
 Noted noted[32];
 std::size_t noted_count = 0;
 
-enum class Does { reads, writes, moves, opens, asks, names, other };
+enum class Does { reads, writes, moves, opens, closes, asks, names, limits, maps, controls, other };
 struct Call {
   long number;
   Does does;
@@ -90,7 +100,6 @@ struct Call {
 
 // Calls that concern the program alone. Every other one that no row names counts.
 constexpr long harmless[] = {SYS_brk,
-                             SYS_mmap,
                              SYS_munmap,
                              SYS_mprotect,
                              SYS_mremap,
@@ -118,10 +127,8 @@ constexpr long harmless[] = {SYS_brk,
                              SYS_sysinfo,
                              SYS_getrandom,
                              SYS_getrlimit,
-                             SYS_prlimit64,
                              SYS_fstat,
                              SYS_getdents64,
-                             SYS_close,
                              SYS_fadvise64,
                              SYS_poll,
                              SYS_select,
@@ -136,9 +143,7 @@ constexpr long harmless[] = {SYS_brk,
                              SYS_exit_group,
                              SYS_membarrier,
                              SYS_tgkill,
-                             SYS_prctl,
                              SYS_restart_syscall,
-                             SYS_alarm,
                              SYS_clone,
                              SYS_clone3,
                              SYS_fstatfs,
@@ -171,6 +176,7 @@ constexpr Call calls[] = {
     {SYS_lseek, Does::moves, "uses the position in"},
     {SYS_open, Does::opens, "opens", 0},
     {SYS_openat, Does::opens, "opens", 1},
+    {SYS_close, Does::closes, "closes"},
     {SYS_creat, Does::names, "creates", 0},
     {SYS_truncate, Does::names, "truncates", 0},
     {SYS_unlink, Does::names, "removes", 0},
@@ -192,6 +198,10 @@ constexpr Call calls[] = {
     {SYS_socket, Does::other, "opens a socket"},
     {SYS_umask, Does::other, "changes the mask of permissions"},
     {SYS_setitimer, Does::other, "sets a timer"},
+    {SYS_alarm, Does::other, "sets a timer"},
+    {SYS_prctl, Does::controls, "names its thread"},
+    {SYS_prlimit64, Does::limits, "changes a limit of the process"},
+    {SYS_mmap, Does::maps, "maps, so as to change it,"},
 };
 
 Call const *row_of(long number) {
@@ -199,14 +209,49 @@ Call const *row_of(long number) {
   return found == std::end(calls) ? nullptr : found;
 }
 
-void note(long number, long const (&arguments)[6]) {
+// Descriptors that the kernel itself has opened.
+constexpr long most_files = 1024;
+bool is_own_file[most_files];
+
+// The path of an open file, without what allocates.
+void path_of(long descriptor, char (&path)[240]) {
+  char link[40] = "/proc/self/fd/";
+  char digits[20];
+  std::size_t count = 0, end = std::strlen(link);
+  do digits[count++] = static_cast<char>('0' + descriptor % 10);
+  while ((descriptor /= 10) > 0);
+  while (count > 0) link[end++] = digits[--count];
+  long const size = syscall(SYS_readlink, link, path, sizeof path - 1); // readlink() tells the recording
+  path[size > 0 ? size : 0] = 0;
+}
+
+// What the call was given that tells whether it does something that lasts.
+bool lasts(Does does, long const (&arguments)[6]) {
+  if (does == Does::limits) return arguments[2] != 0;
+  if (does == Does::controls) return arguments[0] == PR_SET_NAME;
+  if (does == Does::maps)
+    return (arguments[3] & MAP_SHARED) != 0 && (arguments[3] & MAP_ANONYMOUS) == 0 && (arguments[2] & PROT_WRITE) != 0;
+  return true;
+}
+
+// `closed`: the path of what the call has closed.
+void note(long number, long const (&arguments)[6], long result, char const *closed) {
   Call const *row = row_of(number);
   if (!row && std::ranges::find(harmless, number) != std::end(harmless)) return;
   Does const does = row ? row->does : Does::other;
+  bool const is_opened = (does == Does::opens || number == SYS_creat) && result >= 0 && result < most_files;
+  if (is_opened) is_own_file[result] = true;
+  if (does == Does::closes && arguments[0] >= 0 && arguments[0] < most_files &&
+      std::exchange(is_own_file[arguments[0]], false))
+    return;
+  if (!lasts(does, arguments)) return;
   Noted one{number, -1, does == Does::reads || does == Does::asks, {}};
   if (does == Does::opens) one.is_asked = (arguments[row->path + 1] & (O_WRONLY | O_RDWR | O_CREAT | O_TRUNC)) == 0;
-  if (does == Does::moves) one.is_asked = arguments[1] == 0 && arguments[2] == SEEK_CUR;
+  bool const is_own = arguments[0] >= 0 && arguments[0] < most_files && is_own_file[arguments[0]];
+  if (does == Does::moves) one.is_asked = is_own || (arguments[1] == 0 && arguments[2] == SEEK_CUR);
   if (does == Does::reads || does == Does::writes || does == Does::moves) one.file = arguments[0];
+  if (does == Does::maps) one.file = arguments[4];
+  if (closed) std::strcpy(one.path, closed);
   if (row && row->path >= 0) {
     auto const *path = reinterpret_cast<char const *>(arguments[row->path]);
     for (std::size_t k = 0; path && path[k] && k + 1 < sizeof one.path; ++k) one.path[k] = path[k];
@@ -248,6 +293,16 @@ bool dispatch() {
   return prctl(PR_SET_SYSCALL_USER_DISPATCH, 1, restorer(), restorer_size, &selector) == 0;
 }
 
+void keep_mask(sigset_t &mask) {
+  bool const was_blocked = sigismember(&mask, SIGSYS) == 1; // as it is in the handler
+  sigset_t now;
+  sigprocmask(SIG_BLOCK, nullptr, &now);
+  for (int signal = 1; signal < NSIG; ++signal) {
+    bool const is_blocked = signal == SIGSYS ? was_blocked : sigismember(&now, signal) == 1;
+    (void)(is_blocked ? sigaddset(&mask, signal) : sigdelset(&mask, signal));
+  }
+}
+
 void on_call(int, siginfo_t *, void *context) {
   selector = allow;
   auto &registers = static_cast<ucontext_t *>(context)->uc_mcontext.gregs;
@@ -258,17 +313,22 @@ void on_call(int, siginfo_t *, void *context) {
   // A new thread or process goes on behind the call, on a stack that may be its own: the call is made again, unwatched.
   bool const is_copy = number == SYS_clone && (arguments[0] & CLONE_VM) == 0; // of the process
   if ((number == SYS_clone && !is_copy) || number == SYS_clone3 || number == SYS_vfork) {
-    if (!is_own) note(number, arguments);
+    if (!is_own) note(number, arguments, 0, nullptr);
     registers[REG_RIP] -= 2;
     is_watching = false;
     return;
   }
   Call const *row = row_of(number);
+  char closed[sizeof Noted::path];
+  bool const is_closing = number == SYS_close;
+  if (is_closing) path_of(arguments[0], closed);
   bool const is_dropped = is_discarding && !is_own && row && row->does == Does::writes;
   registers[REG_RAX] = is_dropped ? arguments[2] : carry_out(number, arguments);
   constexpr long last_error = -4095;
   bool const has_failed = registers[REG_RAX] < 0 && registers[REG_RAX] >= last_error;
-  if (!is_own && !has_failed) note(number, arguments);
+  // When the handler returns, the signals that its context blocks are blocked.
+  if (number == SYS_rt_sigprocmask && !has_failed) keep_mask(static_cast<ucontext_t *>(context)->uc_sigmask);
+  if (!is_own && !has_failed) note(number, arguments, registers[REG_RAX], is_closing ? closed : nullptr);
   if ((is_copy || number == SYS_fork) && registers[REG_RAX] == 0) dispatch(); // the copy is not watched by itself
   selector = block;
 }
@@ -278,8 +338,39 @@ void give_back_handler() {
   sigaltstack(&previous_stack, nullptr);
 }
 
+// Of each signal what becomes of it, and which are blocked.
+struct Signals {
+  std::array<struct sigaction, NSIG> actions = {};
+  sigset_t blocked = {};
+};
+Signals signals_before;
+
+void read_signals(Signals &signals) {
+  for (int number = 1; number < NSIG; ++number)
+    sigaction(number, nullptr, &signals.actions[static_cast<std::size_t>(number)]);
+  sigprocmask(SIG_BLOCK, nullptr, &signals.blocked);
+}
+
+// The recording has those that the processor raises for itself.
+constexpr int own_signals[] = {SIGSYS, SIGFPE, SIGTRAP, SIGSEGV, SIGBUS, SIGILL};
+
+void compare_signals(std::vector<Effect> &effects) {
+  static Signals now;
+  read_signals(now);
+  for (int number = 1; number < NSIG; ++number) {
+    if (std::ranges::find(own_signals, number) != std::end(own_signals)) continue;
+    auto const at = static_cast<std::size_t>(number);
+    if (now.actions[at].sa_handler != signals_before.actions[at].sa_handler)
+      effects.push_back({Effect::Kind::changes, "changes what signal " + std::to_string(number) + " does"});
+    if (sigismember(&now.blocked, number) != sigismember(&signals_before.blocked, number))
+      effects.push_back({Effect::Kind::changes, "changes whether signal " + std::to_string(number) + " is blocked"});
+  }
+}
+
 void begin_calls() {
   noted_count = 0;
+  std::ranges::fill(is_own_file, false);
+  read_signals(signals_before);
   stack_t stack = {};
   stack.ss_sp = handler_stack;
   stack.ss_size = sizeof handler_stack;
@@ -311,7 +402,7 @@ Effect effect_of(Noted const &one) {
   if (row->does == Does::writes && one.file == STDERR_FILENO) return {Effect::Kind::prints, "writes to standard error"};
   std::string what = row->what;
   if (one.file >= 0) what += " " + name_of_file(one.file);
-  if (row->path >= 0) what += " " + in_quotes(one.path);
+  if (row->path >= 0 || row->does == Does::closes) what += " " + in_quotes(one.path);
   return {one.is_asked ? Effect::Kind::asks : Effect::Kind::changes, what};
 }
 
@@ -322,6 +413,7 @@ void end_calls(std::vector<Effect> &effects) {
   if (!was_watching) return;
   prctl(PR_SET_SYSCALL_USER_DISPATCH, 0, 0, 0, 0);
   give_back_handler();
+  compare_signals(effects);
   for (std::size_t k = 0; k < noted_count; ++k) effects.push_back(effect_of(noted[k]));
 }
 
@@ -341,7 +433,15 @@ void watch_world() {
   memory::OwnWork const own;
   std::fflush(nullptr);
   environment_before() = environment();
+  library_effects().clear();
+  is_open = true;
   begin_calls();
+}
+
+void note_effect(char const *what) {
+  if (!is_open || memory::OwnWork::is_going_on()) return;
+  memory::OwnWork const own;
+  library_effects().push_back(what);
 }
 
 std::vector<Effect> effects_on_world(bool discard) {
@@ -350,6 +450,10 @@ std::vector<Effect> effects_on_world(bool discard) {
   memory::OwnWork const own;
   std::vector<Effect> effects;
   end_calls(effects);
+  is_open = false;
+  for (char const *what : library_effects())
+    if (Effect effect{Effect::Kind::changes, what}; std::ranges::find(effects, effect) == effects.end())
+      effects.push_back(std::move(effect));
   compare_environment(effects);
   return effects;
 }

@@ -2,8 +2,9 @@
 // watched between two moments, and the environment is compared.
 //
 // Method: Linux hands each system call of this thread over as a signal (syscall user dispatch, Linux 5.11), whose
-// handler notes it and carries it out. Where the system cannot do that, only the environment is compared. Output that
-// the C library keeps in its buffers is written while the calls are watched.
+// handler notes it and carries it out. Where the system cannot do that, only the environment is compared. What becomes
+// of signals is compared, too, since calls may change it for a while. Output that the C library keeps in its buffers is
+// written while the calls are watched. Functions that change the libraries' own state tell of it (effect_hooks.cpp).
 #pragma once
 
 #include <string>
@@ -21,6 +22,8 @@ struct Effect {
 
 // Begins; what is done by OwnWork does not count.
 void watch_world();
+// A library function changes what it keeps for the whole program; `what` lives as long.
+void note_effect(char const *what);
 // Ends, and tells each effect once. `discard`: what is still in buffers is not written in truth.
 std::vector<Effect> effects_on_world(bool discard = false);
 

@@ -19,8 +19,10 @@ using symreal::trace::State;
 extern "C" {
 
 char symreal_heap_hooks = 0;
-extern char symreal_outside_hooks, symreal_mapping_hooks;
-char const *symreal_other_hooks[] = {&symreal_outside_hooks, &symreal_mapping_hooks}; // links them as well
+extern char symreal_outside_hooks, symreal_mapping_hooks, symreal_initialisation_hooks, symreal_effect_hooks;
+// Links them as well.
+char const *symreal_other_hooks[] = {&symreal_outside_hooks, &symreal_mapping_hooks, &symreal_initialisation_hooks,
+                                     &symreal_effect_hooks};
 
 void *__libc_malloc(size_t size);
 void *__libc_calloc(size_t count, size_t size);

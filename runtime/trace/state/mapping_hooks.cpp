@@ -2,7 +2,9 @@
 // program, as the heap's are; the heap gets its own memory by other names.
 //
 // Weak, so that a program with a function of such a name has its own.
+#include "memory/heap_blocks.h"
 #include "memory/mapped_memory.h"
+#include "trace/state/state.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -29,6 +31,15 @@ char symreal_mapping_hooks = 0;
 MAPPING(mmap)
 MAPPING(mmap64)
 #undef MAPPING
+
+int symreal_mapping_munmap(void *begin, std::size_t size) asm("munmap");
+[[gnu::weak]] int symreal_mapping_munmap(void *begin, std::size_t size) {
+  static auto const original = reinterpret_cast<int (*)(void *, std::size_t)>(dlsym(RTLD_NEXT, "munmap"));
+  int const result = original(begin, size);
+  if (result == 0 && symreal::detail::recording && !symreal::memory::OwnWork::is_going_on())
+    symreal::trace::State::current().released(begin, size);
+  return result;
+}
 
 void *symreal_mapping_shmat(int segment, void const *at, int flags) asm("shmat");
 [[gnu::weak]] void *symreal_mapping_shmat(int segment, void const *at, int flags) {

@@ -40,7 +40,6 @@ void State::begin(void const *frame) {
   std::free(block);
   // An allocator of the program's own keeps its blocks in its static objects, those of the bookkeeping among them.
   if (heap_is_known_) image_ = memory::MemoryImage::capture(frame);
-  decided_.clear();
 }
 
 Site State::site_of(void const *address, char const *name, char const *place) const {

@@ -82,13 +82,17 @@ public:
   // A function gave this, which comes from outside of the program (outside_hooks.cpp).
   void outside(std::string const &name, std::vector<double> const &values);
 
+  // Told by the compiler's guards (initialisation_hooks.cpp): a static variable of a function is initialised.
+  void begin_initialisation(void const *guard) { initialisations_.push_back({guard}); }
+  void end_initialisation(void const *guard);
+  void give_up_initialisation(void const *guard);
+  // The path goes by a symbolic value: what is initialised on it depends on that.
+  void decided();
+
   // Told by the heap (heap_hooks.cpp).
   void allocated(void *block, std::size_t size);
   void released(void *block, std::size_t size);
   void moved(void *block, std::size_t size, void *to, std::size_t new_size);
-
-  // The program decides on a symbolic value: what it initialises meanwhile depends on inputs.
-  void decided();
 
   // What is baked in. Reports state that was written and is no output, and makes its numbers ordinary again.
   // `kernel`: its place. `has_guards`: other inputs may take another path through the program than this one.
@@ -130,6 +134,11 @@ private:
     detail::Visit visit;
     Site site;
   };
+  struct Initialisation {
+    void const *guard;
+    bool depends_on_input = false;
+    std::vector<memory::Change> objects = {}; // once it has ended
+  };
   struct RangeEnd {
     void const *end;
     bool is_last;
@@ -159,6 +168,7 @@ private:
   bool has_changed(RealNumber const *number) const;
   void judge_memory(Place const &kernel);
   void judge_initialised(Place const &kernel);
+  void report_initialised(memory::Change const &object, Place const &kernel);
   std::string name_of(memory::Change const &change) const;
   bool holds_input(memory::Known object) const;
   bool was_written_by_kernel(RealNumber const *number, double value) const;
@@ -182,7 +192,6 @@ private:
   std::vector<Input> inputs_;
   std::vector<RealNumber const *> outputs_;
   std::optional<memory::MemoryImage> image_; // from when the kernel began
-  std::set<std::string> decided_;            // the names of objects that were initialised during a decision
   std::set<std::string> labels_;             // of inputs
   std::set<void const *> members_;           // integers of annotated structures
   std::map<std::string, Frozen> copies_;     // those that lie in the kernel's own arguments, by name
@@ -190,6 +199,7 @@ private:
   std::vector<Scratch> scratch_;
   std::vector<memory::Known> handed_over_;
   std::set<std::string> scratch_files_;
+  std::vector<Initialisation> initialisations_, initialised_; // that go on, the innermost last; that have ended
   std::vector<RangeEnd> range_ends_;
   std::map<std::pair<std::string, std::vector<std::uintptr_t>>, std::vector<double>> outside_; // by name and stack
   std::set<Site> reported_;

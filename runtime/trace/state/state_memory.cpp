@@ -81,6 +81,11 @@ bool State::was_written_by_kernel(RealNumber const *number, double value) const 
   });
 }
 
+// An argument in the program that calls a function without one.
+static bool is_of_driver(std::string const &name) {
+  return name.starts_with("_ZZ") && name.find("symreal_call_") != name.npos;
+}
+
 // Nodes in the object or in what it owns, or a pointer in it to what the caller has on its stack, or to an input.
 bool State::holds_input(memory::Known object) const {
   std::vector<memory::Known> const owned = image_->owned(object, memory::heap_blocks());
@@ -97,7 +102,8 @@ bool State::holds_input(memory::Known object) const {
   return each_word(object, [this](std::uint64_t bits) {
     auto const *address = reinterpret_cast<void const *>(bits);
     if (image_->region_of(address) == memory::Region::stack || detail::on_own_stack(address)) return true;
-    return image_->region_of(address) != memory::Region::static_object &&
+    return (image_->region_of(address) != memory::Region::static_object ||
+            is_of_driver(image_->static_name(address))) &&
            std::ranges::any_of(inputs_, [address](Input const &one) { return one.number == address; });
   });
 }
@@ -108,22 +114,55 @@ std::string State::name_of(memory::Change const &change) const {
 }
 
 void State::decided() {
-  if (!image_) return;
-  for (std::string &name : image_->being_initialised()) decided_.insert(std::move(name));
+  for (Initialisation &one : initialisations_) one.depends_on_input = true;
 }
 
-// A later call finds the object as the first call has made it, whatever its own inputs are.
+void State::give_up_initialisation(void const *guard) {
+  std::erase_if(initialisations_, [guard](Initialisation const &one) { return one.guard == guard; });
+}
+
+// From here on the object is like any other: what is changed in it is state.
+void State::end_initialisation(void const *guard) {
+  auto const found = std::ranges::find(initialisations_, guard, &Initialisation::guard);
+  if (found == initialisations_.end()) return;
+  Initialisation ended = std::move(*found);
+  initialisations_.erase(found);
+  if (!image_) return;
+  ended.objects = image_->guarded(guard);
+  if (ended.objects.empty()) return; // the runtime's own
+  has_met_outside_ = true;
+  image_->update(guard, sizeof(std::uint64_t));
+  std::vector<memory::HeapBlock> const blocks = memory::heap_blocks();
+  for (memory::Change const &object : ended.objects) {
+    memory::Known const bytes{object.object, object.size};
+    ended.depends_on_input = ended.depends_on_input || holds_input(bytes);
+    image_->update(bytes.begin, bytes.size);
+    for (memory::Known const &owned : image_->owned(bytes, blocks)) {
+      auto const block = std::ranges::find(blocks, owned.begin, &memory::HeapBlock::begin);
+      if (block != blocks.end()) image_->add(*block);
+    }
+  }
+  initialised_.push_back(std::move(ended));
+}
+
+void State::report_initialised(memory::Change const &object, Place const &kernel) {
+  auto const named = names_.find(object.object);
+  bool const is_named = named != names_.end();
+  if (is_named && !reported_.insert(named->second.site).second) return;
+  report(
+      {DiagnosticId::static_of_inputs, is_named ? place_of(named->second.site) : kernel,
+       "the first call initialises static '" + name_of(object) + "' from its inputs, and later calls keep this value"});
+}
+
+// A later call finds the object as the first call has made it, whatever its own inputs are. Where nothing told of the
+// end of its initialisation, what it holds now has to do.
 void State::judge_initialised(Place const &kernel) {
   if (!image_) return;
-  for (memory::Change const &object : image_->initialised()) {
-    if (!decided_.contains(object.name) && !holds_input({object.object, object.size})) continue;
-    auto const named = names_.find(object.object);
-    bool const is_named = named != names_.end();
-    if (is_named && !reported_.insert(named->second.site).second) continue;
-    report({DiagnosticId::static_of_inputs, is_named ? place_of(named->second.site) : kernel,
-            "the first call initialises static '" + name_of(object) +
-                "' from its inputs, and later calls keep this value"});
-  }
+  for (Initialisation const &one : initialised_)
+    if (one.depends_on_input)
+      for (memory::Change const &object : one.objects) report_initialised(object, kernel);
+  for (memory::Change const &object : image_->initialised())
+    if (holds_input({object.object, object.size})) report_initialised(object, kernel);
 }
 
 void State::judge_memory(Place const &kernel) {

@@ -1,0 +1,38 @@
+// What a kernel changes in the state that the C library and the C++ library keep for the whole program. The functions
+// that change it are replaced in the whole symbolic program and in the original, and call the library's.
+//
+// Weak, so that a program with a function of such a name has its own.
+#include "trace/outside/world.h"
+
+#ifdef __GLIBC__
+
+#include <cstddef>
+#include <dlfcn.h>
+
+extern "C" {
+
+char symreal_effect_hooks = 0;
+
+#define EFFECT(result, symbol, when, what, parameters, arguments)                                                      \
+  result symreal_effect_##symbol parameters asm(#symbol);                                                              \
+  [[gnu::weak]] result symreal_effect_##symbol parameters {                                                            \
+    using Function = result(*) parameters;                                                                             \
+    static auto const original = reinterpret_cast<Function>(dlsym(RTLD_NEXT, #symbol));                                \
+    if (when) symreal::trace::note_effect(what);                                                                       \
+    return original arguments;                                                                                         \
+  }
+#include "support/effects.def"
+#undef EFFECT
+
+// The library has this one in each program by itself, so there is no other to call.
+int __cxa_atexit(void (*function)(void *), void *argument, void *library);
+int symreal_effect_atexit(void (*function)()) asm("atexit");
+[[gnu::weak]] int symreal_effect_atexit(void (*function)()) {
+  symreal::trace::note_effect("registers a function for the end of the program");
+  return __cxa_atexit([](void *each) { reinterpret_cast<void (*)()>(each)(); }, reinterpret_cast<void *>(function),
+                      nullptr);
+}
+
+} // extern "C"
+
+#endif
