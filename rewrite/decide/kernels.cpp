@@ -74,10 +74,6 @@ void check_returned_place(PragmaFact const &pragma, ClauseFact const &clause, Re
 // decisions(...), loop(N) and exact.
 bool is_setting(ClauseFact const &clause) { return info(clause.clause).has(trait::SETTING); }
 
-bool only_settings(PragmaFact const &pragma) {
-  return std::all_of(pragma.clauses.begin(), pragma.clauses.end(), is_setting);
-}
-
 void check_setting(PragmaFact const &pragma, ClauseFact const &clause, Result &result) {
   std::string const &argument = clause.argument;
   static std::set<std::string> const policies = {"error", "guard", "select", "carry"};
@@ -89,7 +85,7 @@ void check_setting(PragmaFact const &pragma, ClauseFact const &clause, Result &r
   if (clause.clause == Clause::loop && !is_number)
     report(result, DiagnosticId::pragma_syntax, clause.place,
            "loop(N) takes the largest number of runs, not '" + argument + "'");
-  if (!pragma.is_function && !only_settings(pragma))
+  if (!pragma.is_function && pragma.is_kernel())
     report(result, DiagnosticId::pragma_syntax, clause.place,
            "'" + name_of(clause.clause) + "' applies to the next statement and needs a pragma of its own");
 }
@@ -198,7 +194,7 @@ void collect_kernels(Facts const &facts, Result &result) {
       region(pragma, regions[span.file], result);
       continue;
     }
-    if (pragma.function.empty() || only_settings(pragma)) continue; // not attached, and reported; or no kernel
+    if (pragma.function.empty() || !pragma.is_kernel()) continue; // not attached, and reported; or no kernel
     if (!has_output(annotations(pragma)))
       report(result, DiagnosticId::kernel_incomplete, pragma.place, "this pragma has no output(...)");
     result.kernels.push_back({.name = pragma.function[0].name,

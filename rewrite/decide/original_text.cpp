@@ -61,16 +61,14 @@ std::string original_region_text(PragmaFact const &pragma) {
 }
 
 std::string original_function_text(PragmaFact const &pragma) {
+  if (!pragma.is_kernel()) return "";
   std::string entry, exit, call = "1";
-  bool is_kernel = false;
   for (ClauseFact const &clause : pragma.clauses) {
-    is_kernel = is_kernel || !info(clause.clause).has(trait::SETTING);
     if (clause.clause == Clause::call)
       call = clause.argument;
     else
       (info(clause.clause).has(trait::RESULTS) ? exit : entry) += clause_text(clause);
   }
-  if (!is_kernel) return "";
   std::string own;
   for (FunctionFact::Value const &one : pragma.function[0].parameters)
     own += fmt::format("SYMREAL_ORIGINAL_OWN({}) ", one.name);

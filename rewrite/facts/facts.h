@@ -118,6 +118,12 @@ struct PragmaFact {
       if (one.clause == wanted) return &one;
     return nullptr;
   }
+  // Else it only says how a statement or function is recorded.
+  bool is_kernel() const {
+    for (ClauseFact const &one : clauses)
+      if (!info(one.clause).has(trait::SETTING)) return true;
+    return false;
+  }
 };
 
 // A function that carries REAL, used from code that is compiled here, and not defined in the same source.

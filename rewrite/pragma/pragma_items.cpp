@@ -170,7 +170,7 @@ public:
   void attach_to(Span const &span, FunctionDecl const *function) {
     PragmaFact &pragma = facts_.pragmas[span];
     note_function(pragma, function);
-    if (pragma.function.empty()) return;
+    if (pragma.function.empty() || !pragma.is_kernel()) return;
     Redefinition &redefined = pragma.function[0].signature.redefinition;
     redefined = redefinition(function, look_up_names(span, function));
     redefined.file = pragma.function[0].brace.file;

@@ -121,15 +121,13 @@ std::string region_text(PragmaFact const &pragma) {
 
 std::string function_text(PragmaFact const &pragma) {
   std::string entry, exit, call;
-  bool is_kernel = false;
   for (ClauseFact const &clause : pragma.clauses) {
-    is_kernel = is_kernel || !info(clause.clause).has(trait::SETTING);
     if (clause.clause == Clause::call)
       call = ", " + clause.argument;
     else
       (info(clause.clause).has(trait::RESULTS) ? exit : entry) += clause_text(pragma, clause);
   }
-  if (!is_kernel) return trimmed(entry);
+  if (!pragma.is_kernel()) return trimmed(entry);
   std::string text = "SYMREAL_FUNCTION(" + place_arguments(pragma.function[0].name, pragma.place) + call + ") " + entry;
   for (FunctionFact::Value const &value : pragma.function[0].parameters)
     text.append("SYMREAL_PARAMETER(" + in_quotes(value.name) + ", " + in_quotes(to_string(value.place)) + ", " +

@@ -9,6 +9,11 @@
 #include <cstdint>
 #include <cstdio>
 
+struct Time {
+  explicit Time(std::int64_t microseconds) : microseconds(microseconds) {}
+  std::int64_t microseconds;
+};
+
 struct Sample {
   std::int64_t microseconds;
   double position;
@@ -20,9 +25,14 @@ std::int64_t stamp(double seconds) {
   return static_cast<std::int64_t>(seconds * 1e6);
 }
 
+// The pragma makes no kernel of a function that returns an object, made first or not.
+#pragma symreal function decisions(carry)
+Time time(double seconds) { return Time(stamp(seconds)); }
+
+#pragma symreal function decisions(carry)
 Sample at(double t) {
   double const position = std::sin(t) + t;
-  return {stamp(t), position};
+  return {time(t).microseconds, position};
 }
 
 // CODE: void compute(
