@@ -126,13 +126,12 @@ void print_exploration(std::ostream &out, program::Exploration const &exploratio
 }
 
 Json to_json(program::Exploration const &exploration) {
-  Json json = {{"paths", exploration.paths},           {"selects", exploration.selects},
-               {"followed", exploration.followed},     {"cut_off", exploration.cut_off},
-               {"ended", exploration.ended},           {"late", exploration.late},
-               {"joins", exploration.joins},           {"pieces", exploration.pieces},
-               {"decided", exploration.decided},       {"in_vain", exploration.in_vain},
-               {"zeros", exploration.zeros},           {"more_paths", exploration.paths_left},
-               {"complete", exploration.is_complete()}};
+  Json json = {
+      {"paths", exploration.paths},           {"selects", exploration.selects}, {"followed", exploration.followed},
+      {"cut_off", exploration.cut_off},       {"ended", exploration.ended},     {"late", exploration.late},
+      {"joins", exploration.joins},           {"pieces", exploration.pieces},   {"decided", exploration.decided},
+      {"in_vain", exploration.in_vain},       {"zeros", exploration.zeros},     {"more_paths", exploration.paths_left},
+      {"complete", exploration.is_complete()}};
   if (exploration.samples != 0) {
     json["samples"] = exploration.samples;
     json["unmet"] = exploration.unmet;

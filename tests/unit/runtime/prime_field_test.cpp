@@ -2,8 +2,8 @@
 #include "algebra/value.h"
 
 #include <gtest/gtest.h>
-#include <vector>
 #include <random>
+#include <vector>
 
 namespace symreal::algebra {
 namespace {
