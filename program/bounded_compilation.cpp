@@ -1,12 +1,17 @@
 #include "program/bounded_compilation.h"
 
+#include <algorithm>
 #include <fmt/format.h>
+#include <optional>
+#include <utility>
 
 namespace symreal::program {
 
 namespace {
 
-constexpr double first_limit = 10; // seconds: within them the original is not worth measuring
+constexpr double first_limit = 10; // seconds: within them the original of a source that is not large is not measured
+// Times the original's: without optimisation a large source takes seven times that, and the original itself once.
+constexpr double share_of_first = 2;
 constexpr double most_times = 10, most_seconds_more = 1;
 constexpr std::size_t most_memory_times = 5, most_memory_more = 300'000'000;
 constexpr double megabyte = 1e6;
@@ -15,17 +20,29 @@ double most_seconds(Outcome const &original) { return most_times * original.proc
 
 std::size_t most_memory(Outcome const &original) { return most_memory_times * original.most_memory + most_memory_more; }
 
+// What all tries take together.
+struct Spent {
+  double seconds = 0;
+  std::size_t memory = 0;
+
+  void add(Outcome const &outcome) {
+    seconds += outcome.processor_seconds;
+    memory = std::max(memory, outcome.most_memory);
+  }
+};
+
 std::string told(std::string const &source, double seconds, Outcome const &original) {
   return fmt::format("{} is compiled without optimisation in symbolic mode: with it the compiler takes more than "
                      "{:.0f} s, where the original at -O1 takes {:.1f} s",
                      source, seconds, original.processor_seconds);
 }
 
-std::string told_beyond(std::string const &source, Outcome const &symbolic, Outcome const &original) {
-  return fmt::format("{}: without optimisation, too, the compiler takes {:.0f} s and {:.0f} MB in symbolic mode, where "
-                     "the original at -O1 takes {:.1f} s and {:.0f} MB; --via-ir records the instructions of the "
-                     "original instead",
-                     source, symbolic.processor_seconds, static_cast<double>(symbolic.most_memory) / megabyte,
+std::string told_beyond(std::string const &source, Outcome const &symbolic, Spent const &spent,
+                        Outcome const &original) {
+  return fmt::format("{}: without optimisation, too, the compiler takes {:.0f} s and {:.0f} MB in symbolic mode, and "
+                     "all that was tried {:.0f} s, where the original at -O1 takes {:.1f} s and {:.0f} MB; --via-ir "
+                     "records the instructions of the original instead",
+                     source, symbolic.processor_seconds, static_cast<double>(spent.memory) / megabyte, spent.seconds,
                      original.processor_seconds, static_cast<double>(original.most_memory) / megabyte);
 }
 
@@ -36,25 +53,37 @@ Captured compile_bounded(BoundedCompilation const &compilation, BoundedRun const
     run.tell(*before);
     return run.compile(compilation.unoptimised);
   }
+  Spent spent;
   Command usual = compilation.usual;
-  usual.processor_limit = first_limit;
-  Captured result = run.compile(usual);
-  if (!has_reached_limit(usual, result.outcome)) return result;
-  Outcome const original = run.measure(compilation.original).outcome;
-  if (!original.success()) return run.compile(compilation.usual); // it is no program by itself
-  if (most_seconds(original) > 2 * first_limit) {
-    usual.processor_limit = most_seconds(original);
-    result = run.compile(usual);
-    if (!has_reached_limit(usual, result.outcome)) return result;
+  Outcome original{};
+  auto const try_usual = [&](double limit) {
+    usual.processor_limit = limit;
+    Captured result = run.compile(usual);
+    spent.add(result.outcome);
+    return has_reached_limit(usual, result.outcome) ? std::nullopt : std::optional(std::move(result));
+  };
+  auto const measure = [&] {
+    original = run.measure(compilation.original).outcome;
+    spent.add(original);
+    return original.success();
+  };
+  if (compilation.is_large && !measure()) return run.compile(compilation.usual); // it is no program by itself
+  double const first = compilation.is_large ? share_of_first * original.processor_seconds : first_limit;
+  if (std::optional<Captured> done = try_usual(first)) return *std::move(done);
+  if (!compilation.is_large) {
+    if (!measure()) return run.compile(compilation.usual);
+    double const rest = most_seconds(original) - spent.seconds;
+    if (rest > first_limit)
+      if (std::optional<Captured> done = try_usual(rest)) return *std::move(done);
   }
+  Captured result = run.compile(compilation.unoptimised);
+  if (!result.outcome.success()) return result;
   std::string const text = told(compilation.source, usual.processor_limit, original);
   run.tell(text);
-  result = run.compile(compilation.unoptimised);
-  Outcome const &plain = result.outcome;
-  if (!plain.success()) return result;
+  spent.add(result.outcome);
   if (run.kept) run.kept->keep(run.key, text);
-  if (plain.processor_seconds > most_seconds(original) || plain.most_memory > most_memory(original))
-    run.tell(told_beyond(compilation.source, plain, original));
+  if (spent.seconds > most_seconds(original) || spent.memory > most_memory(original))
+    run.tell(told_beyond(compilation.source, result.outcome, spent, original));
   return result;
 }
 

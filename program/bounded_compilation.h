@@ -10,11 +10,15 @@
 namespace symreal::program {
 
 struct BoundedCompilation {
-  Command usual;       // of the rewritten source
-  Command unoptimised; // the same without optimisation
-  Command original;    // of the original, as it stands
-  std::string source;  // in words
+  Command usual;         // of the rewritten source
+  Command unoptimised;   // the same without optimisation
+  Command original;      // of the original, as it stands
+  std::string source;    // in words
+  bool is_large = false; // the source: to measure the original first costs less than to try in vain
 };
+
+// In bytes. Ordinary sources are smaller, and are compiled in seconds.
+inline constexpr std::size_t large_source = 30'000;
 
 // How the compilations are run, and what is said to the user.
 struct BoundedRun {
@@ -25,8 +29,9 @@ struct BoundedRun {
 };
 
 // The usual compilation as long as it takes no more than ten times the processor time of the original's and a second,
-// else that without optimisation, and a word about it. The original is compiled, to be measured, once the usual
-// compilation has taken longer than most.
+// else that without optimisation, and a word about it. All that is tried together is to stay within that: of a large
+// source the original is measured first, and the usual compilation gets the share that leaves enough for the other; of
+// any other source the original is measured once the usual compilation has taken longer than most.
 Captured compile_bounded(BoundedCompilation const &compilation, BoundedRun const &run);
 
 } // namespace symreal::program

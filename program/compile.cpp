@@ -256,7 +256,9 @@ Words plain_command(BuildRequest const &request, rewrite::Compilation const &sou
 }
 
 BoundedCompilation bounded(BuildRequest const &request, rewrite::Compilation const &source, Command const &usual) {
-  BoundedCompilation all{usual, usual, {}, source.source};
+  std::error_code error;
+  std::uintmax_t const size = std::filesystem::file_size(rewrite::real_source(source), error);
+  BoundedCompilation all{usual, usual, {}, source.source, !error && size >= large_source};
   all.unoptimised.arguments = without_optimisation(usual.arguments);
   std::string const &object = usual.arguments[position_after(usual.arguments, "-o")];
   all.original = compiler_run(plain_command(request, source, object + ".original"), source.directory);

@@ -191,8 +191,12 @@ Outcome run(Command const &command, LineSink const &sink) {
   return {Ending::exited, WEXITSTATUS(status), seconds, processor, memory};
 }
 
+// A virtual machine's kernel ends a process by ticks, and some of these it does not count as the process's time
+// afterwards. What fails by itself just before counts as well.
 bool has_reached_limit(Command const &command, Outcome const &outcome) {
-  return command.processor_limit > 0 && !outcome.success() && outcome.processor_seconds >= command.processor_limit;
+  constexpr double least_counted = 0.75;
+  return command.processor_limit > 0 && !outcome.success() &&
+         outcome.processor_seconds >= least_counted * command.processor_limit;
 }
 
 Captured capture(Command const &command) {
