@@ -27,7 +27,7 @@ def of_array(g, made, type, values, is_declared):
     name, size = g.local("w"), len(values)
     braces = f"{{{', '.join(map(str, values))}}}"
     how = g.whole(0, 3)
-    if how == 0 and (not is_declared or g.has("file_memory")):
+    if how == 0 and (not is_declared or g.has("whole_objects")):
         outer = g.outer("memory")
         g.define(f"static {type} {outer}[{size}] = {braces};")
         return Memory(outer, f"{outer}[0:{size}]", outer, f"{outer} + {size}")
@@ -104,7 +104,7 @@ def change_numbers(g, w, plain):
 
 
 def numbers(g, made, is_declared):
-    use_container = g.language == "cxx" and g.chance(0.4)
+    use_container = g.language == "cxx" and g.chance(0.4) and (not is_declared or g.has("whole_objects"))
     if use_container:
         w = g.among(lambda: of_container(g, made, "std::vector<double>", "{1.0, 3.0, 2.0}"),
                     lambda: of_container(g, made, f"std::array<double, {SIZE}>", "{1.0, 3.0, 2.0}"))()
