@@ -134,7 +134,7 @@ static __inline__ unsigned long long symreal_text(char const *symreal_string) {
 }
 )";
 
-// Visits the numbers of a container, whatever they are, as 64 bits each.
+// Visits the extents and the numbers of a container, whatever they are, as 64 bits each.
 constexpr char const *visits = R"(namespace {
 template <int symreal_n> struct symreal_rank : symreal_rank<symreal_n - 1> {};
 template <> struct symreal_rank<0> {};
@@ -158,6 +158,8 @@ void symreal_enter(symreal_T const (&symreal_array)[symreal_n], symreal_Visit &s
 template <class symreal_T, class symreal_Visit>
 auto symreal_enter(symreal_T const &symreal_object, symreal_Visit &symreal_visit, symreal_rank<2>)
     -> decltype(symreal_object.rows(), symreal_object.cols(), static_cast<void>(symreal_object(0, 0))) {
+  symreal_visit.symreal_extent(static_cast<unsigned long long>(symreal_object.rows()));
+  symreal_visit.symreal_extent(static_cast<unsigned long long>(symreal_object.cols()));
   for (decltype(symreal_object.rows() + 0) symreal_i = 0; symreal_i < symreal_object.rows(); ++symreal_i)
     for (decltype(symreal_object.cols() + 0) symreal_j = 0; symreal_j < symreal_object.cols(); ++symreal_j)
       symreal_all(symreal_object(symreal_i, symreal_j), symreal_visit);
@@ -165,6 +167,7 @@ auto symreal_enter(symreal_T const &symreal_object, symreal_Visit &symreal_visit
 template <class symreal_T, class symreal_Visit>
 auto symreal_enter(symreal_T const &symreal_object, symreal_Visit &symreal_visit, symreal_rank<1>)
     -> decltype(symreal_object.size(), static_cast<void>(symreal_object[0])) {
+  symreal_visit.symreal_extent(static_cast<unsigned long long>(symreal_object.size()));
   for (decltype(symreal_object.size() + 0) symreal_i = 0; symreal_i < symreal_object.size(); ++symreal_i)
     symreal_all(symreal_object[symreal_i], symreal_visit);
 }
@@ -186,11 +189,25 @@ struct symreal_comparer {
     symreal_differs = symreal_differs || symreal_met >= symreal_known[0] || symreal_known[symreal_met + 1] != symreal_value;
     ++symreal_met;
   }
+  void symreal_extent(unsigned long long symreal_value) { (*this)(symreal_value); }
 };
+template <class symreal_Visit> struct symreal_extents_alone {
+  symreal_Visit &symreal_visit;
+  void operator()(unsigned long long) {}
+  void symreal_extent(unsigned long long symreal_value) { symreal_visit(symreal_value); }
+};
+template <class symreal_T, class symreal_Visit>
+void symreal_each_of(symreal_T const &symreal_object, bool symreal_is_whole, symreal_Visit &symreal_visit) {
+  symreal_extents_alone<symreal_Visit> symreal_alone = {symreal_visit};
+  if (symreal_is_whole)
+    symreal_all(symreal_object, symreal_visit);
+  else
+    symreal_all(symreal_object, symreal_alone);
+}
 template <class symreal_T>
-bool symreal_is_other(symreal_T const &symreal_object, unsigned long long const *symreal_known, unsigned long &symreal_at) {
+bool symreal_is_other(symreal_T const &symreal_object, bool symreal_is_whole, unsigned long long const *symreal_known, unsigned long &symreal_at) {
   symreal_comparer symreal_visit = {symreal_known + symreal_at, 0, false};
-  symreal_all(symreal_object, symreal_visit);
+  symreal_each_of(symreal_object, symreal_is_whole, symreal_visit);
   bool const symreal_result = symreal_visit.symreal_differs || symreal_visit.symreal_met != symreal_known[symreal_at];
   symreal_at += 1 + symreal_known[symreal_at];
   return symreal_result;
@@ -206,14 +223,22 @@ int symreal_print(int, char const *, ...) __asm__("dprintf");
 void symreal_quit(int) __asm__("_exit");
 )";
 constexpr char const *tellers_in_cxx = R"(namespace {
-struct symreal_counter_of_all { unsigned long long symreal_count; void operator()(unsigned long long) { ++symreal_count; } };
-struct symreal_teller { int symreal_file; void operator()(unsigned long long symreal_value) { symreal_print(symreal_file, "%llu\n", symreal_value); } };
-template <class symreal_T> void symreal_tell(int symreal_file, symreal_T const &symreal_object) {
+struct symreal_counter_of_all {
+  unsigned long long symreal_count;
+  void operator()(unsigned long long) { ++symreal_count; }
+  void symreal_extent(unsigned long long symreal_value) { (*this)(symreal_value); }
+};
+struct symreal_teller {
+  int symreal_file;
+  void operator()(unsigned long long symreal_value) { symreal_print(symreal_file, "%llu\n", symreal_value); }
+  void symreal_extent(unsigned long long symreal_value) { (*this)(symreal_value); }
+};
+template <class symreal_T> void symreal_tell(int symreal_file, symreal_T const &symreal_object, bool symreal_is_whole) {
   symreal_counter_of_all symreal_counter = {0};
-  symreal_all(symreal_object, symreal_counter);
+  symreal_each_of(symreal_object, symreal_is_whole, symreal_counter);
   symreal_teller symreal_visit = {symreal_file};
   symreal_visit(symreal_counter.symreal_count);
-  symreal_all(symreal_object, symreal_visit);
+  symreal_each_of(symreal_object, symreal_is_whole, symreal_visit);
 }
 }
 )";
@@ -229,6 +254,10 @@ bool has_kind(std::vector<BakedObject> const &all, char kind) {
     return found;
   });
 }
+
+// In C++, by templates.
+bool is_walked(char kind) { return kind == '@' || kind == 'z'; }
+bool has_walked(std::vector<BakedObject> const &all) { return has_kind(all, '@') || has_kind(all, 'z'); }
 
 bool is_number(std::string const &text) { return text.find_first_not_of("0123456789") == text.npos; }
 
@@ -297,9 +326,10 @@ std::string tell(Recorded const &recorded) {
     }
     text += statements(one.what, lengths,
                        [](std::string const &element, char kind) {
-                         return kind == '@' ? fmt::format("symreal_tell(symreal_file, {});", element)
-                                            : fmt::format("symreal_print(symreal_file, \"{}%llu\\n\", {});",
-                                                          kind == 'f' ? "called " : "", value_of(element, kind));
+                         return is_walked(kind)
+                                    ? fmt::format("symreal_tell(symreal_file, {}, {});", element, kind == '@')
+                                    : fmt::format("symreal_print(symreal_file, \"{}%llu\\n\", {});",
+                                                  kind == 'f' ? "called " : "", value_of(element, kind));
                        }) +
             " symreal_print(symreal_file, \"end\\n\"); ";
   }
@@ -350,7 +380,7 @@ void add_baked_values(Front const &front, RunOptions const &run, Recorded &recor
   top += tellers_in_c;
   top += is_c(recorded.kernel) ? "" : "}\n";
   for (std::string const &block : baked_helpers(recorded)) top += block;
-  if (has_kind(recorded.baked, '@')) top += tellers_in_cxx;
+  if (has_walked(recorded.baked)) top += tellers_in_cxx;
   insert_in_wrapper_place(telling, recorded.kernel, tell(recorded), top, compares_classes(recorded));
   Overlay const text(telling, front.workspace->directory("annotated-baked"));
   constexpr std::array variants = {Variant::wrapped};
@@ -376,7 +406,7 @@ std::string baked_checks(Recorded const &recorded, Otherwise const &otherwise) {
       if (!is_number(one.what.sections[k].length))
         text += fmt::format("  if (({}) != {}) {}\n", one.what.sections[k].length, one.lengths[k], other);
     }
-    bool const is_single = one.what.sections.empty() && one.what.shape.size() == 1 && one.what.shape != "@";
+    bool const is_single = one.what.sections.empty() && one.what.shape.size() == 1 && !is_walked(one.what.shape[0]);
     if (is_single) {
       char const kind = one.what.shape[0];
       std::string const element = "(" + one.what.expression + ")";
@@ -391,13 +421,14 @@ std::string baked_checks(Recorded const &recorded, Otherwise const &otherwise) {
     for (std::size_t k = 0; k < one.values.size(); ++k) text += fmt::format("{}{}ull", k ? ", " : "", one.values[k]);
     text += one.values.empty() ? "0" : "";
     text += "};\n    unsigned long symreal_at = 0;\n    " +
-            statements(
-                one.what, lengths,
-                [&](std::string const &element, char kind) {
-                  return kind == '@'
-                             ? fmt::format("if (symreal_is_other({}, symreal_known, symreal_at)) {}", element, other)
-                             : fmt::format("if ({} != symreal_known[symreal_at++]) {}", value_of(element, kind), other);
-                }) +
+            statements(one.what, lengths,
+                       [&](std::string const &element, char kind) {
+                         return is_walked(kind)
+                                    ? fmt::format("if (symreal_is_other({}, {}, symreal_known, symreal_at)) {}",
+                                                  element, kind == '@', other)
+                                    : fmt::format("if ({} != symreal_known[symreal_at++]) {}", value_of(element, kind),
+                                                  other);
+                       }) +
             "\n  }\n";
   }
   return text;
@@ -405,7 +436,7 @@ std::string baked_checks(Recorded const &recorded, Otherwise const &otherwise) {
 
 std::vector<std::string> baked_helpers(Recorded const &recorded) {
   if (recorded.baked.empty()) return {};
-  if (!has_kind(recorded.baked, '@')) return {hashes};
+  if (!has_walked(recorded.baked)) return {hashes};
   return {hashes, visits};
 }
 

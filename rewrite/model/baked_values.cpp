@@ -23,6 +23,36 @@ bool is_function_pointer(QualType type) {
          is_standard(type->getAsCXXRecordDecl(), "function");
 }
 
+// A container whose elements are found by their numbers. That of a map makes an element.
+QualType element_in(CXXRecordDecl const *record) {
+  if (is_standard(record, "map") || is_standard(record, "unordered_map")) return {};
+  return record && record->hasDefinition() ? element_of(record->getDefinition()) : QualType();
+}
+
+// A container of containers of numbers, or a matrix, whose extents the number of its elements does not tell.
+bool has_inner_extents(CXXRecordDecl const *record) {
+  QualType const element = element_in(record);
+  if (element.isNull()) return false;
+  auto const *inner = element.getNonReferenceType()->getAsCXXRecordDecl();
+  if (!inner)
+    return is_double(element.getNonReferenceType().getCanonicalType().getUnqualifiedType()) &&
+           !record->isInStdNamespace();
+  for (QualType next = element; inner && !is_standard(inner, "complex"); inner = next->getAsCXXRecordDecl()) {
+    next = element_in(inner);
+    if (next.isNull()) return false;
+    next = next.getNonReferenceType();
+    if (is_double(next.getCanonicalType().getUnqualifiedType())) return true;
+  }
+  return inner != nullptr;
+}
+
+// An object of the standard library that holds something or not, and of which no more is known.
+bool is_opaque(CXXRecordDecl const *record) {
+  constexpr llvm::StringLiteral names[] = {"optional", "variant", "any",  "map",        "unordered_map",
+                                           "multimap", "set",     "list", "shared_ptr", "unique_ptr"};
+  return llvm::any_of(names, [record](llvm::StringRef name) { return is_standard(record, name); });
+}
+
 bool is_text(QualType type) {
   QualType const to = type->getPointeeType();
   return !to.isNull() && to.isConstQualified() && to->isCharType();
@@ -54,6 +84,14 @@ public:
       called_variables.insert(variable);
     return true;
   }
+  // Whether two arguments are one object.
+  bool VisitBinaryOperator(BinaryOperator *operation) override {
+    bool const compares = operation->isComparisonOp() && operation->getLHS()->getType()->isPointerType();
+    if (compares && now_ == kernel_ && is_argument(operation->getLHS()) && is_argument(operation->getRHS()))
+      comparisons.insert(words(operation->getLHS()) + " " + operation->getOpcodeStr().str() + " " +
+                         words(operation->getRHS()));
+    return true;
+  }
   bool VisitCallExpr(CallExpr *call) override {
     if (auto const *callee = call->getDirectCallee()) follow(callee);
     return true;
@@ -81,9 +119,27 @@ public:
 
   std::set<FieldDecl const *> own_fields; // of the kernel's own object, in its own text
   std::set<VarDecl const *> called_variables;
-  std::set<std::string> virtual_on; // what the kernel calls virtual functions on
+  std::set<std::string> virtual_on;  // what the kernel calls virtual functions on
+  std::set<std::string> comparisons; // of pointers
 
 private:
+  // A parameter that is a pointer, or the address of one that is a reference.
+  static Expr const *named(Expr const *expression) {
+    expression = expression->IgnoreParenImpCasts();
+    auto const *address = dyn_cast<UnaryOperator>(expression);
+    return address && address->getOpcode() == UO_AddrOf ? address->getSubExpr()->IgnoreParenImpCasts() : expression;
+  }
+  static bool is_argument(Expr const *expression) {
+    auto const *reference = dyn_cast<DeclRefExpr>(named(expression));
+    auto const *parameter = reference ? dyn_cast<ParmVarDecl>(reference->getDecl()) : nullptr;
+    bool const is_address = isa<UnaryOperator>(expression->IgnoreParenImpCasts());
+    return parameter && is_address == parameter->getType()->isReferenceType();
+  }
+  static std::string words(Expr const *expression) {
+    bool const is_address = isa<UnaryOperator>(expression->IgnoreParenImpCasts());
+    return (is_address ? "&" : "") + cast<DeclRefExpr>(named(expression))->getDecl()->getNameAsString();
+  }
+
   static constexpr std::size_t most_functions = 2000;
 
   void follow(FunctionDecl const *function) {
@@ -135,6 +191,7 @@ private:
     if (auto const *derived = dyn_cast<CXXRecordDecl>(record)) {
       if (is_standard(derived, "complex")) return is_object ? "" : "@";
       if (QualType const element = element_of(derived); !element.isNull()) {
+        if (is_object && has_inner_extents(derived)) return "z";
         bool const is_number = is_double(element.getNonReferenceType().getCanonicalType().getUnqualifiedType());
         return is_number && is_object ? "" : "@";
       }
@@ -213,11 +270,16 @@ std::vector<Baked> baked_values(FunctionDecl const *function, std::vector<BakedI
     });
     if (name.empty() || !parameter->isReferenced() || is_item) continue;
     QualType const plain = type.getNonReferenceType();
-    bool const is_string = is_standard(plain->getAsCXXRecordDecl(), "basic_string");
+    CXXRecordDecl const *record = plain->getAsCXXRecordDecl();
+    bool const is_string = is_standard(record, "basic_string") || is_standard(record, "basic_string_view");
     if (is_function_pointer(plain) || is_string)
       add({name, name, {}, is_string ? "@" : "f", false, place});
     else if (is_text(type))
       add({name, name, {}, "s", false, place});
+    else if (!element_in(record).isNull())
+      add({name, name, {}, "z", false, place});
+    else if (is_opaque(record))
+      add({name, name, {}, "?it is a " + record->getQualifiedNameAsString(), false, place});
     else if (!type->isReferenceType() && !type->isRecordType())
       add({name, name, {}, type->isDependentType() ? "" : shapes.of(type, false), false, place});
   }
@@ -232,6 +294,7 @@ std::vector<Baked> baked_values(FunctionDecl const *function, std::vector<BakedI
   for (VarDecl const *variable : mentioned.called_variables)
     add({variable->getNameAsString(), variable->getQualifiedNameAsString(), {}, "f", false, place});
   if (function->isTemplated()) add({"the arguments of the template", "__PRETTY_FUNCTION__", {}, "s", false, place});
+  for (std::string const &comparison : mentioned.comparisons) add({comparison, comparison, {}, "p", false, place});
   for (std::string const &object : mentioned.virtual_on) add({object, object, {}, "t", false, place});
   return found;
 }

@@ -4,12 +4,13 @@
 //   what   := "d"                          a floating-point number
 //           | "i"                          an integer, truth value or enumerator
 //           | "b"                          the same in a bit-field
-//           | "p"                          a pointer: whether it is null
+//           | "p"                          a pointer: whether it is null; a comparison of two
 //           | "s"                          text that a null character ends
 //           | "f"                          what is called through it: a pointer to a function, std::function
 //           | "t"                          an object of a class with virtual functions: its class
 //           | "x"                          an integer that the function may not name
 //           | "@"                          in C++: a container, or what a template has there
+//           | "z"                          a container of numbers, whose extents alone are baked in
 //           | "{" { member ":" shape ";" } "}"
 //           | "?" reason                   it cannot be compared
 //   member := name
