@@ -94,14 +94,24 @@ public:
   }
   bool VisitCallExpr(CallExpr *call) override {
     if (auto const *callee = call->getDirectCallee()) follow(callee);
+    if (!isa<CXXOperatorCallExpr>(call))
+      for (Expr const *argument : call->arguments()) sized(argument);
     return true;
   }
   bool VisitCXXConstructExpr(CXXConstructExpr *made) override {
     follow(made->getConstructor());
+    for (Expr const *argument : made->arguments()) sized(argument);
+    return true;
+  }
+  // What goes through a container, or hands it on, goes by its extent.
+  bool VisitCXXForRangeStmt(CXXForRangeStmt *loop) override {
+    sized(loop->getRangeInit());
     return true;
   }
   bool VisitCXXMemberCallExpr(CXXMemberCallExpr *call) override {
     CXXMethodDecl const *method = call->getMethodDecl();
+    if (method && method->getIdentifier() && method->getName() != "data" && method->getName() != "at")
+      sized(call->getImplicitObjectArgument());
     auto const *member = dyn_cast<MemberExpr>(call->getCallee()->IgnoreParens());
     if (!method || !member || !method->isVirtual() || member->hasQualifier() || method->hasAttr<FinalAttr>() ||
         method->getParent()->hasAttr<FinalAttr>())
@@ -121,8 +131,14 @@ public:
   std::set<VarDecl const *> called_variables;
   std::set<std::string> virtual_on;  // what the kernel calls virtual functions on
   std::set<std::string> comparisons; // of pointers
+  std::set<std::string> sized_by;    // parameters by whose extents it may go
 
 private:
+  void sized(Expr const *expression) {
+    auto const *reference = expression ? dyn_cast<DeclRefExpr>(expression->IgnoreParenImpCasts()) : nullptr;
+    if (reference && now_ == kernel_ && isa<ParmVarDecl>(reference->getDecl()))
+      sized_by.insert(reference->getDecl()->getNameAsString());
+  }
   // A parameter that is a pointer, or the address of one that is a reference.
   static Expr const *named(Expr const *expression) {
     expression = expression->IgnoreParenImpCasts();
@@ -268,6 +284,12 @@ std::vector<Baked> baked_values(FunctionDecl const *function, std::vector<BakedI
     bool const is_item = std::any_of(items.begin(), items.end(), [&](BakedItem const &one) {
       return one.expression == name || one.expression == "*" + name || one.expression.starts_with(name + "[");
     });
+    bool const has_sections = std::any_of(items.begin(), items.end(), [&](BakedItem const &one) {
+      return !one.sections.empty() && one.expression == name;
+    });
+    bool const is_container = !element_in(type.getNonReferenceType()->getAsCXXRecordDecl()).isNull();
+    if (is_item && has_sections && is_container && mentioned.sized_by.contains(name))
+      add({name, name, {}, "z", false, place});
     if (name.empty() || !parameter->isReferenced() || is_item) continue;
     QualType const plain = type.getNonReferenceType();
     CXXRecordDecl const *record = plain->getAsCXXRecordDecl();

@@ -310,11 +310,28 @@ private:
     return type->isBooleanType() ? "SYMREAL_BOOL" : type.getAsString();
   }
 
+  // Why a value of this type is no output; empty where it may be one.
+  std::string unfit_as_output(QualType type, ASTContext const &context) const {
+    std::string const name = declared(type.getUnqualifiedType(), "", context);
+    std::string const what = "output(return): it is " + name + ", ";
+    if (type->isPointerType() || (type->isLValueReferenceType() && !type->getPointeeType().isConstQualified()))
+      return what + "which hands out an object: name that in output(...)";
+    QualType const value = type.getNonReferenceType().getUnqualifiedType();
+    if (value->isRealFloatingType() && !Reals::is_double(value)) return what + "which holds no double";
+    auto const *record = value->getAsCXXRecordDecl();
+    if (!record || !record->hasDefinition() || !record->isInStdNamespace() || !record->getIdentifier()) return "";
+    constexpr llvm::StringLiteral walked[] = {"complex", "pair", "array"};
+    if (llvm::is_contained(walked, record->getName()) || !element_of(record->getDefinition()).isNull()) return "";
+    return what + "whose numbers no annotation reaches: return a structure or an array of them";
+  }
+
   void wrap_returns(PragmaFact &pragma, FunctionDecl const *function) {
     ItemFact *returned = nullptr;
     for (ClauseFact &clause : pragma.clauses)
       for (ItemFact &item : clause.items)
         if (clause.clause == Clause::output && item.is_return) {
+          std::string const reason = unfit_as_output(function->getReturnType(), function->getASTContext());
+          if (!reason.empty()) return facts_.diagnostics.push_back({DiagnosticId::pragma_item, item.place, reason});
           returned = &item;
           note_layout(clause, item, {function->getReturnType(), false}, function->getASTContext(), reals_, facts_);
         }

@@ -51,10 +51,14 @@ static double first() { return kern(Eigen::MatrixXd::Constant(2, 3, 1.5)); }
 static double other() { return kern(Eigen::MatrixXd::Constant(3, 2, 1.5)); }
 
 #elif defined(EXTENT)
-#pragma symreal function input(x) output(return)
-static double kern(double x, std::vector<double> const &list) { return x * static_cast<double>(list.size()); }
-static double first() { return kern(2, {1, 2}); }
-static double other() { return kern(2, {1, 2, 3}); }
+using List = std::vector<double>;
+#pragma symreal function input(x, weights[0:2]) output(return)
+static double kern(double x, List const &list, List const &weights) {
+  for (double const one : weights) x = 2 * x + one;
+  return x * static_cast<double>(list.size());
+}
+static double first() { return kern(2, {1, 2}, {3, 4}); }
+static double other() { return kern(2, {1, 2, 3}, {3, 4}) + 100 * kern(2, {1, 2}, {3, 4, 5}); }
 
 #elif defined(VIEW)
 #pragma symreal function input(x) output(return)

@@ -26,13 +26,13 @@ void require_sense(rewrite::Kernel const &kernel) {
          "--wrapper needs a function: kernel '" + kernel.name + "' is a stretch of code without a signature");
   bool const returns_output = std::any_of(kernel.annotations.begin(), kernel.annotations.end(),
                                           [](auto const &one) { return one.expression == "return"; });
+  if (std::string const &obstacle = kernel.signature.redefinition.result.obstacle;
+      !obstacle.empty() && !is_dropped("SYM095"))
+    fail(DiagnosticId::no_wrapper, kernel.place,
+         fmt::format("--wrapper cannot take the place of '{}': {}", kernel.name, obstacle));
   if (kernel.signature.returns_value && !returns_output)
     fail(DiagnosticId::no_wrapper, kernel.place,
          "--wrapper cannot return what '" + kernel.name + "' returns, which is no output: add output(return)");
-  std::string const &obstacle = kernel.signature.redefinition.result.obstacle;
-  if (returns_output && !obstacle.empty() && !is_dropped("SYM095"))
-    fail(DiagnosticId::no_wrapper, kernel.place,
-         fmt::format("--wrapper cannot take the place of '{}': {}", kernel.name, obstacle));
 }
 
 fs::path real(fs::path const &path) {
