@@ -162,7 +162,10 @@ Words original_command(BuildRequest const &request, Variant variant, Overlay con
   append(words, {"-include", runtime_include() + "/symreal/original.h"});
   if (is_recorded) append(words, {"-fpass-plugin=" + recording_plugin(), "-fno-discard-value-names"});
   Words flags = original_flags(source.flags, variant);
-  if (variant != Variant::own_flags) append_reference(flags);
+  if (variant == Variant::own_flags)
+    flags.emplace_back("-DSYMREAL_OWN_FLAGS");
+  else
+    append_reference(flags);
   if (is_covered) append(flags, coverage_flags);
   append(words, overlay.search_flags(flags, source.directory));
   if (c) append(words, {"-Dregister="}); // annotations take addresses

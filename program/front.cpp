@@ -98,6 +98,12 @@ bool is_by_hand(rewrite::Result const &rewritten) {
                      [](rewrite::Kernel const &kernel) { return kernel.by_hand; });
 }
 
+// In its text, beside the flags.
+bool has_own_arithmetic(rewrite::Result const &rewritten) {
+  return std::ranges::any_of(rewritten.diagnostics,
+                             [](Diagnostic const &one) { return one.id == DiagnosticId::arithmetic_left_out; });
+}
+
 void build(FrontRequest const &request, BuildRequest const &parts, Front &front) {
   bool const is_rewritten = !request.run.from_instructions;
   std::vector<std::pair<Variant, std::string Front::*>> wanted = {
@@ -109,7 +115,8 @@ void build(FrontRequest const &request, BuildRequest const &parts, Front &front)
       for (std::string const &flag : flags_of_numbers(one.flags))
         if (std::find(front.own_flags.begin(), front.own_flags.end(), flag) == front.own_flags.end())
           front.own_flags.push_back(flag);
-    if (!front.own_flags.empty()) wanted.emplace_back(Variant::own_flags, &Front::own_flags_program);
+    if (!front.own_flags.empty() || has_own_arithmetic(front.rewritten))
+      wanted.emplace_back(Variant::own_flags, &Front::own_flags_program);
   }
   Overlay annotated;
   front.build = parts;

@@ -134,7 +134,8 @@ public:
     for (std::size_t number = 1; number <= banner.guards; ++number)
       result_.guards.push_back({code_.guard_text(number)});
     if (own_flags_) result_.own_flags_ulp.resize(graph_.output_count());
-    if (own_flags_ && !code_.needs_program() && banner.has_values) compile_with_own_flags(front, path);
+    if (own_flags_ && !front.own_flags.empty() && !code_.needs_program() && banner.has_values)
+      compile_with_own_flags(front, path);
   }
 
   Verification run() {

@@ -79,6 +79,10 @@ public:
   void deduced_elements(clang::Expr const *initializer);
   // The text of its declaration is part of the program: __PRETTY_FUNCTION__, which assert prints.
   void printed_signature(clang::FunctionDecl const *function);
+  // The name of a type, as the original has it (type_names.cpp).
+  void type_asked(clang::CXXTypeidExpr const *type);
+  void type_asked(clang::CXXMemberCallExpr const *call);
+  void signature_asked(clang::PredefinedExpr const *name, clang::FunctionDecl const *function);
   void c_declaration(clang::NamedDecl const *declaration);
   bool is_pointer_of_c(clang::ImplicitCastExpr const *cast) const;
   void c_search(clang::CallExpr const *call);
@@ -230,6 +234,7 @@ private:
   // What becomes of it for `user` alone (SourceMap::range_for).
   std::optional<Span> wrap_for(clang::SourceLocation user, clang::Expr const *expression, Use use,
                                std::string detail = {});
+  void type_asked(clang::SourceLocation user, clang::Expr const *expression, std::string const &place);
   // An implicit conversion that is written out.
   void convert(clang::Expr const *expression, Use use, std::string type);
   void converted_number(clang::ImplicitCastExpr const *cast, bool decides);

@@ -177,6 +177,14 @@ void add_pragmas(Facts const &facts, ByFile &rewordings) {
   }
 }
 
+void add_arithmetic(Facts const &facts, ByFile &rewordings) {
+  for (auto const &[span, fact] : facts.arithmetic)
+    rewordings[span.file].push_back(
+        {span.begin, span.end,
+         "SYMREAL_REAL_EITHER((" + fact.own + "), " + fact.instead + ")" + std::string(fact.continued_lines, '\n'), "",
+         true});
+}
+
 void add_boundaries(Facts const &facts, Result &result) {
   for (auto const &[mangled, pragma] : facts.externals) {
     result.externals.push_back(mangled);
@@ -318,6 +326,7 @@ Result decide(Facts facts, Request const &request) {
   add_wraps(facts, pragmas, rewordings, result);
   add_selects(facts, rewordings, result);
   add_members(facts, rewordings);
+  add_arithmetic(facts, rewordings);
   collect_kernels(facts, result);
   if (!has_pragma_error(result)) add_pragmas(facts, rewordings);
   add_boundaries(facts, result);

@@ -91,6 +91,12 @@ std::vector<Edit> original_edits(Facts const &facts, std::string const &path) {
       rewordings.push_back({brace.begin, brace.end, "", " " + original_function_text(pragma)});
     }
   }
+  for (auto const &[span, fact] : facts.arithmetic)
+    if (span.file == path)
+      rewordings.push_back({span.begin, span.end,
+                            "SYMREAL_ORIGINAL_EITHER((" + fact.own + "), " + fact.instead + ")" +
+                                std::string(fact.continued_lines, '\n'),
+                            "", true});
   if (rewordings.empty()) return {};
   for (Wrap const &wrap : facts.wraps)
     if (wrap.span.file == path && wrap.use == Use::returned)

@@ -208,6 +208,13 @@ struct ListFact {
   std::map<std::string, Outside> outside; // by place
 };
 
+// What changes the arithmetic of a part of a source: an option in an attribute, or a pragma.
+struct ArithmeticFact {
+  std::string own;     // the option, or the pragma as an operator
+  std::string instead; // nothing for most pragmas
+  std::size_t continued_lines = 0;
+};
+
 // Of a REAL to an integer, to float or to long double.
 struct ConversionFact {
   Span span;
@@ -234,6 +241,7 @@ struct Facts {
   std::set<Span> text_calls;             // calls of macros that stringify an argument
   std::map<Span, PragmaFact> pragmas;    // by the span of the directive, or of the function's brace
   std::map<std::string, ListFact> lists; // by the qualified name of the function
+  std::map<Span, ArithmeticFact> arithmetic;
   std::vector<Kernel> by_hand;           // generate_code("...") in a symbolic main that was written by hand
   std::set<std::string> definitions;     // mangled names of the functions that the sources define
   std::set<std::string> exported;        // those that carry REAL and that other sources can use

@@ -94,7 +94,7 @@ void add_diagnostic(Facts &facts, Diagnostic const &diagnostic) {
 void merge(Facts &facts, Facts &&other) {
   // Named one by one, so that a new kind of fact does not compile until it is merged as well.
   auto &[files, types, doubles, wraps, shared, members, reached, skipped, consumed, conversions, comparisons, printed,
-         quoted, pasted, text_calls, pragmas, lists, by_hand, definitions, exported, uses, links, linked_words, names,
+         quoted, pasted, text_calls, pragmas, lists, arithmetic, by_hand, definitions, exported, uses, links, linked_words, names,
          deciding, decisions, externals, configured_externals, kernel_functions, taken_names, include_dirs, read,
          diagnostics, broken, makes_text] = other;
   use_known_names(diagnostics, files, facts.files);
@@ -127,6 +127,7 @@ void merge(Facts &facts, Facts &&other) {
     known.handed.merge(fact.handed);
     known.outside.merge(fact.outside);
   }
+  facts.arithmetic.merge(arithmetic);
   facts.by_hand.insert(facts.by_hand.end(), by_hand.begin(), by_hand.end());
   facts.definitions.merge(definitions);
   facts.exported.merge(exported);

@@ -1,5 +1,6 @@
 #include "rewrite/source/token_watch.h"
 
+#include "rewrite/source/arithmetic.h"
 #include "rewrite/source/keyword_names.h"
 #include "support/files.h"
 #include "support/installation.h"
@@ -75,22 +76,25 @@ void watch_tokens(Preprocessor &preprocessor, SourceMap const &map, std::string 
                   ExpansionText &expansions) {
   Names const names(map, type_name, facts);
   preprocessor.addPPCallbacks(std::make_unique<MacroNames>(names));
-  preprocessor.setTokenWatcher([&map, &facts, &expansions, names](Token const &token) {
-    expansions.token(token);
-    if (std::optional<Span> const first = map.first_character(token.getLocation())) {
-      std::vector<bool> &reached = facts.reached[first->file];
-      if (reached.size() < first->end) reached.resize(first->end);
-      reached[first->begin] = true;
-    }
-    if (token.is(tok::kw_double)) {
-      if (std::optional<Span> const span = map.token(token.getLocation())) facts.doubles.insert(*span);
-    } else if (token.is(tok::identifier)) {
-      names.note(token.getIdentifierInfo()->getName(), token.getLocation());
-      if (!map.language().CPlusPlus20) note_keyword_name(token, map, facts);
-    } else if (token.is(tok::slash) && !map.language().LineComment) {
-      note_division(token, map, facts);
-    }
-  });
+  preprocessor.addPPCallbacks(make_arithmetic_pragma_watch(map, facts));
+  preprocessor.setTokenWatcher(
+      [&map, &facts, &expansions, names, attributes = ArithmeticAttributes(map, facts)](Token const &token) mutable {
+        expansions.token(token);
+        attributes.token(token);
+        if (std::optional<Span> const first = map.first_character(token.getLocation())) {
+          std::vector<bool> &reached = facts.reached[first->file];
+          if (reached.size() < first->end) reached.resize(first->end);
+          reached[first->begin] = true;
+        }
+        if (token.is(tok::kw_double)) {
+          if (std::optional<Span> const span = map.token(token.getLocation())) facts.doubles.insert(*span);
+        } else if (token.is(tok::identifier)) {
+          names.note(token.getIdentifierInfo()->getName(), token.getLocation());
+          if (!map.language().CPlusPlus20) note_keyword_name(token, map, facts);
+        } else if (token.is(tok::slash) && !map.language().LineComment) {
+          note_division(token, map, facts);
+        }
+      });
 }
 
 } // namespace symreal::rewrite

@@ -57,6 +57,7 @@ public:
   }
   bool VisitCXXTypeidExpr(CXXTypeidExpr *expression) override {
     if (!expression->isTypeOperand()) collect_.looked_at(expression->getExprOperand());
+    if (!passive_) collect_.type_asked(expression);
     return true;
   }
   bool TraverseConceptExprRequirement(concepts::ExprRequirement *requirement) override {
@@ -204,7 +205,10 @@ public:
     return true;
   }
   bool VisitCXXMemberCallExpr(CXXMemberCallExpr *call) override {
-    if (!passive_) collect_.removed_member(call);
+    if (!passive_) {
+      collect_.removed_member(call);
+      collect_.type_asked(call);
+    }
     return true;
   }
   bool VisitUserDefinedLiteral(UserDefinedLiteral *literal) override {
@@ -231,6 +235,7 @@ public:
   }
   bool VisitPredefinedExpr(PredefinedExpr *name) override {
     if (function_ && name->getIdentKind() == PredefinedIdentKind::PrettyFunction) collect_.printed_signature(function_);
+    if (function_ && !passive_) collect_.signature_asked(name, function_);
     return true;
   }
   bool VisitMemberExpr(MemberExpr *member) override {

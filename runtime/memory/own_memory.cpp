@@ -33,15 +33,23 @@ void widen_around(void const *begin, std::size_t size) {
   detail::around_size = last - detail::around_begin;
 }
 
-std::vector<MemoryRange> find_constant_memory() {
-  std::vector<MemoryRange> found;
+namespace {
+
+struct ConstantPart {
+  MemoryRange range;
+  bool has_code; // a linker may put constants and code side by side
+};
+std::vector<ConstantPart> find_constant_parts() {
+  std::vector<ConstantPart> found;
   dl_iterate_phdr(
       [](dl_phdr_info *object, std::size_t, void *list) {
         for (int i = 0; i < object->dlpi_phnum; ++i) {
           auto const &part = object->dlpi_phdr[i];
           bool const constant = (part.p_type == PT_LOAD && (part.p_flags & PF_W) == 0) || part.p_type == PT_GNU_RELRO;
           std::uintptr_t const begin = object->dlpi_addr + part.p_vaddr;
-          if (constant) static_cast<std::vector<MemoryRange> *>(list)->push_back({begin, begin + part.p_memsz});
+          if (constant)
+            static_cast<std::vector<ConstantPart> *>(list)->push_back(
+                {{begin, begin + part.p_memsz}, (part.p_flags & PF_X) != 0});
         }
         return 0;
       },
@@ -49,14 +57,24 @@ std::vector<MemoryRange> find_constant_memory() {
   return found;
 }
 
-void make_writable(double *number) {
+} // namespace
+
+std::vector<MemoryRange> find_constant_memory() {
+  std::vector<MemoryRange> found;
+  for (ConstantPart const &part : find_constant_parts()) found.push_back(part.range);
+  return found;
+}
+
+bool make_writable(void const *begin, std::size_t size) {
   memory::OwnWork const own;
-  static std::vector<MemoryRange> const constant = find_constant_memory();
-  if (std::none_of(constant.begin(), constant.end(), [number](MemoryRange one) { return one.contains(number); }))
-    return;
+  static std::vector<ConstantPart> const constant = find_constant_parts();
+  auto const part = std::find_if(constant.begin(), constant.end(),
+                                 [begin](ConstantPart const &one) { return one.range.contains(begin); });
+  if (part == constant.end()) return true;
   auto const page = static_cast<std::uintptr_t>(sysconf(_SC_PAGESIZE));
-  std::uintptr_t const at = reinterpret_cast<std::uintptr_t>(number), first = at / page * page;
-  mprotect(reinterpret_cast<void *>(first), at + sizeof *number - first, PROT_READ | PROT_WRITE);
+  std::uintptr_t const at = reinterpret_cast<std::uintptr_t>(begin), first = at / page * page;
+  int const protection = PROT_READ | PROT_WRITE | (part->has_code ? PROT_EXEC : 0);
+  return mprotect(reinterpret_cast<void *>(first), at + size - first, protection) == 0;
 }
 
 } // namespace trace

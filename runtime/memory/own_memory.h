@@ -26,8 +26,8 @@ void widen_around(void const *begin, std::size_t size);
 // Read-only memory of the program and its libraries.
 std::vector<MemoryRange> find_constant_memory();
 
-// The caller's data may be constant, which an input is not.
-void make_writable(double *number);
+// The caller's data may be constant, which an input is not. Whether it can be written now.
+bool make_writable(void const *begin, std::size_t size = sizeof(double));
 
 // What the bookkeeping itself allocates is no memory of the kernel.
 class Pause {

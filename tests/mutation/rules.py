@@ -29,6 +29,8 @@ RULES = [
          refused="SYM031"),
     Rule("argument", "converts an argument in a template as a double is converted", "argument.cpp", "pitfalls/overloads_in_templates"),
     Rule("truth", "gives `sizeof` and `decltype` the type of a comparison", "truth.cpp", "pitfalls/types_of_comparisons"),
+    Rule("named", "gives types the names of the original", "named.cpp", "pitfalls/names_of_types"),
+    Rule("arithmetic", "leaves out what changes the arithmetic of a function", "arithmetic.c", "pitfalls/arithmetic_of_functions.c"),
     Rule("later", "keeps the order of operands", "later.cpp", "pitfalls/operand_order"),
     Rule("now", "keeps the order of arguments", "now.cpp", "pitfalls/operand_order"),
     Rule("SYM120", "compares what types choose in the symbolic program", "choices.cpp", "bad_input/types_asked", refused="SYM120"),

@@ -63,6 +63,7 @@ std::map<std::string, std::function<void(Facts &)>> const others = {
     {"quoted", [](Facts &facts) { facts.quoted.clear(), facts.pasted.clear(); }},
     {"text_calls", [](Facts &facts) { facts.text_calls.clear(); }},
     {"selects", [](Facts &facts) { facts.decisions.clear(); }},
+    {"arithmetic", [](Facts &facts) { facts.arithmetic.clear(); }},
     {"boundaries", [](Facts &facts) { facts.uses.clear(); }},
     {"number_readers", [](Facts &facts) { facts.lists.clear(); }},
     {"lists_handed_on",

@@ -52,6 +52,7 @@
 #define SYMREAL_REAL_FORMAT(how, is_used, place, ...) __VA_ARGS__
 #define SYMREAL_REAL_SHOWS(...) __VA_ARGS__
 #define SYMREAL_REAL_TEXT(name, place, ...) __VA_ARGS__
+#define SYMREAL_REAL_NAMED(place, ...) __VA_ARGS__
 #define SYMREAL_REAL_PASTED(text, ...) __VA_ARGS__
 #define SYMREAL_REAL_EITHER(original, ...) SYMREAL_ORIGINAL original
 #define SYMREAL_ORIGINAL(...) __VA_ARGS__
@@ -102,6 +103,9 @@
 #include <symreal/library_conversions.h>
 #include <symreal/macro_names.h>
 #include <symreal/object_layout.h>
+#ifdef MBD_SYMBOLIC
+#include <symreal/type_names.h>
+#endif
 #ifdef SYMREAL_SOURCE_OF_C /* a header may be included by C and by C++ */
 #include <symreal/of_c.h>
 #endif
@@ -159,6 +163,10 @@
 /* A function of the program that is given carried values. */
 #define SYMREAL_REAL_SHOWS(...) (::symreal::SymrealShows(SYMREAL_SHOWN_FIRST), __VA_ARGS__)
 #define SYMREAL_REAL_TEXT(name, place, ...) (::symreal::symreal_text(__VA_ARGS__, name, place))
+/* Names of types (<symreal/type_names.h>). */
+#define SYMREAL_REAL_NAMED(place, ...) (::symreal::symreal_named(__VA_ARGS__, place))
+#define SYMREAL_SIGNATURE                                                                                              \
+  (::symreal::symreal_signature<::symreal::SymrealSignature(__PRETTY_FUNCTION__)>.symreal_letters)
 #define SYMREAL_AROUND(name, place, ...) ::symreal::symreal_around(__VA_ARGS__, name, place);
 #define SYMREAL_PARAMETER(name, place, ...) ::symreal::symreal_parameter(__VA_ARGS__, name, place);
 /* What a class tells about itself: `access` is that of what follows. */
@@ -207,6 +215,8 @@ public:                                                                         
 #define SYMREAL_REAL_FORMAT(how, is_used, place, ...) __VA_ARGS__
 #define SYMREAL_REAL_SHOWS(...) (__VA_ARGS__)
 #define SYMREAL_REAL_TEXT(name, place, ...) (__VA_ARGS__)
+#define SYMREAL_REAL_NAMED(place, ...) (__VA_ARGS__)
+#define SYMREAL_SIGNATURE __PRETTY_FUNCTION__
 #define SYMREAL_REAL_MEMBERS(...)
 #define SYMREAL_REAL_LAYOUT(...)
 #define SYMREAL_REAL_PADDING(...)

@@ -88,6 +88,12 @@ void symreal_original_keep(void const *frame);
 #define SYMREAL_INDEX(count, name, ...)                                                                                \
   (symreal_original_check_index((__PTRDIFF_TYPE__)(__VA_ARGS__), count, name), (__VA_ARGS__))
 #define SYMREAL_WORDS(...) __VA_ARGS__
+/* An option or a pragma that changes arithmetic is one of the program's own flags. */
+#ifdef SYMREAL_OWN_FLAGS
+#define SYMREAL_ORIGINAL_EITHER(own, ...) SYMREAL_WORDS own
+#else
+#define SYMREAL_ORIGINAL_EITHER(own, ...) __VA_ARGS__
+#endif
 #define SYMREAL_ORIGINAL_STATICS(names) symreal_original_statics(names)
 #define SYMREAL_REAL double
 

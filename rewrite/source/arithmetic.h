@@ -1,0 +1,34 @@
+// What a source tells the compiler about the arithmetic of its functions: optimize("fast-math") in an attribute,
+// #pragma STDC FP_CONTRACT ON. As with the flags of this kind, the reference build is without them.
+#pragma once
+
+#include "rewrite/facts/facts.h"
+#include "rewrite/source/clang.h"
+#include "rewrite/source/source_map.h"
+
+#include <memory>
+
+namespace symreal::rewrite {
+
+std::unique_ptr<clang::PPCallbacks> make_arithmetic_pragma_watch(SourceMap const &map, Facts &facts);
+
+// Clang's parser drops what only gcc knows, so the attributes are seen in the tokens that reach it, in their order.
+class ArithmeticAttributes {
+public:
+  ArithmeticAttributes(SourceMap const &map, Facts &facts) : map_(map), facts_(facts) {}
+  void token(clang::Token const &token);
+
+private:
+  void within(clang::Token const &token);
+  void option(clang::Token const &token);
+
+  SourceMap const &map_;
+  Facts &facts_;
+  clang::tok::TokenKind before_ = clang::tok::unknown;
+  bool is_announced_ = false; // by the word __attribute__
+  unsigned depth_ = 0;        // of brackets, within an attribute
+  unsigned options_depth_ = 0;
+  bool is_target_ = false;
+};
+
+} // namespace symreal::rewrite

@@ -1,0 +1,15 @@
+// Mangled names of types, in which classes of the runtime stand for numbers.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace symreal::trace {
+
+// The name, as typeid gives it, of the same type in the original: d for a RealNumber, St6vectorIdSaIdEE for a vector of
+// them. Nothing where it has a part that this does not read, or that the rewriter may have changed: an expression, the
+// type of a lambda.
+std::optional<std::string> original_type_name(std::string_view mangled);
+
+} // namespace symreal::trace
