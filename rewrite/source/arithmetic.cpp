@@ -65,6 +65,11 @@ std::optional<std::string> instead_of(llvm::StringRef pragma) {
   return changes ? std::optional<std::string>("") : std::nullopt;
 }
 
+llvm::StringRef name_of(Token const &token) {
+  if (token.is(tok::raw_identifier)) return token.getRawIdentifier();
+  return token.is(tok::identifier) ? token.getIdentifierInfo()->getName() : llvm::StringRef();
+}
+
 // It is left out where its text stands in the roots.
 void note(Facts &facts, std::optional<Span> const &span, ArithmeticFact fact, Place place, std::string const &what) {
   if (!span)
@@ -88,6 +93,27 @@ public:
       directive(text, offset, location);
     else if (kind == PIK__Pragma)
       operation(text, offset, location);
+  }
+
+  // Clang may skip what the program's own compiler takes: it does not know all of these.
+  void SourceRangeSkipped(SourceRange range, SourceLocation) override {
+    if (!map_.in_roots(range.getBegin())) return;
+    SourceManager const &sources = map_.sources();
+    auto const [file, begin] = sources.getDecomposedLoc(range.getBegin());
+    std::size_t const end = sources.getFileOffset(range.getEnd());
+    llvm::StringRef const text = sources.getBufferData(file);
+    SourceLocation const start = sources.getLocForStartOfFile(file);
+    if (!text.slice(begin, end).contains("optimize") && !text.slice(begin, end).contains("target")) return;
+    Lexer lexer(start, map_.language(), text.begin(), text.begin() + begin, text.end());
+    ArithmeticAttributes attributes(map_, facts_);
+    Token token, before;
+    before.startToken();
+    while (!lexer.LexFromRawLexer(token) && sources.getFileOffset(token.getLocation()) < end) {
+      attributes.token(token);
+      if (before.is(tok::hash) && name_of(token) == "pragma")
+        directive(text, sources.getFileOffset(before.getLocation()), before.getLocation());
+      before = token;
+    }
   }
 
   void EndOfMainFile() override {
@@ -116,9 +142,12 @@ private:
     note_pragma(words, begin, offset, line.size(), location);
   }
 
-  // _Pragma("words")
+  // _Pragma("words"); where a macro makes the string of its argument, the macro's call
   void operation(llvm::StringRef text, std::size_t offset, SourceLocation location) {
-    std::size_t const begin = text.find('"', offset);
+    std::size_t const open = text.find('(', offset);
+    std::size_t const begin = text.find_first_not_of(" \t", open + 1);
+    if (begin == text.npos) return;
+    if (text[begin] != '"') return call(location);
     std::size_t end = begin;
     while (end < text.size() && (end == begin || text[end - 1] == '\\')) end = text.find('"', end + 1);
     std::size_t const close = text.find(')', end);
@@ -127,6 +156,17 @@ private:
     for (char const letter : text.slice(begin + 1, end))
       if (letter != '\\') words += letter;
     note_pragma(words, offset, offset, close + 1 - offset, location);
+  }
+
+  void call(SourceLocation location) {
+    SourceLocation const begin = map_.sources().getExpansionLoc(location);
+    std::optional<Span> const span = map_.range(map_.sources().getExpansionRange(location).getAsRange());
+    if (!span || !location.isMacroID()) return;
+    std::string const text = map_.text(*span, begin);
+    llvm::StringRef const argument = llvm::StringRef(text).split('(').second.rsplit(')').first;
+    std::string const words = normalised(argument.str());
+    if (!map_.is_argument_of(begin, "REAL_EITHER") && instead_of(words))
+      note(facts_, span, {text, "", 0}, map_.place(location), "#pragma " + words);
   }
 
   void note_pragma(std::string const &words, std::size_t begin, std::size_t offset, std::size_t length,
@@ -170,7 +210,7 @@ void ArithmeticAttributes::token(Token const &token) {
   if (depth_ != 0) return within(token);
   bool const begins = (kind == tok::l_paren && is_announced_) || (kind == tok::l_square && before == tok::l_square);
   if (begins) depth_ = 1;
-  is_announced_ = kind == tok::kw___attribute;
+  is_announced_ = kind == tok::kw___attribute || name_of(token).starts_with("__attribute");
 }
 
 void ArithmeticAttributes::within(Token const &token) {
@@ -179,8 +219,7 @@ void ArithmeticAttributes::within(Token const &token) {
   else if (token.isOneOf(tok::r_paren, tok::r_square))
     --depth_;
   if (depth_ < options_depth_) options_depth_ = 0;
-  if (token.is(tok::identifier)) {
-    llvm::StringRef const name = token.getIdentifierInfo()->getName();
+  if (llvm::StringRef const name = name_of(token); !name.empty()) {
     is_target_ = name == "target" || name == "__target__";
     if (is_target_ || name == "optimize" || name == "__optimize__") options_depth_ = depth_ + 1;
   } else if (token.is(tok::string_literal) && options_depth_ != 0 && depth_ == options_depth_) {
@@ -190,7 +229,9 @@ void ArithmeticAttributes::within(Token const &token) {
 
 void ArithmeticAttributes::option(Token const &token) {
   SourceLocation const location = token.getLocation();
-  if (!map_.in_roots(location) || map_.is_argument_of(location, "REAL_EITHER")) return;
+  if (!map_.in_roots(location)) return;
+  auto const [file, offset] = map_.sources().getDecomposedSpellingLoc(location);
+  if (map_.sources().getBufferData(file).substr(0, offset).ends_with("REAL_EITHER((")) return;
   std::string const literal(token.getLiteralData(), token.getLength());
   if (std::optional<std::string> rest = without_them(literal, is_target_ ? "sse2" : "no-fast-math"))
     note(facts_, map_.token(location), {literal, std::move(*rest)}, map_.place(location),

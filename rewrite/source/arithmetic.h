@@ -12,7 +12,7 @@ namespace symreal::rewrite {
 
 std::unique_ptr<clang::PPCallbacks> make_arithmetic_pragma_watch(SourceMap const &map, Facts &facts);
 
-// Clang's parser drops what only gcc knows, so the attributes are seen in the tokens that reach it, in their order.
+// Clang's parser drops what only gcc knows, so the attributes are seen in the tokens, in their order.
 class ArithmeticAttributes {
 public:
   ArithmeticAttributes(SourceMap const &map, Facts &facts) : map_(map), facts_(facts) {}

@@ -28,11 +28,27 @@ static double fused(double a, double b) { return (a + b) - b; }
 _Pragma("STDC FP_CONTRACT ON")
 static double product(double a, double b) { return a * b + 1; }
 #pragma STDC FP_CONTRACT OFF
+#define DO_PRAGMA(words) _Pragma(#words)
+#pragma GCC push_options
+// CHECK-DAG: arithmetic_of_functions.c:[[@LINE+2]]:1: warning: #pragma GCC optimize "fast-math" is left out, of the reference as well: it changes arithmetic [SYM205]
+// TEXT: REAL_EITHER((DO_PRAGMA(GCC optimize "fast-math")), )
+DO_PRAGMA(GCC optimize "fast-math")
+static double made(double a, double b) { return (a + b) - b; }
+#pragma GCC pop_options
+#if defined(__GNUC__) && !defined(__clang__) /* Clang, which reads the source, skips it */
+// TEXT: #define QUICK __attribute__((optimize(REAL_EITHER(("fast-math"), "no-fast-math"))))
+// CHECK-DAG: arithmetic_of_functions.c:[[@LINE+1]]:39: warning: optimize("fast-math") is left out, of the reference as well: it changes arithmetic [SYM205]
+#define QUICK __attribute__((optimize("fast-math")))
+#else
+#define QUICK
+#endif
+QUICK static double quick(double a, double b) { return (a + b) - a; }
 #pragma GCC optimize ("no-fast-math")
 
 #pragma symreal function input(x, y) output(return)
 double kernel(double x, double y) {
-  return rounded(x, y) + third(x) + kept(x, y) + fused(x, y) + product(x, y) + optimize("fast-math");
+  return rounded(x, y) + third(x) + kept(x, y) + fused(x, y) + product(x, y) + made(x, y) + quick(x, y) +
+         optimize("fast-math");
 }
 // VERIFY: output {{.*}}ULP, own flags
 // VERIFY-NEXT: value_return 1 0 0 {{[1-9]}}
