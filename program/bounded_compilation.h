@@ -17,8 +17,8 @@ struct BoundedCompilation {
   bool is_large = false; // the source: to measure the original first costs less than to try in vain
 };
 
-// In bytes. Ordinary sources are smaller, and are compiled in seconds.
-inline constexpr std::size_t large_source = 30'000;
+// In bytes. Smaller sources are compiled in seconds.
+inline constexpr std::size_t large_source = 12'000;
 
 // How the compilations are run, and what is said to the user.
 struct BoundedRun {
