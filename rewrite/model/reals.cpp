@@ -133,6 +133,17 @@ bool Reals::object_is_passive(Expr const *expression) const {
   return false;
 }
 
+// An integer that depends on a number, of which a mathematical function makes a number again.
+static bool is_integer_of_numbers(Reals const &reals, Expr const *argument) {
+  Expr const *written = argument->IgnoreParenImpCasts();
+  auto const depends = [&reals](Expr const *part) {
+    return reals.integer_depends(part, [](CastExpr const *) { return true; });
+  };
+  if (auto const *choice = dyn_cast<ConditionalOperator>(written))
+    return depends(choice->getTrueExpr()) || depends(choice->getFalseExpr());
+  return depends(written);
+}
+
 bool Reals::call_stays_double(CallExpr const *call) const {
   FunctionDecl const *function = call->getDirectCallee();
   if (!function || in_roots(function) || external(function)) return false;
@@ -140,7 +151,7 @@ bool Reals::call_stays_double(CallExpr const *call) const {
     for (Expr const *argument : call->arguments()) {
       QualType const type = argument->getType().getNonReferenceType();
       bool const is_complex = type->isRecordType() && carries_real(type) && !object_is_passive(argument);
-      if (is_complex || !stays_double(argument)) return false;
+      if (is_complex || !stays_double(argument) || is_integer_of_numbers(*this, argument)) return false;
     }
     return true;
   }
