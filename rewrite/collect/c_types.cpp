@@ -55,13 +55,13 @@ QualType promoted_in_cpp(EnumDecl const *enumeration, ASTContext const &context)
 // What C++ has another type for, of another size, or none that has one: in C `?:` and `,` give values.
 enum class Other { none, truth, character, enumeration, array, bit_field };
 
-bool is_classification(Expr const *expression) { // isnan and its like, which give a bool there
+bool is_classification(Expr const *expression) { // isnan, signbit and their like, which give a bool there
   auto const *call = dyn_cast<CallExpr>(expression);
   FunctionDecl const *function = call ? call->getDirectCallee() : nullptr;
   if (!function || !function->getIdentifier() || !call->getType()->isIntegerType()) return false;
   llvm::StringRef name = function->getName();
   name.consume_front("__builtin_");
-  return name.starts_with("is") && Reals::is_math_name(name);
+  return (name.starts_with("is") || name.starts_with("signbit")) && Reals::is_math_name(name);
 }
 
 // Where both arms are of one of these types `?:` is of that in C++, and an int in C.

@@ -7,6 +7,7 @@
 // RUN: grep -v "pragma symreal" %s > %t.plain.c
 // RUN: %cc -std=gnu11 %t.plain.c -o %t.original && %symreal-cc -std=gnu11 %t.plain.c -o %t.symbolic
 // RUN: %t.original > %t.expected && %t.symbolic | diff %t.expected -
+#include <math.h>
 #include <stddef.h>
 #include <stdio.h>
 
@@ -45,7 +46,8 @@ void kernel(double const *x, double *y)
            10 * __builtin_types_compatible_p(__typeof__(x[0]), double const) +
            100 * __builtin_types_compatible_p(__typeof__(i), int) +
            1000 * __builtin_types_compatible_p(int[], int[3]) + 1e4 * __builtin_types_compatible_p(enum level, long) +
-           1e5 * __builtin_choose_expr(sizeof(x[0] > 1) == sizeof(int), x[1], "wrong");
+           1e5 * __builtin_choose_expr(sizeof(x[0] > 1) == sizeof(int), x[1], "wrong") +
+           1e6 * KIND(signbit(x[0])) + 1e8 * KIND(isnan(x[1])) + 1e10 * KIND(lround(x[0]));
 }
 
 int main(void)

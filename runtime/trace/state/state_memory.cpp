@@ -130,7 +130,6 @@ void State::end_initialisation(void const *guard) {
   if (!image_) return;
   ended.objects = image_->guarded(guard);
   if (ended.objects.empty()) return; // the runtime's own
-  has_met_outside_ = true;
   image_->update(guard, sizeof(std::uint64_t));
   std::vector<memory::HeapBlock> const blocks = memory::heap_blocks();
   for (memory::Change const &object : ended.objects) {
