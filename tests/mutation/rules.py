@@ -75,7 +75,7 @@ RULES = [
     Rule("range", "notes ranges that a library reads", "range.cpp", "bad_input/hidden_heap", refused="SYM017"),
     Rule("state", "notes uses of static objects", "state.cpp", "bad_input/undeclared_global", refused="SYM017"),
     Rule("local_state", "knows statics of one function that are written before they are read", "local_state.cpp",
-         "bad_input/kept_integers"),
+         "tool/scratch_of_one_path"),
     Rule("written", "notes what is written", "written.cpp", "bad_input/kept_constants", refused="SYM053"),
     Rule("changed", "notes what a library changes", "changed.cpp", "bad_input/kept_state", refused="SYM053"),
     Rule("members", "lets a class tell its members", "members.cpp", "tool/constant_objects"),

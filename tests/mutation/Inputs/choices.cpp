@@ -1,6 +1,10 @@
 #include <cstdio>
-struct One { char c; };
-struct Two { char c[2]; };
+struct One {
+  char c;
+};
+struct Two {
+  char c[2];
+};
 template <class T> One test(int T::*);
 template <class T> Two test(...);
 template <class T> double detected(T x) { return sizeof(test<T>(0)) == 1 ? -x : x; }

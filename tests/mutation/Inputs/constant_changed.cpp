@@ -2,7 +2,7 @@
 struct Sum {
   double k;
 };
-#pragma symreal function input(a) constant(sum->k) output(return)
+#pragma symreal function input(a) constant(sum -> k) output(return)
 double kernel(Sum *sum, double a) { return sum->k += a; }
 int main() {
   Sum sum{2};

@@ -1,5 +1,5 @@
 #include <cstdio>
-#pragma symreal function input(x[0:2]) output(return)
+#pragma symreal function input(x[0 : 2]) output(return)
 double kernel(double const *x) {
   static double const first = x[0] * 2;
   return first * x[1];
