@@ -91,6 +91,9 @@ public:
     bool const is_known = !may_move || !named_.of(left).meet(named_.of(right));
     if (is_known && gcc_begins_on_the_right(binary)) return true; // as with the operator of a class
     // In an argument of a macro the operands may be of any types, as in a template.
+    if (span && names_function(right))
+      return refuse(binary->getOperatorLoc(), "one operand is evaluated late, and asks for the name of its function"),
+             true;
     if (!is_known || !function_ || !span || !map_.is_in_one_place(binary->getSourceRange()))
       refuse(binary->getOperatorLoc());
     else
@@ -151,10 +154,16 @@ private:
       refuse(read->getBeginLoc());
   }
 
-  void refuse(SourceLocation location) {
-    add_diagnostic(facts_, {DiagnosticId::evaluation_order, map_.place(location),
-                            "one operand changes what the other reads, or both change the same object",
-                            map_.expansions(location)});
+  // What is evaluated late stands in a function of its own.
+  static bool names_function(Stmt const *part) {
+    if (auto const *argument = dyn_cast<CXXDefaultArgExpr>(part)) return names_function(argument->getExpr());
+    if (isa<PredefinedExpr, SourceLocExpr>(part)) return true;
+    return llvm::any_of(part->children(), [](Stmt const *one) { return one && names_function(one); });
+  }
+
+  void refuse(SourceLocation location,
+              char const *why = "one operand changes what the other reads, or both change the same object") {
+    add_diagnostic(facts_, {DiagnosticId::evaluation_order, map_.place(location), why, map_.expansions(location)});
   }
   ASTContext const &context_;
   EffectAnalysis effects_;

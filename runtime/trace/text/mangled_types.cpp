@@ -260,7 +260,9 @@ private:
     std::string const length = take_while(digits);
     constexpr std::size_t most = 6;
     if (length.empty() || length.size() > most) throw Unread();
-    return length + take(std::stoul(length));
+    std::string const name = take(std::stoul(length));
+    if (name.starts_with('$')) throw Unread(); // clang's name of a lambda
+    return length + name;
   }
   // Of a function: Z encoding E name, with a number where there are several.
   Node const *local() {

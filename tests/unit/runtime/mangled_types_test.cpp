@@ -35,7 +35,7 @@ template <auto value> struct Value {};
 template <class T> int function(T) { return 0; }
 } // namespace shapes
 
-template <class T> static std::string in_static(T, shapes::Point<T> const &, shapes::Point<T> *) {
+template <class T> std::string in_static(T, shapes::Point<T> const &, shapes::Point<T> *) {
   struct Local {};
   return typeid(std::map<Local, T>).name();
 }
@@ -70,7 +70,7 @@ template <class T> std::vector<std::string> names() {
           typeid(T(T) noexcept).name(),
           typeid(void (*)(T &, T &&, ...)).name(),
           Point<T>().local(Pack<T>()),
-          in_static(T(), {}, nullptr)};
+          in_static<T>(T(), {}, nullptr)};
 }
 
 TEST(MangledTypes, NamesOfTypesAreThoseOfTheOriginal) {
