@@ -242,10 +242,10 @@ struct Facts {
   std::map<Span, PragmaFact> pragmas;    // by the span of the directive, or of the function's brace
   std::map<std::string, ListFact> lists; // by the qualified name of the function
   std::map<Span, ArithmeticFact> arithmetic;
-  std::vector<Kernel> by_hand;           // generate_code("...") in a symbolic main that was written by hand
-  std::set<std::string> definitions;     // mangled names of the functions that the sources define
-  std::set<std::string> exported;        // those that carry REAL and that other sources can use
-  std::map<std::string, UseFact> uses;   // by mangled name, the first use
+  std::vector<Kernel> by_hand;         // generate_code("...") in a symbolic main that was written by hand
+  std::set<std::string> definitions;   // mangled names of the functions that the sources define
+  std::set<std::string> exported;      // those that carry REAL and that other sources can use
+  std::map<std::string, UseFact> uses; // by mangled name, the first use
   // By symbol that the source defines, with an empty one for what runs at the program's start: the symbols that it
   // needs and that the source does not define. And for each of these a word that the text of a definition has.
   std::map<std::string, std::set<std::string>> links;

@@ -94,9 +94,9 @@ void add_diagnostic(Facts &facts, Diagnostic const &diagnostic) {
 void merge(Facts &facts, Facts &&other) {
   // Named one by one, so that a new kind of fact does not compile until it is merged as well.
   auto &[files, types, doubles, wraps, shared, members, reached, skipped, consumed, conversions, comparisons, printed,
-         quoted, pasted, text_calls, pragmas, lists, arithmetic, by_hand, definitions, exported, uses, links, linked_words, names,
-         deciding, decisions, externals, configured_externals, kernel_functions, taken_names, include_dirs, read,
-         diagnostics, broken, makes_text] = other;
+         quoted, pasted, text_calls, pragmas, lists, arithmetic, by_hand, definitions, exported, uses, links,
+         linked_words, names, deciding, decisions, externals, configured_externals, kernel_functions, taken_names,
+         include_dirs, read, diagnostics, broken, makes_text] = other;
   use_known_names(diagnostics, files, facts.files);
   for (auto &[path, file] : files)
     if (auto const [at, is_new] = facts.files.try_emplace(path, std::move(file)); !is_new)
