@@ -21,7 +21,7 @@ char symreal_effect_hooks = 0;
     if (when) symreal::trace::note_effect(what);                                                                       \
     return original arguments;                                                                                         \
   }
-#include "support/effects.def"
+#include "trace/outside/effects.def"
 #undef EFFECT
 
 // The library has this one in each program by itself, so there is no other to call.
