@@ -20,7 +20,7 @@
 namespace symreal::trace {
 namespace {
 
-constexpr int come_together = 77;
+constexpr int come_together = 77, need_more_arms = 78;
 
 bool has_other_threads() {
   std::error_code error;
@@ -56,15 +56,20 @@ std::optional<bool> Join::attempt(Stand &stand, Traveller &traveller, std::size_
     prctl(PR_SET_CHILD_SUBREAPER, 1);
     shared_->main = getpid();
   }
-  shared_->unwritten_count = shared_->tried = 0;
-  pid_t const coordinator = fork();
-  if (coordinator < 0) return std::nullopt;
-  if (coordinator == 0) {
-    is_root_ = false;
-    keep_events(true);
-    return coordinate(stand, traveller, most_pieces);
+  shared_->tried = 0;
+  int status = need_more_arms;
+  for (int arms = Arms::usual; status == need_more_arms; arms = std::min(4 * arms, Arms::most)) {
+    shared_->unwritten_count = 0;
+    pid_t const coordinator = fork();
+    if (coordinator < 0) return std::nullopt;
+    if (coordinator == 0) {
+      is_root_ = false;
+      keep_events(true);
+      return coordinate(stand, traveller, most_pieces, arms);
+    }
+    status = exit_status(coordinator);
   }
-  if (exit_status(coordinator) != come_together) {
+  if (status != come_together) {
     Checkpoint::current().go_back({shared_->unwritten, shared_->unwritten_count});
     return std::nullopt;
   }
@@ -94,13 +99,14 @@ void Join::hand_over(pid_t process) {
   _exit(0);
 }
 
-std::optional<bool> Join::coordinate(Stand &stand, Traveller &traveller, std::size_t most_pieces) {
+std::optional<bool> Join::coordinate(Stand &stand, Traveller &traveller, std::size_t most_pieces, int arms) {
   parted_ = PartingPoint::now();
   State::current().begin_journal();
-  Region region(arms_, parted_, RealNumber::from_bits(stand.condition), traveller.is_hypothetical(), most_pieces);
+  std::size_t const tried_before = shared_->tried;
+  Region region(arms_, parted_, RealNumber::from_bits(stand.condition), traveller.is_hypothetical(),
+                most_pieces - std::min(most_pieces, tried_before));
   std::optional<int> last;
-  int arms = Arms::usual;
-  for (std::size_t round = 0; round < Region::most_rounds && !last;) {
+  for (std::size_t round = 0; round < Region::most_rounds && !last; ++round) {
     if (!arms_.open(arms, shared_->arms)) break;
     pid_t const first = fork();
     if (first == 0) {
@@ -110,16 +116,12 @@ std::optional<bool> Join::coordinate(Stand &stand, Traveller &traveller, std::si
       return serve(&stand, nullptr, traveller);
     }
     last = first < 0 ? std::nullopt : region.run();
-    shared_->tried = region.tried();
+    shared_->tried = tried_before + region.tried();
     if (last) break;
     arms_.kill_all();
     arms_.close_all();
-    if (region.wants_more_arms())
-      arms = std::min(arms * 4, Arms::most);
-    else if (region.wants_another_round())
-      ++round;
-    else
-      break;
+    if (region.wants_more_arms()) _exit(need_more_arms); // another begins as this one has
+    if (!region.wants_another_round()) break;
   }
   if (!last) _exit(0);
   arms_.kill_all(*last); // before the last goes on, and has arms of its own

@@ -70,7 +70,7 @@ private:
     Unwritten unwritten[most_unwritten];
   };
 
-  std::optional<bool> coordinate(Stand &stand, Traveller &traveller, std::size_t most_pieces);
+  std::optional<bool> coordinate(Stand &stand, Traveller &traveller, std::size_t most_pieces, int arms);
   [[noreturn]] void stand_for_main();
   void arrive(std::optional<Arrival> const &arrival);
   std::optional<bool> serve(Stand *stand, std::vector<RealNumber> *results, Traveller &traveller);

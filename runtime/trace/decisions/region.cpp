@@ -32,7 +32,6 @@ Region::Region(Arms &arms, PartingPoint const &parted, RealNumber condition, boo
 
 std::optional<int> Region::run() {
   wants_another_round_ = wants_more_arms_ = false;
-  JoinCosts const before = costs_;
   ways_.clear();
   where_.clear();
   places_.clear();
@@ -54,7 +53,6 @@ std::optional<int> Region::run() {
     if (tried_ + 2 > most_pieces_) return std::nullopt;
     if (arms_used_ + 2 > arms_.count()) {
       wants_more_arms_ = arms_.count() < Arms::most;
-      if (wants_more_arms_) costs_.pieces = before.pieces; // they come again
       return std::nullopt;
     }
     places_[*at].has_gone_on = true;

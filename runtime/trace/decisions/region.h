@@ -30,7 +30,7 @@ public:
   std::optional<int> run();
   // Whether a place that waits longer may help.
   bool wants_another_round() const { return wants_another_round_; }
-  // Whether the same round with more arms may help.
+  // Whether all of it with more arms may help.
   bool wants_more_arms() const { return wants_more_arms_; }
   JoinCosts costs() const { return costs_; }
   // Pieces of all rounds; an arm that does not come to a place in time counts as many as might have run in that time.
