@@ -165,7 +165,8 @@ def text(g, made, is_declared):
 
 def owned(g, made, is_declared):
     """Containers and pointers of C++ that grow, shrink and change hands."""
-    type, initial, change = g.random.choice([one for one in OWNED if not is_declared or "map" not in one[0]])  # which reads its keys
+    usable = [one for one in OWNED if not is_declared or "map" not in one[0] and (g.has("whole_objects") or "double" not in one[0])]
+    type, initial, change = g.random.choice(usable)  # an insertion into a map reads its keys
     w = of_container(g, made, type, initial, False)
     g.line(change.replace("NAME", w.name).replace("INPUT", f"{g.random.choice(g.inputs).at(ADD)} + 1"))
     if is_declared:
