@@ -11,7 +11,7 @@ namespace {
 
 constexpr double first_limit = 10; // seconds: within them the original of a source that is not large is not measured
 
-// Of a large source without optimisation the compiler takes about seven times what the original does, and measuring
+// Without optimisation the compiler takes for a large source about seven times what the original does, and measuring
 // that is once more: two of ten times are left. A process may go on for up to a second beyond its limit.
 double limit_of_large(Outcome const &original) {
   constexpr double times = 2, least = 0.5;
@@ -26,7 +26,7 @@ double most_seconds(Outcome const &original) { return most_times * original.proc
 
 std::size_t most_memory(Outcome const &original) { return most_memory_times * original.most_memory + most_memory_more; }
 
-// What all tries take together.
+// The sum of all tries.
 struct Spent {
   double seconds = 0;
   std::size_t memory = 0;
@@ -73,7 +73,7 @@ Captured compile_bounded(BoundedCompilation const &compilation, BoundedRun const
     spent.add(original);
     return original.success();
   };
-  if (compilation.is_large && !measure()) return run.compile(compilation.usual); // it is no program by itself
+  if (compilation.is_large && !measure()) return run.compile(compilation.usual); // it does not compile by itself
   double const first = compilation.is_large ? limit_of_large(original) : first_limit;
   if (std::optional<Captured> done = try_usual(first)) return *std::move(done);
   if (!compilation.is_large) {

@@ -192,7 +192,7 @@ Outcome run(Command const &command, LineSink const &sink) {
 }
 
 // A virtual machine's kernel ends a process by ticks, and some of these it does not count as the process's time
-// afterwards. What fails by itself just before counts as well.
+// afterwards. A failure just before the limit counts as well.
 bool has_reached_limit(Command const &command, Outcome const &outcome) {
   constexpr double least_counted = 0.75;
   return command.processor_limit > 0 && !outcome.success() &&

@@ -15,7 +15,7 @@ config.suffixes = [".test", ".cpp", ".c", ".graph", ".txt", ".facts"]
 # Unit tests are GoogleTest's, fuzzers are programs; a directory "Inputs" holds what tests read; the files of CMake and pip are no tests.
 config.excludes = ["unit", "tools", "Inputs", "fuzzers", "CMakeLists.txt", "requirements.txt"]
 config.test_source_root = os.path.join(config.source_dir, "tests")
-# Of the mutation test: the rule that a build for it leaves out. What tests leave behind without it is for nobody else.
+# The rule that a build for the mutation test leaves out. Files that tests leave behind without it are not used again.
 dropped = os.environ.get("SYMREAL_DROP_RULE")
 config.test_exec_root = os.path.join(config.binary_dir, "tests", *(["without-" + dropped] if dropped else []))
 

@@ -154,7 +154,7 @@ private:
       refuse(read->getBeginLoc());
   }
 
-  // What is evaluated late stands in a function of its own.
+  // An operand that is evaluated late stands in a function of its own.
   static bool names_function(Stmt const *part) {
     if (auto const *argument = dyn_cast<CXXDefaultArgExpr>(part)) return names_function(argument->getExpr());
     if (isa<PredefinedExpr, SourceLocExpr>(part)) return true;

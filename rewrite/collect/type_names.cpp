@@ -1,4 +1,4 @@
-// Where a program asks for the name of a type: typeid, what the standard library gives of this kind, and
+// Questions of a program for the name of a type: typeid, what the standard library gives of this kind, and
 // __PRETTY_FUNCTION__. A class stands for double, and the runtime gives the names of the original.
 #include "rewrite/collect/collector.h"
 #include "rewrite/text/pragma_text.h"

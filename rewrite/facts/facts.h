@@ -208,7 +208,7 @@ struct ListFact {
   std::map<std::string, Outside> outside; // by place
 };
 
-// What changes the arithmetic of a part of a source: an option in an attribute, or a pragma.
+// Text that changes the arithmetic of a part of a source: an option in an attribute, or a pragma.
 struct ArithmeticFact {
   std::string own;     // the option, or the pragma as an operator
   std::string instead; // nothing for most pragmas

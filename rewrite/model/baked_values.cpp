@@ -103,7 +103,7 @@ public:
     for (Expr const *argument : made->arguments()) sized(argument);
     return true;
   }
-  // What goes through a container, or hands it on, goes by its extent.
+  // A loop through a container, or a call that is given it, may go by its extent.
   bool VisitCXXForRangeStmt(CXXForRangeStmt *loop) override {
     sized(loop->getRangeInit());
     return true;

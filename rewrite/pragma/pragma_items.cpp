@@ -310,7 +310,7 @@ private:
     return type->isBooleanType() ? "SYMREAL_BOOL" : type.getAsString();
   }
 
-  // Why a value of this type is no output; empty where it may be one.
+  // The reason why a value of this type cannot be an output; empty where it may be one.
   std::string unfit_as_output(QualType type, ASTContext const &context) const {
     std::string const name = declared(type.getUnqualifiedType(), "", context);
     std::string const what = "output(return): it is " + name + ", ";

@@ -10,7 +10,7 @@ using namespace clang;
 
 namespace {
 
-// Options of gcc that change what arithmetic gives. What is vectorised is also fused, in spite of fp-contract=off.
+// Options of gcc that change results of arithmetic. Vectorised sums are also fused, in spite of fp-contract=off.
 bool changes_arithmetic(llvm::StringRef option) {
   option = option.trim();
   if (!option.consume_front("-f")) option.consume_front("-");
@@ -35,7 +35,7 @@ std::optional<std::string> without_them(llvm::StringRef literal, char const *neu
   return "\"" + (rest.empty() ? neutral : rest) + "\"";
 }
 
-// What a pragma becomes; nothing if it may stay. Most compilers drop those that they do not know.
+// The text that replaces a pragma; nothing if it may stay. Most compilers drop those that they do not know.
 std::optional<std::string> instead_of(llvm::StringRef pragma) {
   auto const [space, rest] = pragma.split(' ');
   bool changes = false;

@@ -1,5 +1,5 @@
-// What a source tells the compiler about the arithmetic of its functions: optimize("fast-math") in an attribute,
-// #pragma STDC FP_CONTRACT ON. As with the flags of this kind, the reference build is without them.
+// Text by which a source tells the compiler about the arithmetic of its functions: optimize("fast-math") in an
+// attribute, #pragma STDC FP_CONTRACT ON. As with the flags of this kind, the reference build is without them.
 #pragma once
 
 #include "rewrite/facts/facts.h"

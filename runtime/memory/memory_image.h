@@ -47,7 +47,7 @@ public:
   // The static objects of functions that were initialised since, on their first use, and the temporaries that those
   // that are references keep alive.
   std::vector<Change> initialised() const;
-  // Those of them that the compiler guards with this object.
+  // The objects of these that the compiler guards with this one.
   std::vector<Change> guarded(void const *guard) const;
 
   // The bytes that lay there, of an address within the image; else null.

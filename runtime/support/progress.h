@@ -1,5 +1,5 @@
-// How far long work is. Whoever works counts; whoever talks to the person who waits looks at the counts from time to
-// time. Counting costs next to nothing, and nobody need be looking.
+// Progress of long work. The work counts; the console reads the counts from time to time. Counting costs next to
+// nothing and does not need a reader.
 #pragma once
 
 #include <atomic>
@@ -11,7 +11,7 @@ namespace symreal {
 // Work that goes on as long as this lives. Inside of it other work may be counted.
 class Progress {
 public:
-  // `unit`: what is counted, a literal such as "samples". `all`: of how many; 0 where nobody knows.
+  // `unit`: what is counted, a literal such as "samples". `all`: of how many; 0 where that is unknown.
   explicit Progress(char const *unit, std::size_t all = 0);
   ~Progress();
   Progress(Progress const &) = delete;

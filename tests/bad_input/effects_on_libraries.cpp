@@ -1,4 +1,4 @@
-// What a kernel changes in the state of the C and the C++ library, of its signals, or of a file that was open before,
+// Changes by a kernel of the state of the C and the C++ library, of its signals, or of a file that was open before,
 // is an effect that generated code does not have.
 // RUN: rm -rf %t && not %symreal generate %s -o %t/ 2>&1 | FileCheck %s
 // RUN: not ls %t
@@ -8,7 +8,7 @@
 // LATER: error: kernel 'later': the original sets the seed of rand(), and the generated code does not [SYM215]
 // RUN: not %symreal verify %s %t.c --samples=50 -- -DLATER -DSIGNAL 2>&1 | FileCheck %s --check-prefix=SIGNAL
 // SIGNAL: error: kernel 'later': the original changes what signal 10 does, and the generated code does not [SYM215]
-// A question is none, nor is what is taken back, nor a file that the kernel opens and closes.
+// A question, a change that is taken back, and a file that the kernel opens and closes do not count.
 // RUN: %symreal generate %s -o %t.c -- -DASKS && %symreal verify %s %t.c --samples=50 -- -DASKS
 #include <clocale>
 #include <csignal>

@@ -1,4 +1,4 @@
-// A returned value that is no output, since nothing in it is a double that an annotation reaches, or since the caller would
+// A returned value that cannot be an output, since nothing in it is a double that an annotation reaches, or since the caller would
 // get an object and not its value.
 // RUN: not %symreal generate %s -o %t/ -- -std=c++20 2>&1 | FileCheck %s --implicit-check-not=SYM005 --implicit-check-not=SYM072
 // RUN: not ls %t

@@ -1,8 +1,8 @@
-/* A static integer of a function is scratch by itself only where no other call of the function, and nobody to whom its
+/* A static integer of a function is scratch by itself only where neither another call of the function nor code to which its
    address goes, reads what the kernel leaves.
    RUN: rm -rf %t && not %symreal generate %s -o %t/ 2>&1 | FileCheck %s
    RUN: not ls %t
-   What is written before it is read, element by element, by a function that is given it or in a loop, needs no clause.
+   A static that is written before it is read, element by element, by a function that is given it or in a loop, needs no clause.
    RUN: %symreal generate %s -o %t.c -- -DOWN && %symreal verify %s %t.c --samples=50 -- -DOWN
 */
 #include <stdio.h>

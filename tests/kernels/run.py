@@ -13,7 +13,7 @@ import tempfile
 import time
 from concurrent.futures import ThreadPoolExecutor
 
-from kernels.features import OPEN, features
+from kernels.features import OPEN, OPEN_VIA_IR, features
 from kernels.kernel import make_kernel
 from kernels.minimise import minimised
 from kernels.outcome import Outcome
@@ -79,7 +79,9 @@ def batches(options):
 
 
 def excluded(options, language):
-    names = set(filter(None, options.without.split(","))) | (set() if options.open else set(OPEN))
+    names = set(filter(None, options.without.split(",")))
+    if not options.open:
+        names |= set(OPEN) | (set(OPEN_VIA_IR) if options.via_ir else set())
     if options.only:
         names |= set(features(language)) - set(options.only.split(","))
     return names

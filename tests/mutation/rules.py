@@ -34,7 +34,7 @@ RULES = [
     Rule("later", "keeps the order of operands", "later.cpp", "pitfalls/operand_order"),
     Rule("now", "keeps the order of arguments", "now.cpp", "pitfalls/operand_order"),
     Rule("SYM120", "compares what types choose in the symbolic program", "choices.cpp", "bad_input/types_asked", refused="SYM120"),
-    # What comes in, what is returned.
+    # Arguments and returned values.
     Rule("SYM203", "reports a section beyond an object whose size is declared", "section.cpp", "bad_input/section_beyond.cpp",
          refused="SYM203"),
     Rule("SYM203", "reports a section beyond what a container has in the run", "section_at_run.cpp", "bad_input/section_beyond_at_run",

@@ -50,7 +50,7 @@ def library(rule, directory):
 
 
 def warm_cache(options):
-    """What any run would compile first. Each gets a copy: what a rule leaves there is for nobody else."""
+    """Objects that any run would compile first. Each run gets a copy, so that a dropped rule spoils no other run."""
     options.cache = tempfile.mkdtemp(prefix="mutation-cache-")
     for program in ("returned.c", "read.cpp"):
         subprocess.run([os.path.join(options.build, "tool", "symreal"), "generate", os.path.join(HERE, "Inputs", program), "--frozen=allow",

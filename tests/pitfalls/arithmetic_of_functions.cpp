@@ -1,4 +1,4 @@
-// What clang takes: pragmas that contract, regroup or vectorise sums, in members, templates and lambdas.
+// Pragmas of clang that contract, regroup or vectorise sums, in members, templates and lambdas.
 // RUN: %same %s
 // RUN: %symreal generate %s -o %t.c --cxx=clang++-19 2>&1 | FileCheck %s --implicit-check-not="SYM205"
 // RUN: %symreal verify %s %t.c --cxx=clang++-19 --samples=200

@@ -1,7 +1,7 @@
 // A static variable may depend on inputs by a decision alone: its value is an ordinary one, which later calls keep.
 // RUN: not %symreal generate %s -o %t/ --decisions=guard 2>&1 | FileCheck %s
 // RUN: not ls %t
-// A decision that is none on inputs, or that stands beside the initialiser, is right.
+// A decision on constants, or beside the initialiser, is right.
 // RUN: %symreal generate %s -o %t.c --decisions=guard -- -DBESIDE && %symreal verify %s %t.c --samples=50 --min-samples=10 -- -DBESIDE
 #include <cstdio>
 #include <vector>

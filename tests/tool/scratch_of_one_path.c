@@ -1,5 +1,5 @@
-/* A static integer that the recorded path writes before it reads it is scratch where no guard stands, though the source has a path
-   that reads it first: the baked-in argument excludes that path. */
+/* A static array of integers that a loop writes before the kernel reads it is scratch where no guard stands: the recorded path
+   tells that the loop has written what is read. */
 // RUN: %symreal generate %s -o %t.c 2>&1 | FileCheck %s
 // RUN: %symreal verify %s %t.c --samples=50
 // CHECK-NOT: error
@@ -9,9 +9,9 @@
 #pragma symreal function input(x) constant(n) output(return)
 double kernel(double x, int n)
 {
-    static int factor;
-    if (n > 0) factor = 3;
-    return factor * x;
+    static int factors[2];
+    for (int i = 0; i < n; i++) factors[i] = 3 + i;
+    return factors[1] * x;
 }
 
-int main(void) { printf("%g\n", kernel(0.7, 1)); return 0; }
+int main(void) { printf("%g\n", kernel(0.7, 2)); return 0; }

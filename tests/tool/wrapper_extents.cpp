@@ -16,7 +16,7 @@
 // RUN: %{try}
 // REDEFINE: %{kernel} = SAME
 // RUN: %{try}
-// What may hold something or not cannot be compared.
+// An object that may be empty cannot be compared.
 // REDEFINE: %{kernel} = OPAQUE
 // RUN: cd %t && not %symreal generate %s -o o.c --wrapper -- %{flags} 2>&1 | FileCheck %s --check-prefix=OPAQUE
 // OPAQUE: error: --wrapper cannot compare 'list' of 'kern', which is baked in: it is a std::map [SYM095]

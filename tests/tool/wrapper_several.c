@@ -1,4 +1,4 @@
-/* Of several kernels in one file that need copies of it each has its own: the generated functions have the same names.
+/* Several kernels in one file that need copies of it have one each: the generated functions have the same names.
    RUN: rm -rf %t && mkdir %t && cd %t
    RUN: %symreal generate %s -o . --wrapper --decisions=guard 2>&1 | FileCheck %s
    CHECK-DAG: the wrapper of 'pair_of' is a copy of its file, {{.*}}: compile ./pair_of_wrapper.c in place of

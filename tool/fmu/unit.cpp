@@ -57,6 +57,7 @@ std::string token_of(Files const &files, std::vector<UnitVariable> const &variab
   return program::content_hash(text).substr(0, 32);
 }
 
+// The sources do not name the original's mathematical library: the text of the graph gives the same unit.
 std::string unit_bytes(Schedule const &plan, EmitterOptions const &emitter, FloatingPoint mode) {
   Graph const &graph = *plan.graph;
   Language const &c = *find_language("c");
@@ -65,8 +66,7 @@ std::string unit_bytes(Schedule const &plan, EmitterOptions const &emitter, Floa
                             .prefix = emitter.prefix,
                             .mode = mode,
                             .trace_comments = emitter.trace_comments,
-                            .check_values = emitter.check_values,
-                            .reference = emitter.reference};
+                            .check_values = emitter.check_values};
   std::vector<UnitVariable> const variables = unit_variables(graph);
   Files sources;
   for (EmittedFile const &file : symreal::emit(plan, c, options)) sources.emplace_back(file.name, file.text);

@@ -40,7 +40,7 @@ program::VerificationOptions options_of(nlohmann::ordered_json const &certificat
 // What the run shows otherwise than the certificate says; empty if nothing. What depends on the clock is not compared.
 std::vector<std::string> differences(nlohmann::ordered_json const &certificate, nlohmann::ordered_json const &run);
 
-// Where the mathematical library chose other code, or is another, than `before`, that in words; else empty. The figures
+// A sentence if the mathematical library chose other code, or is another, than `before`; else empty. The figures
 // are then those of another reference. `made`: "the certificate was written", before which nothing was known if empty.
 std::string other_mathematics(std::string const &made, std::string const &before, std::string const &now);
 

@@ -1,6 +1,6 @@
 // How a run talks to a person: progress, diagnostics and the program's output on standard error.
 //
-// What a stage has counted (support/progress.h) and how long it takes stands on a terminal in a line that is written
+// The counts of a stage (support/progress.h) and its time stand on a terminal in a line that is written
 // again and again; elsewhere in a line of its own now and then.
 #pragma once
 

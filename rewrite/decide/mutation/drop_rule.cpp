@@ -15,7 +15,7 @@ std::map<std::string_view, std::set<Use>> const groups = {
     {"formatting", {Use::formatting, Use::shown}},
     {"layouts", {Use::layout, Use::padding}},
 };
-// Those of a use whose words begin like this.
+// Macros of a use whose words begin like this.
 std::function<void(Facts &)> drop(Use use, std::string_view words) {
   return [=](Facts &facts) {
     std::erase_if(facts.wraps, [&](Wrap const &wrap) { return wrap.use == use && wrap.detail.starts_with(words); });
@@ -45,7 +45,7 @@ void give_own_addresses(Facts &facts) {
   });
 }
 
-// What is returned is not made in the type of the function first: (label, ..., type) without the last.
+// A returned value is not made in the type of the function first: (label, ..., type) without the last.
 void return_as_written(Facts &facts) {
   change_wraps(facts, Use::returned, [&](Wrap wrap) {
     constexpr std::string_view as = "_AS(";

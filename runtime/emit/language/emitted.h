@@ -20,7 +20,7 @@ struct EmitOptions {
   bool is_single = false;     // numbers are float
   bool angles = false;        // sines and cosines of inputs are computed side by side (schedule/angles.h)
   bool origins = false;       // where the lines of statements come from is wanted
-  std::string reference = {}; // the mathematical library of the original; none where there is no original
+  std::string reference = {}; // the mathematical library of the original; empty without an original
 };
 
 // Lines of a file that hold one statement, and where its operations come from.

@@ -7,7 +7,7 @@
 
 namespace symreal {
 
-// Those that are neither a diagnostic nor known to the rewriter by another name.
+// Rules that are neither a diagnostic nor known to the rewriter by another name.
 static constexpr std::string_view rules[] = {
     "baked",            // a wrapper compares what the recording has baked in
     "beyond_guards",    // a static integer that another path may read is state

@@ -1,4 +1,4 @@
-// What a kernel changes in the state that the C library and the C++ library keep for the whole program. The functions
+// Changes by a kernel of the state that the C library and the C++ library keep for the whole program. The functions
 // that change it are replaced in the whole symbolic program and in the original, and call the library's.
 //
 // Weak, so that a program with a function of such a name has its own.
@@ -24,7 +24,7 @@ char symreal_effect_hooks = 0;
 #include "trace/outside/effects.def"
 #undef EFFECT
 
-// The library has this one in each program by itself, so there is no other to call.
+// The library links this one into each program, so the library has no other to call.
 int __cxa_atexit(void (*function)(void *), void *argument, void *library);
 int symreal_effect_atexit(void (*function)()) asm("atexit");
 [[gnu::weak]] int symreal_effect_atexit(void (*function)()) {

@@ -225,7 +225,7 @@ void path_of(long descriptor, char (&path)[240]) {
   path[size > 0 ? size : 0] = 0;
 }
 
-// What the call was given that tells whether it does something that lasts.
+// Whether the call does something that lasts, by its arguments.
 bool lasts(Does does, long const (&arguments)[6]) {
   if (does == Does::limits) return arguments[2] != 0;
   if (does == Does::controls) return arguments[0] == PR_SET_NAME;
@@ -338,7 +338,7 @@ void give_back_handler() {
   sigaltstack(&previous_stack, nullptr);
 }
 
-// Of each signal what becomes of it, and which are blocked.
+// The action of each signal, and the blocked ones.
 struct Signals {
   std::array<struct sigaction, NSIG> actions = {};
   sigset_t blocked = {};

@@ -1,6 +1,6 @@
-// What the compiler calls around the initialisation of a static variable of a function, replaced in the whole symbolic
-// program: what such a variable holds at its end belongs to the first call, what is written later to the call that
-// does.
+// Functions that the compiler calls around the initialisation of a static variable of a function, replaced in the whole
+// symbolic program: what such a variable holds at its end belongs to the first call, what is written later to the call
+// that does.
 //
 // Weak, so that a program with functions of such names has its own.
 #include "memory/heap_blocks.h"

@@ -71,7 +71,7 @@ bool State::has_changed(RealNumber const *number) const {
 }
 
 // A number that had this value when it was read, and another one when the kernel began: code that is not rewritten has
-// written it. What a static object of a function was initialised to is no such value.
+// written it. The initial value of a static object of a function does not count.
 bool State::was_written_by_kernel(RealNumber const *number, double value) const {
   char const *before = image_ ? image_->before(number) : nullptr;
   if (!before || std::memcmp(before, &value, sizeof value) == 0) return false;
@@ -153,8 +153,8 @@ void State::report_initialised(memory::Change const &object, Place const &kernel
        "the first call initialises static '" + name_of(object) + "' from its inputs, and later calls keep this value"});
 }
 
-// A later call finds the object as the first call has made it, whatever its own inputs are. Where nothing told of the
-// end of its initialisation, what it holds now has to do.
+// A later call finds the object as the first call has made it, whatever its own inputs are. Unless a guard told of the
+// end of its initialisation, its value at the end of the kernel is judged.
 void State::judge_initialised(Place const &kernel) {
   if (!image_) return;
   for (Initialisation const &one : initialised_)

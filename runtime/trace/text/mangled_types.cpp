@@ -199,7 +199,7 @@ private:
     pieces.push_back({"E"});
   }
 
-  // The name of a class, or of a function, which is no substitution by itself.
+  // The name of a class, or of a function, which cannot be substituted by itself.
   Node const *read_name() {
     if (next() == 'N') return nested();
     if (next() == 'Z') return local();
@@ -212,7 +212,7 @@ private:
     std::string const qualifiers = take_while("rVKRO");
     if (!qualifiers.empty() && !in_encoding_) throw Unread();
     Node const *name = nullptr;
-    bool is_known = true; // or is no substitution
+    bool is_known = true; // or cannot be substituted
     while (next() != 'E') {
       if (name && !is_known) noted(name);
       is_known = false;
@@ -264,7 +264,7 @@ private:
     if (name.starts_with('$')) throw Unread(); // clang's name of a lambda
     return length + name;
   }
-  // Of a function: Z encoding E name, with a number where there are several.
+  // An entity of a function: Z encoding E name, with a number where there are several.
   Node const *local() {
     expect("Z");
     Pieces pieces = {{"Z"}};

@@ -74,7 +74,7 @@ static void prepare(struct kernel const *k, int way, int is_first, int is_mixed,
     if (k->state[o] >= 0) before[o] = in[k->state[o]];
 }
 
-/* What the original raises, or is given by a call that has raised it, is outside of the promise. */
+/* Exceptions that the original raises, or that a call before has raised, are outside of the promise. */
 static int is_outside_of_promise(struct kernel const *k, int is_strict, double const *in) {
   int is_outside = !is_strict && fetestexcept(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW);
   for (int i = 0; i < k->inputs && !is_strict; i++) is_outside |= !isfinite(in[i]);

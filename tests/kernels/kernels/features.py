@@ -20,7 +20,7 @@ CXX = {"templates": 0.35, "overloads": 0.3, "lambdas": 0.3, "complex": 0.15, "co
 REFUSED = {"decisions": 0.4, "undeclared_state": 0.3, "text_read_back": 0.25, "unwritten_outputs": 0.25,
            "float": 0.2, "statics_of_inputs": 0.25, "undeclared_memory": 0.25, "parts_written": 0.25}
 REFUSED_CXX = {"order": 0.2}
-# Of these the generator knows the diagnostic, and a kernel that is taken is a fault.
+# The generator knows the diagnostic of each, and a kernel that is taken is a fault.
 MUST_BE_REFUSED = {"statics_of_inputs", "undeclared_memory", "parts_written"}
 REFUSED_IN = range(900, 1000)  # of each thousand
 
@@ -41,4 +41,8 @@ def drawn(random, language, index, excluded):
 # What is known to be wrong and not repaired yet: `run.py --open` includes it.
 OPEN = {
     "whole_objects": "scratch that is given to memset or an algorithm by its own name, or has numbers and a method (an array of file scope, a container, a pointer that owns), counts as read: SYM017",
+}
+# The same with `--via-ir`.
+OPEN_VIA_IR = {
+    "returned_objects": "a structure of C that is returned through a hidden pointer counts as state of the caller: SYM053",
 }

@@ -81,7 +81,7 @@ class Generator:
         self.result = self.kernel_result = None  # what gives a value to return
         self.enumerations, self.structs, self.readers = [], [], []
         self.function_tables, self.function_takers = [], []
-        self.shown = []         # variables that an output must depend on: compilers leave out what nobody reads
+        self.shown = []         # variables that an output must depend on: compilers leave out unread ones
         self.expected = set()   # diagnostics, of which the tool must give one
         self.idioms, self.statements_of_idioms = [], []
         self.indices = 0        # how many computed indices stand around what is made

@@ -54,7 +54,7 @@ def probe(path, kernels, language):
 
 
 def calls(kernels, generated):
-    """For each kernel a call on flat arrays, with what is baked in as it is chosen, and what it keeps that nobody named. Through a
+    """For each kernel a call on flat arrays, with what is baked in as it is chosen, and the state that it keeps without a name. Through a
     pointer, so that no compiler sees what is called."""
     lines = []
     for kernel in kernels:

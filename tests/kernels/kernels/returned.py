@@ -81,7 +81,7 @@ def filled(pattern, values):
 
 
 def expression(g, returned, value):
-    """What stands behind `return`."""
+    """The expression behind `return`."""
     return filled(returned.text, [value(g) for _ in range(returned.text.count("@"))])
 
 

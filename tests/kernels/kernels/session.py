@@ -114,7 +114,7 @@ class Session:
         return named
 
     def around(self, text, kernel):
-        """What stands around the errors of a kernel."""
+        """The text around the errors of a kernel."""
         lines = text.splitlines()
         hits = [k for k, line in enumerate(lines) if self.refusals(line, {kernel.name: self.places[kernel.name]})]
         return "\n".join(line for hit in hits[:3] for line in lines[hit:hit + 6]) or text[-2000:]

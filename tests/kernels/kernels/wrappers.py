@@ -15,7 +15,7 @@ CALLS = "-DKERNEL_CALLS=\"calls.inc\""
 
 
 class WrapperSession(Session):
-    """What the tool generates has a wrapper beside it; that is what is called."""
+    """The generated code has a wrapper beside it, which is called."""
 
     def __init__(self, *words, **named):
         super().__init__(*words, **named)
@@ -77,7 +77,7 @@ class WrapperSession(Session):
         return bool(self.banner(kernel).get("guards"))
 
     def stops(self, kernel):
-        """Another value that is baked in ends the program: there is no original to call."""
+        """Another value that is baked in ends the program, which has not got the original to call."""
         with open(os.path.join(self.directory, f"out/{kernel.name}_wrapper{SUFFIX[self.language]}")) as file:
             text = file.read()
         return "KERNEL_CALLS" not in text and "fallback" not in text

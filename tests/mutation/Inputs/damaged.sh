@@ -1,4 +1,4 @@
-# What the cache keeps has another number in it; the code is made again.
+# The object in the cache has another number in it; the code is made again.
 python3 - "$XDG_CACHE_HOME"/symreal/*.file <<'PYTHON' || exit 1
 import struct, sys
 count = 0
