@@ -1,9 +1,9 @@
 #include "program/c_macros.h"
 
 #include "program/directives.h"
-#include "program/parallel.h"
 #include "rewrite/edit/compose.h"
 #include "support/installation.h"
+#include "support/parallel.h"
 
 #include <algorithm>
 #include <charconv>

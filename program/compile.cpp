@@ -2,12 +2,12 @@
 
 #include "program/bounded_compilation.h"
 #include "program/compiler_errors.h"
-#include "program/parallel.h"
 #include "program/read_files.h"
 #include "program/runtime_header.h"
 #include "rewrite/request/driver_options.h"
 #include "support/files.h"
 #include "support/installation.h"
+#include "support/parallel.h"
 #include "support/progress.h"
 
 #include <algorithm>

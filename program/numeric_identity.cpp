@@ -3,12 +3,12 @@
 #include "program/message_line.h"
 #include "program/neighbours.h"
 #include "program/overlay.h"
-#include "program/parallel.h"
 #include "program/process.h"
 #include "program/search_flags.h"
 #include "rewrite/request/driver_options.h"
 #include "support/files.h"
 #include "support/installation.h"
+#include "support/parallel.h"
 
 #include <filesystem>
 #include <optional>

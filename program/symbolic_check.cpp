@@ -2,7 +2,7 @@
 
 #include "program/c_macros.h"
 #include "program/compiler_errors.h"
-#include "program/parallel.h"
+#include "support/parallel.h"
 
 #include <algorithm>
 #include <optional>

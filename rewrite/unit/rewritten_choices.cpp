@@ -3,6 +3,8 @@
 #include "rewrite/collect/choices.h"
 #include "rewrite/facts/merge.h"
 #include "rewrite/unit/collect_source.h"
+#include "support/parallel.h"
+#include "support/progress.h"
 
 namespace symreal::rewrite {
 namespace {
@@ -93,12 +95,18 @@ void compare_choices(std::vector<Compilation> const &sources, Scope const &scope
   Request rewritten = request;
   rewritten.texts.clear();
   for (File const &file : result.files) rewritten.texts.push_back({file.path, file.text});
+  std::vector<std::pair<Choices, Choices>> read_of(sources.size());
+  Progress progress("sources read again", sources.size());
+  in_parallel(sources.size(), std::max(1U, request.jobs), [&](std::size_t k) {
+    auto &[original, symbolic_ones] = read_of[k];
+    original = read(sources[k], request, scope, /*of_rewritten=*/false);
+    if (!original.empty())
+      symbolic_ones = read(symbolic(sources[k], result.type_name), rewritten, scope, /*of_rewritten=*/true);
+    progress.add();
+  });
   std::set<std::string> known;
-  for (Compilation const &source : sources) {
-    Choices const original = read(source, request, scope, /*of_rewritten=*/false);
-    if (original.empty()) continue;
-    for (auto const &[key, choice] :
-         read(symbolic(source, result.type_name), rewritten, scope, /*of_rewritten=*/true)) {
+  for (auto const &[original, symbolic_ones] : read_of) {
+    for (auto const &[key, choice] : symbolic_ones) {
       auto const found = original.find(key);
       if (found == original.end()) continue; // what leads there is another choice
       Choice const &before = found->second;

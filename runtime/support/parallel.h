@@ -1,4 +1,4 @@
-// Work that many processes do for us, some at a time.
+// Work in several threads.
 #pragma once
 
 #include <algorithm>
@@ -6,7 +6,7 @@
 #include <thread>
 #include <vector>
 
-namespace symreal::program {
+namespace symreal {
 
 // Calls work(k) for each k below count, so many at once. `work` does not throw.
 template <class Work> void in_parallel(std::size_t count, unsigned jobs, Work work) {
@@ -19,4 +19,4 @@ template <class Work> void in_parallel(std::size_t count, unsigned jobs, Work wo
   worker();
 }
 
-} // namespace symreal::program
+} // namespace symreal
