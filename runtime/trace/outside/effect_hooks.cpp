@@ -25,12 +25,12 @@ char symreal_effect_hooks = 0;
 #undef EFFECT
 
 // The library links this one into each program, so the library has no other to call.
-int __cxa_atexit(void (*function)(void *), void *argument, void *library);
+int symreal_library_atexit(void (*function)(void *), void *argument, void *library) asm("__cxa_atexit");
 int symreal_effect_atexit(void (*function)()) asm("atexit");
 [[gnu::weak]] int symreal_effect_atexit(void (*function)()) {
   symreal::trace::note_effect("registers a function for the end of the program");
-  return __cxa_atexit([](void *each) { reinterpret_cast<void (*)()>(each)(); }, reinterpret_cast<void *>(function),
-                      nullptr);
+  return symreal_library_atexit([](void *each) { reinterpret_cast<void (*)()>(each)(); },
+                                reinterpret_cast<void *>(function), nullptr);
 }
 
 } // extern "C"

@@ -251,7 +251,7 @@ void note(long number, long const (&arguments)[6], long result, char const *clos
   if (does == Does::moves) one.is_asked = is_own || (arguments[1] == 0 && arguments[2] == SEEK_CUR);
   if (does == Does::reads || does == Does::writes || does == Does::moves) one.file = arguments[0];
   if (does == Does::maps) one.file = arguments[4];
-  if (closed) std::strcpy(one.path, closed);
+  if (closed) std::memcpy(one.path, closed, sizeof one.path);
   if (row && row->path >= 0) {
     auto const *path = reinterpret_cast<char const *>(arguments[row->path]);
     for (std::size_t k = 0; path && path[k] && k + 1 < sizeof one.path; ++k) one.path[k] = path[k];
