@@ -16,20 +16,6 @@ bool names(Expr const *expression, VarDecl const *variable) {
 
 enum class Does { nothing, reads, writes };
 
-// The effect on the variable of evaluating this expression itself, without its operands.
-Does effect_of(Stmt const *statement, VarDecl const *variable) {
-  if (auto const *operation = dyn_cast<BinaryOperator>(statement);
-      operation && operation->isAssignmentOp() && names(operation->getLHS(), variable))
-    return operation->isCompoundAssignmentOp() ? Does::reads : Does::writes;
-  if (auto const *operation = dyn_cast<UnaryOperator>(statement);
-      operation && operation->isIncrementDecrementOp() && names(operation->getSubExpr(), variable))
-    return Does::reads;
-  if (auto const *cast = dyn_cast<ImplicitCastExpr>(statement);
-      cast && cast->getCastKind() == CK_LValueToRValue && names(cast->getSubExpr(), variable))
-    return Does::reads;
-  return Does::nothing;
-}
-
 // The object that the expression names a part of, or whose address it is: `v`, `v.first`, `v[i]`, `&v`.
 Expr const *whole(Expr const *expression) {
   for (;;) {
@@ -49,34 +35,41 @@ Expr const *whole(Expr const *expression) {
 }
 bool names_part(Expr const *expression, VarDecl const *variable) { return names(whole(expression), variable); }
 
-// The same where a part counts as the whole, and a function that is given it as one that assigns it. `count`: how often
-// the statement itself has it as an operand.
-Does likely_effect_of(Stmt const *statement, VarDecl const *variable, unsigned &count) {
-  count = 1;
+// The effect on the variable of evaluating this expression itself, without its operands. `is_it`: whether an operand is
+// the variable.
+Does effect_of(Stmt const *statement, VarDecl const *variable, bool (*is_it)(Expr const *, VarDecl const *)) {
   if (auto const *operation = dyn_cast<BinaryOperator>(statement);
-      operation && operation->isAssignmentOp() && names_part(operation->getLHS(), variable))
+      operation && operation->isAssignmentOp() && is_it(operation->getLHS(), variable))
     return operation->isCompoundAssignmentOp() ? Does::reads : Does::writes;
   if (auto const *operation = dyn_cast<UnaryOperator>(statement);
-      operation && operation->isIncrementDecrementOp() && names_part(operation->getSubExpr(), variable))
+      operation && operation->isIncrementDecrementOp() && is_it(operation->getSubExpr(), variable))
     return Does::reads;
   if (auto const *cast = dyn_cast<ImplicitCastExpr>(statement);
-      cast && cast->getCastKind() == CK_LValueToRValue && names_part(cast->getSubExpr(), variable))
+      cast && cast->getCastKind() == CK_LValueToRValue && is_it(cast->getSubExpr(), variable))
     return Does::reads;
-  count = 0;
+  return Does::nothing;
+}
+
+// `count`: how often the statement itself has the variable as an operand.
+using Effect = llvm::function_ref<Does(Stmt const *, VarDecl const *, unsigned &count)>;
+
+Does sure_effect_of(Stmt const *statement, VarDecl const *variable, unsigned &count) {
+  Does const does = effect_of(statement, variable, names);
+  count = does != Does::nothing;
+  return does;
+}
+
+// A part counts as the whole, and a function that is given it as one that assigns it.
+Does likely_effect_of(Stmt const *statement, VarDecl const *variable, unsigned &count) {
+  Does const does = effect_of(statement, variable, names_part);
+  count = does != Does::nothing;
+  if (does != Does::nothing) return does;
   if (auto const *call = dyn_cast<CallExpr>(statement)) {
     for (Expr const *argument : call->arguments()) count += names_part(argument, variable);
     if (auto const *method = dyn_cast<CXXMemberCallExpr>(call))
       count += names_part(method->getImplicitObjectArgument(), variable);
   }
   return count > 0 ? Does::writes : Does::nothing;
-}
-
-using Effect = llvm::function_ref<Does(Stmt const *, VarDecl const *, unsigned &count)>;
-
-Does sure_effect_of(Stmt const *statement, VarDecl const *variable, unsigned &count) {
-  Does const does = effect_of(statement, variable);
-  count = does != Does::nothing;
-  return does;
 }
 
 // How often the variable is mentioned, and how often as an operand of the above. A lambda may be called later.
