@@ -2,19 +2,13 @@
 
 #include "rewrite/facts/merge.h"
 #include "rewrite/unit/reachable_sources.h"
+#include "support/parallel.h"
+#include "support/progress.h"
 
 #include <numeric>
-#include <thread>
 
 namespace symreal::rewrite {
 namespace {
-
-// In the caller's thread and others, so many in all.
-template <class Work> void in_threads(std::size_t threads, Work work) {
-  std::vector<std::jthread> helpers;
-  for (std::size_t i = 1; i < threads; ++i) helpers.emplace_back(work);
-  work();
-}
 
 std::string text_of(Compilation const &source) {
   auto const buffer = llvm::MemoryBuffer::getFile(real_source(source));
@@ -28,7 +22,10 @@ Facts Reading::all() {
   std::iota(wanted_.begin(), wanted_.end(), 0);
   if (request_.reachable) choose_reachable();
   Progress progress("sources", wanted_.size());
-  in_threads(std::min<std::size_t>(std::max(1U, request_.jobs), wanted_.size()), [&] { work(progress); });
+  in_parallel(wanted_.size(), request_.jobs, [&](std::size_t k) {
+    read(k);
+    progress.add();
+  });
   if (failure_) std::rethrow_exception(failure_);
   configurations_.report(facts_);
   if (request_.reachable) std::erase_if(facts_.uses, [this](auto const &use) { return !reached_.contains(use.first); });
@@ -53,21 +50,12 @@ void Reading::choose_reachable() {
   candidates.text = [this](std::size_t k) { return text_of(sources_[k]); };
   candidates.read = [this](std::vector<std::size_t> const &numbers) {
     std::vector<SourceLinks> links(numbers.size());
-    std::atomic<std::size_t> next = 0;
-    in_threads(std::min<std::size_t>(std::max(1U, request_.jobs), numbers.size()), [&] {
-      for (std::size_t mine = next++; mine < numbers.size(); mine = next++) {
-        try {
-          Facts facts = collector_.collect(sources_[numbers[mine]]);
-          links[mine] = {std::exchange(facts.links, {}), std::exchange(facts.linked_words, {})};
-          std::unique_lock const lock(mutex_);
-          known_.emplace(numbers[mine], std::move(facts));
-        } catch (...) {
-          std::unique_lock const lock(mutex_);
-          failure_ = std::current_exception();
-        }
-      }
+    in_parallel(numbers.size(), request_.jobs, [&](std::size_t k) {
+      Facts facts = collector_.collect(sources_[numbers[k]]);
+      links[k] = {std::exchange(facts.links, {}), std::exchange(facts.linked_words, {})};
+      std::unique_lock const lock(mutex_);
+      known_.emplace(numbers[k], std::move(facts));
     });
-    if (failure_) std::rethrow_exception(failure_);
     return links;
   };
   ReachableSources found = reachable_sources(candidates, begin());
@@ -77,32 +65,35 @@ void Reading::choose_reachable() {
     if (!found.sources.contains(k)) unreached.push_back(sources_[k]);
 }
 
-void Reading::work(Progress &progress) {
-  for (std::size_t mine = next_++; mine < wanted_.size(); mine = next_++) {
-    Compilation const &source = sources_[wanted_[mine]];
-    Facts found;
-    std::exception_ptr problem;
-    try {
-      auto const known = known_.find(wanted_[mine]);
-      found = known != known_.end() ? std::move(known->second) : collector_.collect(source);
-    } catch (DiagnosticError const &error) {
-      if (request_.leave_out_broken) {
-        found.broken = true;
-        found.diagnostics.push_back(error.diagnostic());
-      } else
-        problem = std::current_exception();
-    } catch (...) {
+void Reading::read(std::size_t mine) {
+  Compilation const &source = sources_[wanted_[mine]];
+  Facts found;
+  std::exception_ptr problem;
+  try {
+    auto const known = known_.find(wanted_[mine]);
+    found = known != known_.end() ? std::move(known->second) : collector_.collect(source);
+  } catch (DiagnosticError const &error) {
+    if (request_.leave_out_broken) {
+      found.broken = true;
+      found.diagnostics.push_back(error.diagnostic());
+    } else
       problem = std::current_exception();
-    }
-    // Waits for those before it, so that few facts are held at a time.
-    std::unique_lock lock(mutex_);
-    turn_.wait(lock, [&] { return merged_ == mine; });
-    if (problem && !failure_) failure_ = problem;
-    if (!failure_) add(source, std::move(found));
-    ++merged_;
-    progress.add();
-    turn_.notify_all();
+  } catch (...) {
+    problem = std::current_exception();
   }
+  // Waits for those before it, so that few facts are held at a time.
+  std::unique_lock lock(mutex_);
+  turn_.wait(lock, [&] { return merged_ == mine; });
+  if (!problem && !failure_) {
+    try {
+      add(source, std::move(found));
+    } catch (...) {
+      problem = std::current_exception(); // those behind it wait
+    }
+  }
+  if (problem && !failure_) failure_ = problem;
+  ++merged_;
+  turn_.notify_all();
 }
 
 void Reading::add(Compilation const &source, Facts &&found) {

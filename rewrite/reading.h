@@ -3,7 +3,6 @@
 
 #include "rewrite/decide/configurations.h"
 #include "rewrite/unit/kept_facts.h"
-#include "support/progress.h"
 
 #include <condition_variable>
 #include <exception>
@@ -30,7 +29,7 @@ public:
 private:
   void choose_reachable();
   std::set<std::size_t> begin() const;
-  void work(Progress &progress);
+  void read(std::size_t mine);
   void add(Compilation const &source, Facts &&found);
 
   Request const &request_;
@@ -39,7 +38,6 @@ private:
   std::vector<std::size_t> wanted_;    // the numbers of the sources that are merged
   std::map<std::size_t, Facts> known_; // of some of them
   std::set<std::string> reached_;      // symbols
-  std::atomic<std::size_t> next_ = 0;
   std::mutex mutex_;
   std::condition_variable turn_;
   std::size_t merged_ = 0;

@@ -97,7 +97,7 @@ void compare_choices(std::vector<Compilation> const &sources, Scope const &scope
   for (File const &file : result.files) rewritten.texts.push_back({file.path, file.text});
   std::vector<std::pair<Choices, Choices>> read_of(sources.size());
   Progress progress("sources read again", sources.size());
-  in_parallel(sources.size(), std::max(1U, request.jobs), [&](std::size_t k) {
+  in_parallel(sources.size(), request.jobs, [&](std::size_t k) {
     auto &[original, symbolic_ones] = read_of[k];
     original = read(sources[k], request, scope, /*of_rewritten=*/false);
     if (!original.empty())
