@@ -19,7 +19,6 @@ public:
 
   // From any thread.
   void add(std::size_t count = 1) { done_ += count; }
-  void set(std::size_t count) { done_ = count; }
 
   // "2 of 12 passes, 31 of 100 percent of the search": of all work that goes on, the outermost first.
   static std::string now();

@@ -10,7 +10,7 @@ namespace symreal {
 // The JSON in the first line of a generated file, in whatever language; empty where the text begins otherwise.
 std::string_view banner_of(std::string_view text);
 
-// That line, without the marks of a comment.
+// The line that names the library, without the marks of a comment.
 std::string reference_line(std::string const &library);
 
 // The library in that line of a generated file; empty where the file has no such line.

@@ -3,7 +3,7 @@
 //
 // Method: Linux hands each system call of this thread over as a signal (syscall user dispatch, Linux 5.11), whose
 // handler notes it and carries it out. If the system cannot do that, only the environment is compared. Actions
-// of signals are compared, too, since calls may change it for a while. Output that the C library keeps in its buffers
+// of signals are compared, too, since calls may change them for a while. Output that the C library keeps in its buffers
 // is written while the calls are watched. Functions that change the libraries' own state tell of it (effect_hooks.cpp).
 #pragma once
 
