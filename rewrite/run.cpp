@@ -61,10 +61,14 @@ Collected collect(Request const &request) {
 Result run(Request const &request) {
   require_type_name(request.type_name);
   Collected collected = collect(request);
+  Choices const choices = std::exchange(collected.facts.choices, {});
+  std::set<std::string> const asking = std::exchange(collected.facts.asking, {});
   Result result = decide(std::move(collected.facts), request);
   if (!request.annotations_only && !has_errors(result) && !is_dropped("SYM120")) {
-    std::vector<Compilation> const sources = sources_of(request);
-    compare_choices(sources, scope_of(request, sources), request, result);
+    std::vector<Compilation> sources = sources_of(request);
+    Scope const scope = scope_of(request, sources);
+    std::erase_if(sources, [&](Compilation const &one) { return !asking.contains(real_source(one)); });
+    compare_choices(choices, sources, scope, request, result);
   }
   result.left_out = std::move(collected.left_out);
   result.unreached = std::move(collected.unreached);

@@ -18,6 +18,7 @@ std::string in_original(std::string name) {
   };
   for (auto const &[ours, original] : names)
     for (std::size_t at; (at = name.find(ours)) != name.npos;) name.replace(at, ours.size(), original.str());
+  if (name.find("symreal::") == name.npos) return name;
   static std::regex const integer("symreal::types::SymbolicInt<([a-z ]+)>");
   return std::regex_replace(name, integer, "$1");
 }
@@ -32,16 +33,12 @@ bool is_nameless(std::string const &name) {
 
 class Walker : public Walk {
 public:
-  Walker(ASTContext &context, SourceMap const &map, Choices &choices)
-      : context_(context),
-        map_(map),
-        choices_(choices),
-        policy_(map.language()) {
+  Walker(ASTContext &context, SourceMap const &map) : context_(context), map_(map), policy_(map.language()) {
     policy_.PrintCanonicalTypes = true;
     policy_.SuppressTagKeyword = true;
   }
 
-  bool asks = false; // about types
+  CollectedChoices collected;
 
   bool shouldVisitTemplateInstantiations() const override { return true; }
   bool TraverseDecl(Decl *declaration) override {
@@ -74,7 +71,7 @@ public:
     if (statement->isConstexpr() && is_about_numbers(function_) && !condition->isValueDependent() &&
         condition->EvaluateAsBooleanCondition(value, context_)) {
       add(statement->getIfLoc(), "the condition of this `if constexpr`", value ? "true" : "false");
-      asks = true;
+      collected.asks = true;
     }
     return true;
   }
@@ -138,7 +135,7 @@ private:
     Place const place = map_.place(at);
     // Columns move where text is inserted.
     std::string const key = place.file + ":" + std::to_string(place.line) + "|" + function_ + "|" + what;
-    Choice &choice = choices_[key];
+    Choice &choice = collected.choices[key];
     if (choice.results.empty()) {
       choice.place = place;
       choice.what = what;
@@ -150,7 +147,7 @@ private:
     Expr::EvalResult result;
     if (expression->isValueDependent() || !expression->EvaluateAsInt(result, context_)) return true;
     add(expression->getBeginLoc(), what, llvm::toString(result.Val.getInt(), 10));
-    asks = asks || is_question;
+    collected.asks = collected.asks || is_question;
     return true;
   }
   bool answer(Expr const *question, char const *what, bool is_about_them) {
@@ -211,23 +208,22 @@ private:
     Place const place = map_.place(pattern->getLocation());
     add(at, "the function '" + function->getNameAsString() + "'",
         "that of " + place.file + ":" + std::to_string(place.line));
-    asks = asks || selects(pattern) || is_specialised(function->getDeclContext());
+    collected.asks = collected.asks || selects(pattern) || is_specialised(function->getDeclContext());
   }
 
   ASTContext &context_;
   SourceMap const &map_;
-  Choices &choices_;
   PrintingPolicy policy_;
   std::string function_; // what is walked is a part of it
 };
 
 } // namespace
 
-void collect_choices(ASTContext &context, SourceMap const &map, bool of_rewritten, Choices &choices) {
-  if (!map.language().CPlusPlus) return; // _Generic is translated by what C says
-  Walker walker(context, map, choices);
+CollectedChoices collect_choices(ASTContext &context, SourceMap const &map) {
+  if (!map.language().CPlusPlus) return {}; // _Generic is translated by what C says
+  Walker walker(context, map);
   walker.TraverseDecl(context.getTranslationUnitDecl());
-  if (!walker.asks && !of_rewritten) choices.clear();
+  return std::move(walker.collected);
 }
 
 } // namespace symreal::rewrite

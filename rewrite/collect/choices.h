@@ -9,15 +9,12 @@
 
 namespace symreal::rewrite {
 
-// At one place of a function.
-struct Choice {
-  Place place;
-  std::string what;
-  std::set<std::string> results; // of all instantiations there
+// `asks`: one of them is about the type of a number.
+struct CollectedChoices {
+  Choices choices;
+  bool asks = false;
 };
-using Choices = std::map<std::string, Choice>;
 
-// Of the original: nothing where it does not ask about the type of a number. `of_rewritten`: all that there is.
-void collect_choices(clang::ASTContext &context, SourceMap const &map, bool of_rewritten, Choices &choices);
+CollectedChoices collect_choices(clang::ASTContext &context, SourceMap const &map);
 
 } // namespace symreal::rewrite

@@ -223,6 +223,14 @@ struct ConversionFact {
   auto operator<=>(ConversionFact const &) const = default;
 };
 
+// What the language has found out about types at one place of a function.
+struct Choice {
+  Place place;
+  std::string what;
+  std::set<std::string> results; // of all instantiations there
+};
+using Choices = std::map<std::string, Choice>;
+
 struct Facts {
   std::map<std::string, FileFact> files; // by real path
   std::set<TypeToken> types;
@@ -242,6 +250,8 @@ struct Facts {
   std::map<Span, PragmaFact> pragmas;    // by the span of the directive, or of the function's brace
   std::map<std::string, ListFact> lists; // by the qualified name of the function
   std::map<Span, ArithmeticFact> arithmetic;
+  Choices choices;                     // of the sources that ask about types
+  std::set<std::string> asking;        // their real paths
   std::vector<Kernel> by_hand;         // generate_code("...") in a symbolic main that was written by hand
   std::set<std::string> definitions;   // mangled names of the functions that the sources define
   std::set<std::string> exported;      // those that carry REAL and that other sources can use

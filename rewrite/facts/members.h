@@ -82,6 +82,8 @@ template <class Take> void visit(Take &take, ListFact &object)
   SYMREAL_CONSISTS_OF(reads, prints, handed, outside)
 template <class Take> void visit(Take &take, ArithmeticFact &object)
   SYMREAL_CONSISTS_OF(own, instead, continued_lines)
+template <class Take> void visit(Take &take, Choice &object)
+  SYMREAL_CONSISTS_OF(place, what, results)
 template <class Take> void visit(Take &take, ConversionFact &object)
   SYMREAL_CONSISTS_OF(span, type, to_integer)
 template <class Take> void visit(Take &take, NamedStatement &object)
@@ -98,8 +100,8 @@ template <class Take> void visit(Take &take, ConfiguredExternal &object)
   SYMREAL_CONSISTS_OF(function, pure, clauses, derivatives)
 template <class Take> void visit(Take &take, Facts &object)
   SYMREAL_CONSISTS_OF(files, types, doubles, wraps, shared, members, reached, skipped, consumed, conversions,
-    comparisons, printed, quoted, pasted, text_calls, pragmas, lists, arithmetic, by_hand, definitions, exported, uses,
-    links, linked_words, names, deciding, decisions, externals, configured_externals, kernel_functions, taken_names,
+    comparisons, printed, quoted, pasted, text_calls, pragmas, lists, arithmetic, choices, asking, by_hand, definitions,
+    exported, uses, links, linked_words, names, deciding, decisions, externals, configured_externals, kernel_functions, taken_names,
     include_dirs, read, diagnostics, broken, makes_text)
 
 #undef SYMREAL_CONSISTS_OF

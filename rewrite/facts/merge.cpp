@@ -91,12 +91,18 @@ void add_diagnostic(Facts &facts, Diagnostic const &diagnostic) {
   facts.diagnostics.push_back(diagnostic);
 }
 
+void merge(Choices &choices, Choices &&others) {
+  for (auto &[key, choice] : others)
+    if (auto const [at, is_new] = choices.try_emplace(key, std::move(choice)); !is_new)
+      at->second.results.merge(choice.results);
+}
+
 void merge(Facts &facts, Facts &&other) {
   // Named one by one, so that a new kind of fact does not compile until it is merged as well.
   auto &[files, types, doubles, wraps, shared, members, reached, skipped, consumed, conversions, comparisons, printed,
-         quoted, pasted, text_calls, pragmas, lists, arithmetic, by_hand, definitions, exported, uses, links,
-         linked_words, names, deciding, decisions, externals, configured_externals, kernel_functions, taken_names,
-         include_dirs, read, diagnostics, broken, makes_text] = other;
+         quoted, pasted, text_calls, pragmas, lists, arithmetic, choices, asking, by_hand, definitions, exported, uses,
+         links, linked_words, names, deciding, decisions, externals, configured_externals, kernel_functions,
+         taken_names, include_dirs, read, diagnostics, broken, makes_text] = other;
   use_known_names(diagnostics, files, facts.files);
   for (auto &[path, file] : files)
     if (auto const [at, is_new] = facts.files.try_emplace(path, std::move(file)); !is_new)
@@ -128,6 +134,8 @@ void merge(Facts &facts, Facts &&other) {
     known.outside.merge(fact.outside);
   }
   facts.arithmetic.merge(arithmetic);
+  merge(facts.choices, std::move(choices));
+  facts.asking.merge(asking);
   facts.by_hand.insert(facts.by_hand.end(), by_hand.begin(), by_hand.end());
   facts.definitions.merge(definitions);
   facts.exported.merge(exported);

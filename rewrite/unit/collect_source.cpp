@@ -1,5 +1,6 @@
 #include "rewrite/unit/collect_source.h"
 
+#include "rewrite/collect/choices.h"
 #include "rewrite/facts/merge.h"
 #include "rewrite/pragma/configured.h"
 #include "rewrite/pragma/pragma_handler.h"
@@ -102,6 +103,7 @@ struct Settings {
   Request const &request;
   bool ask_compiler;     // about the items of pragmas
   std::string type_name; // that must be free, if any
+  std::string source;    // its real path
 };
 
 class Consumer : public ASTConsumer {
@@ -127,6 +129,10 @@ public:
     collect_tree(context, map_, index_, settings_.request, facts_);
     expansions_.collect(facts_);
     collect_include_directories();
+    if (CollectedChoices found = collect_choices(context, map_); found.asks) {
+      facts_.choices = std::move(found.choices);
+      facts_.asking.insert(settings_.source);
+    }
   }
 
 private:
@@ -301,7 +307,7 @@ FileSystem own_disk() { return llvm::vfs::createPhysicalFileSystem().release(); 
 Facts collect_source(Compilation const &compilation, Scope const &scope, Request const &request,
                      FileSystem const &disk) {
   FileSystem const files = file_system(compilation, request, disk);
-  Settings settings{scope, request, true, request.type_name};
+  Settings settings{scope, request, true, request.type_name, real_source(compilation)};
   auto [facts, errors] = parse(compilation, files, settings);
   if (names_real(errors, request.type_name)) {
     // Rewritten before: with the header that says what REAL is it compiles as it did.
@@ -316,7 +322,7 @@ Facts collect_source(Compilation const &compilation, Scope const &scope, Request
   if (errors.empty()) return std::move(facts);
   facts.broken = true;
   // Are the errors the source's own, or do they come from what its pragmas put in?
-  Settings const bare{scope, request, false, request.type_name};
+  Settings const bare{scope, request, false, request.type_name, settings.source};
   std::vector<CompilerError> const own = facts.pragmas.empty() ? errors : parse(compilation, files, bare).errors;
   for (CompilerError const &error : own)
     add(facts, DiagnosticId::source_error, error.place, error.message, error.notes);

@@ -1,5 +1,5 @@
-// Reads a source that may ask about types again, as it is and as the symbolic program's compiler will see it, and
-// compares what the language chooses there.
+// Reads a source that asks about types again, as the symbolic program's compiler will see it, and compares what the
+// language chooses there with what it has chosen in the original.
 #pragma once
 
 #include "rewrite/facts/facts.h"
@@ -9,7 +9,7 @@ namespace symreal::rewrite {
 struct Scope;
 
 // Each choice that is another one in the symbolic program becomes a diagnostic. What does not compile says nothing.
-void compare_choices(std::vector<Compilation> const &sources, Scope const &scope, Request const &request,
-                     Result &result);
+void compare_choices(Choices const &original, std::vector<Compilation> const &asking, Scope const &scope,
+                     Request const &request, Result &result);
 
 } // namespace symreal::rewrite
