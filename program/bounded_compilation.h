@@ -14,10 +14,10 @@ struct BoundedCompilation {
   Command unoptimised;   // the same without optimisation
   Command original;      // of the original, as it stands
   std::string source;    // in words
-  bool is_large = false; // the source: to measure the original first costs less than to try in vain
+  bool is_large = false; // the source
 };
 
-// In bytes. Smaller sources are compiled in seconds.
+// In bytes. Where a smaller source is large for the compiler, its headers are.
 inline constexpr std::size_t large_source = 12'000;
 
 // How the compilations are run, and what is said to the user.
@@ -28,10 +28,11 @@ struct BoundedRun {
   std::string key;                    // of the source in it
 };
 
-// The usual compilation as long as it takes no more than ten times the processor time of the original's and a second,
-// else that without optimisation, and a word about it. All that is tried together is to stay within that: of a large
-// source the original is measured first, and the usual compilation gets the share that leaves enough for the other; of
-// any other source the original is measured once the usual compilation has taken longer than most.
+// All that is tried together stays within ten times the processor time of the original's compilation and a second. The
+// usual compilation of most sources is done in two seconds, and the original is not measured. Any other, and that of a
+// large source after a second, waits there until the original has been compiled; then it gets the share that leaves
+// enough for the one without optimisation, which takes its place, with a word about it. A small source may exceed the
+// bound by some seconds; this is told as well.
 Captured compile_bounded(BoundedCompilation const &compilation, BoundedRun const &run);
 
 } // namespace symreal::program

@@ -105,6 +105,7 @@ struct Preprocessed {
 std::optional<Preprocessed> preprocess(Command const &compilation, std::string const &object,
                                        std::string const &workspace) {
   Command preprocessing = compilation;
+  preprocessing.processor_limit = {};
   Words &words = preprocessing.arguments;
   std::string const text = object + ".i", rule = object + ".d";
   words[position_after(words, "-o")] = text;
@@ -201,7 +202,7 @@ Captured ObjectCache::compile(Command const &compilation, std::string const &wor
   Captured result = search.found ? capture(command) : compiled_with_notes(command, search.object, workspace);
   if (result.outcome.success())
     keep(search, workspace);
-  else if (quick && !has_reached_limit(command, result.outcome))
+  else if (quick && result.outcome.ending != Ending::over_limit)
     return capture(compilation); // whose messages are those of the text
   return result;
 }

@@ -1,9 +1,11 @@
 #include "program/process.h"
 
+#include "program/group_use.h"
 #include "program/interruption.h"
 #include "program/opened_files.h"
 #include "program/read_files.h"
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <chrono>
@@ -81,11 +83,6 @@ private:
   if (!command.directory.empty() && chdir(command.directory.c_str()) != 0) give_up();
   int input = open(command.standard_input.empty() ? "/dev/null" : command.standard_input.c_str(), O_RDONLY);
   if (input < 0 || dup2(input, 0) < 0 || dup2(output.write_end, 1) < 0 || dup2(output.write_end, 2) < 0) give_up();
-  if (command.processor_limit > 0) {
-    auto const seconds = static_cast<rlim_t>(command.processor_limit) + 1;
-    rlimit const limit = {seconds, seconds};
-    setrlimit(RLIMIT_CPU, &limit);
-  }
   // What lies on a stack may depend on where it lies.
   if (command.at_fixed_addresses) personality(ADDR_NO_RANDOMIZE);
   for (int descriptor : command.inherited) fcntl(descriptor, F_SETFD, 0);
@@ -118,14 +115,64 @@ private:
   std::string rest_;
 };
 
-// True when the stream has ended, false when the time limit came first.
-bool read_to_end(int descriptor, Lines &lines, Clock::time_point start, double limit) {
+// How long a group of processes may go on.
+class Limits {
+public:
+  Limits(Command const &command, pid_t group, Clock::time_point start)
+      : group_(group),
+        start_(start),
+        seconds_(command.time_limit),
+        processor_(command.processor_limit) {}
+
+  bool any() const { return seconds_ > 0 || processor_.seconds > 0; }
+
+  // Milliseconds until they are to be held again, -1 for ever; nothing where the group has to end.
+  std::optional<int> hold() {
+    constexpr double most = 1e6; // that poll() takes as milliseconds
+    double left = most;
+    if (seconds_ > 0) left = std::min(left, seconds_ - seconds_since(start_));
+    if (left <= 0) return ended_by(Ending::timed_out);
+    if (processor_.seconds > 0) {
+      used_ = use_of_group(group_);
+      if (processor_.seconds <= used_.seconds && processor_.further) ask();
+      double const more = processor_.seconds - used_.seconds;
+      if (more <= 0) return ended_by(Ending::over_limit);
+      constexpr double least = 0.02;
+      left = std::min(left, std::max(least, more / 2)); // several of them may run at a time
+    }
+    return any() ? static_cast<int>(left * 1000) + 1 : -1;
+  }
+
+  Ending ending() const { return ending_; }
+  GroupUse const &used() const { return used_; }
+
+private:
+  void ask() {
+    kill(-group_, SIGSTOP);
+    processor_.seconds = std::exchange(processor_.further, {})();
+    kill(-group_, SIGCONT);
+  }
+  std::optional<int> ended_by(Ending ending) {
+    ending_ = ending;
+    return {};
+  }
+
+  pid_t const group_;
+  Clock::time_point const start_;
+  double const seconds_;
+  ProcessorLimit processor_;
+  Ending ending_ = Ending::exited;
+  GroupUse used_;
+};
+
+// True when the stream has ended, false when a limit came first.
+bool read_to_end(int descriptor, Lines &lines, Limits &limits) {
   std::array<char, 8192> buffer;
   for (;;) {
-    double left = limit - seconds_since(start);
-    if (limit > 0 && left <= 0) return false;
+    std::optional<int> const wait = limits.hold();
+    if (!wait) return false;
     pollfd wanted = {descriptor, POLLIN, 0};
-    int ready = poll(&wanted, 1, limit > 0 ? static_cast<int>(left * 1000) + 1 : -1);
+    int ready = poll(&wanted, 1, *wait);
     if (ready < 0 && errno != EINTR) return true;
     if (ready <= 0) continue;
     ssize_t got = read(descriptor, buffer.data(), buffer.size());
@@ -134,12 +181,13 @@ bool read_to_end(int descriptor, Lines &lines, Clock::time_point start, double l
   }
 }
 
-// The exit status, or nothing when the time limit came first (a process may close its output and run on).
-bool wait_for(pid_t child, int &status, rusage &used, Clock::time_point start, double limit) {
-  while (limit > 0) {
+// The exit status, or nothing when a limit came first (a process may close its output and run on).
+bool wait_for(pid_t child, int &status, rusage &used, Limits &limits) {
+  constexpr unsigned least = 2'000, most = 50'000; // microseconds between looks
+  for (unsigned pause = least; limits.any(); pause = std::min(2 * pause, most)) {
     if (wait4(child, &status, WNOHANG, &used) == child) return true;
-    if (seconds_since(start) >= limit) return false;
-    usleep(2000);
+    if (!limits.hold()) return false;
+    usleep(pause);
   }
   while (wait4(child, &status, 0, &used) < 0 && errno == EINTR) {
   }
@@ -173,15 +221,15 @@ Outcome run(Command const &command, LineSink const &sink) {
   Lines lines(sink);
   int status = 0;
   rusage used = {};
-  bool ended = read_to_end(output.read_end, lines, start, command.time_limit) &&
-               wait_for(child, status, used, start, command.time_limit);
+  Limits limits(command, child, start);
+  bool ended = read_to_end(output.read_end, lines, limits) && wait_for(child, status, used, limits);
   if (!ended) {
     kill(-child, SIGKILL);
     waitpid(child, &status, 0);
   }
   lines.finish();
   double seconds = seconds_since(start);
-  if (!ended) return {Ending::timed_out, 0, seconds};
+  if (!ended) return {limits.ending(), 0, seconds, limits.used().seconds, limits.used().most_memory};
   auto const in_seconds = [](timeval const &time) {
     return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
   };
@@ -189,14 +237,6 @@ Outcome run(Command const &command, LineSink const &sink) {
   std::size_t const memory = static_cast<std::size_t>(used.ru_maxrss) * 1024;
   if (WIFSIGNALED(status)) return {Ending::signalled, WTERMSIG(status), seconds, processor, memory};
   return {Ending::exited, WEXITSTATUS(status), seconds, processor, memory};
-}
-
-// A virtual machine's kernel ends a process by ticks, and some of these it does not count as the process's time
-// afterwards. A failure just before the limit counts as well.
-bool has_reached_limit(Command const &command, Outcome const &outcome) {
-  constexpr double least_counted = 0.75;
-  return command.processor_limit > 0 && !outcome.success() &&
-         outcome.processor_seconds >= least_counted * command.processor_limit;
 }
 
 Captured capture(Command const &command) {

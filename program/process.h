@@ -9,22 +9,29 @@
 
 namespace symreal::program {
 
+// Of the processor time of all processes that one command starts.
+struct ProcessorLimit {
+  double seconds = 0;                   // 0: none
+  std::function<double()> further = {}; // asked once when it is reached, while they wait: the limit from there on
+};
+
 struct Command {
   std::vector<std::string> arguments;        // arguments[0] is looked up in PATH
   std::string directory = {};                // empty: the current one
   std::vector<std::string> environment = {}; // "NAME=value", added to the current one
   std::string standard_input = {};           // a file; empty: no input at all
   double time_limit = 0;                     // seconds; 0: none
-  double processor_limit = 0;                // seconds of each of its processes; 0: none
-  bool at_fixed_addresses = false;           // where the system can do that
-  std::vector<int> inherited = {};           // descriptors that stay open, with their numbers, besides 0, 1 and 2
-  bool notes_opened = false;                 // files that it opens are noted (read_files.h)
+  ProcessorLimit processor_limit = {};
+  bool at_fixed_addresses = false; // where the system can do that
+  std::vector<int> inherited = {}; // descriptors that stay open, with their numbers, besides 0, 1 and 2
+  bool notes_opened = false;       // files that it opens are noted (read_files.h)
 };
 
 enum class Ending {
   exited,      // status is the exit status
   signalled,   // status is the signal
   timed_out,   // it and the processes it started were killed
+  over_limit,  // the same, for their processor time
   not_started, // status is the errno that says why
 };
 
@@ -32,7 +39,7 @@ struct Outcome {
   Ending ending;
   int status = 0;
   double seconds = 0;
-  double processor_seconds = 0; // of it and of the processes that it waited for, where it ended by itself
+  double processor_seconds = 0; // of it and of the processes that it waited for, unless it has timed out
   std::size_t most_memory = 0;  // in bytes, of the largest of them
 
   bool success() const { return ending == Ending::exited && status == 0; }
@@ -49,9 +56,6 @@ struct Captured {
   std::string output;
 };
 Captured capture(Command const &command);
-
-// Whether it ended because of its processor_limit.
-bool has_reached_limit(Command const &command, Outcome const &outcome);
 
 // The command as a line that can be pasted into a shell.
 std::string shell_line(std::vector<std::string> const &arguments);

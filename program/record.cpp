@@ -120,6 +120,7 @@ Diagnostic explain_missing(rewrite::Kernel const &kernel, bool begun, Outcome co
                                      strsignal(outcome.status), waited_for);
     if (outcome.status == SIGKILL) diagnostic.message += "; the system does that when memory runs out";
     break;
+  case Ending::over_limit: // the program has none
   case Ending::exited:
     diagnostic.message =
         fmt::format("the program ended with status {} and never reached {}", outcome.status, waited_for);

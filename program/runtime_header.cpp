@@ -63,6 +63,7 @@ bool depends_on_directory(Words const &words) {
 
 // How the header is compiled, to this file.
 Command header_compilation(Command compilation, std::string const &to) {
+  compilation.processor_limit = {};
   Words &words = compilation.arguments;
   std::size_t const header = header_position(words);
   std::size_t const source = position_after(words, "-c"); // -x c++ -c SOURCE

@@ -9,20 +9,48 @@ import resource
 import subprocess
 import sys
 import tempfile
+import time
 
 HERE = pathlib.Path(__file__).resolve().parent
 NAMED = {"flight": "flight.c", "kinematics": "kinematics.cpp"}
 MOST_TIMES, SECONDS_MORE, MEMORY_TIMES, MEGABYTES_MORE = 10, 1, 5, 300
 
 
+def used_by_group():
+    """Processor seconds and megabytes of this process's group, the largest of them."""
+    seconds, memory = 0, 0
+    for path in pathlib.Path("/proc").glob("[0-9]*"):
+        try:
+            if os.getpgid(int(path.name)) != os.getpgrp() or int(path.name) == os.getpid():
+                continue
+            seconds += sum(map(int, (path / "stat").read_text().rsplit(")", 1)[1].split()[11:15])) / os.sysconf("SC_CLK_TCK")
+            memory = max(memory, *(int(line.split()[1]) / 1000 for line in (path / "status").read_text().splitlines() if line.startswith("VmHWM")))
+        except (OSError, TypeError):
+            continue  # it has ended
+    return seconds, memory
+
+
 def as_compiler(compiler, log, arguments):
-    """A line for each compilation: processor seconds, megabytes of the largest process, how it ended, the arguments."""
-    status = subprocess.run([compiler, *arguments]).returncode
-    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    """A line for each compilation: processor seconds, megabytes of the largest process, how it ended, the arguments. The tool ends one that
+    goes beyond its share, with this process; its last line stays."""
+    run = subprocess.Popen([compiler, *arguments])
+    line = pathlib.Path(f"{log}.{os.getpid()}")
+
+    def note(seconds, memory, status):
+        new = pathlib.Path(f"{log}-{os.getpid()}")
+        new.write_text(f"{seconds:.2f}\t{memory:.0f}\t{status}\t{' '.join(arguments)}\n")
+        new.replace(line)
+
+    while True:
+        ended, status, used = os.wait4(run.pid, os.WNOHANG)
+        if ended:
+            break
+        if "-c" in arguments:
+            note(*used_by_group(), "ended")
+        time.sleep(0.05)
     if "-c" in arguments:
-        with open(log, "a") as out:
-            print(f"{used.ru_utime + used.ru_stime:.2f}\t{used.ru_maxrss / 1000:.0f}\t{status}\t{' '.join(arguments)}", file=out)
-    sys.exit(status if status >= 0 else 128 - status)
+        note(used.ru_utime + used.ru_stime, used.ru_maxrss / 1000, status)
+    sys.exit(1 if status else 0)
 
 
 def compiler_in(folder, name, compiler, log):
@@ -54,12 +82,12 @@ def measure(tool, kind, size):
         source, log = folder / NAMED[kind], folder / "log"
         source.write_text(subprocess.run([sys.executable, HERE / "sources.py", kind, str(size)], check=True, capture_output=True, text=True).stdout)
         seconds, megabytes = of_original(folder, source)
-        log.write_text("")
         compiler_in(folder, "cc", "gcc", log)
         environment = {**os.environ, "XDG_CACHE_HOME": str(folder / "cache"), "PATH": f"{folder}:{os.environ['PATH']}"}
         command = [tool, "generate", source, "-o", folder / "code.c", "--decisions=guard", "--cxx", compiler_in(folder, "cxx", "g++", log)]
         said = subprocess.run(command, env=environment, capture_output=True, text=True).stderr
-        steps = [step for step in map(tried, log.read_text().splitlines()) if step]
+        lines = [path.read_text() for path in sorted(folder.glob("log.*"), key=os.path.getmtime)]
+        steps = [step for step in map(tried, lines) if step]
         told = "; ".join(f"{level} {step:.1f} s, {memory:.0f} MB{'' if is_done else ', ended'}" for level, step, memory, is_done in steps)
         print(f"| {kind} {size} | {seconds:.1f} s, {megabytes:.0f} MB | {MOST_TIMES * seconds + SECONDS_MORE:.1f} s, "
               f"{MEMORY_TIMES * megabytes + MEGABYTES_MORE:.0f} MB | {told} | {sum(step[1] for step in steps):.1f} s, "

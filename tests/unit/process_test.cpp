@@ -29,6 +29,31 @@ TEST(Process, EndsAtTheTimeLimitWithItsChildren) {
   EXPECT_LT(got.outcome.seconds, 10);
 }
 
+char const endless[] = "exec 2>&-; while :; do :; done";
+
+TEST(Process, EndsAtTheLimitOfTheProcessorTimeOfItsChildrenToo) {
+  Captured got = capture({.arguments = {"sh", "-c", endless}, .processor_limit = {.seconds = 0.2}});
+  EXPECT_EQ(got.outcome.ending, Ending::over_limit);
+  EXPECT_GE(got.outcome.processor_seconds, 0.2);
+  EXPECT_GT(got.outcome.most_memory, 0u);
+  std::string const in_child = std::string("(") + endless + ") & wait";
+  got = capture({.arguments = {"sh", "-c", in_child}, .processor_limit = {.seconds = 0.2}});
+  EXPECT_EQ(got.outcome.ending, Ending::over_limit);
+}
+
+TEST(Process, WaitsWhileItAsksForAFurtherLimit) {
+  int asked = 0;
+  Captured got = capture({.arguments = {"sh", "-c", endless}, .processor_limit = {0.1, [&] { return ++asked, 0.3; }}});
+  EXPECT_EQ(asked, 1);
+  EXPECT_EQ(got.outcome.ending, Ending::over_limit);
+  EXPECT_GE(got.outcome.processor_seconds, 0.3);
+  got = capture({.arguments = {"sh", "-c", "while [ $((k += 1)) -lt 300000 ]; do :; done; echo done"},
+                 .processor_limit = {0.05, [&] { return ++asked, 1e9; }}});
+  EXPECT_EQ(asked, 2);
+  EXPECT_EQ(got.output, "done\n");
+  EXPECT_TRUE(got.outcome.success());
+}
+
 TEST(Process, TellsSignalsFromStatus) {
   Captured got = capture({.arguments = {"sh", "-c", "kill -SEGV $$"}});
   EXPECT_EQ(got.outcome.ending, Ending::signalled);
