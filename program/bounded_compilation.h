@@ -15,6 +15,7 @@ struct BoundedCompilation {
   Command original;      // of the original, as it stands
   std::string source;    // in words
   bool is_large = false; // the source
+  double reading = 0;    // seconds that it took to read it, as far as that is known
 };
 
 // In bytes. Where a smaller source is large for the compiler, its headers are.
@@ -29,8 +30,9 @@ struct BoundedRun {
 };
 
 // All that is tried together stays within ten times the processor time of the original's compilation and a second. The
-// usual compilation of most sources is done in two seconds, and the original is not measured. Any other, and that of a
-// large source after a second, waits there until the original has been compiled; then it gets the share that leaves
+// usual compilation of most sources is done in two seconds, or in three times what it took to read the source where its
+// headers are large, and the original is not measured. Any other, and that of a large source after a second, waits
+// there until the original has been compiled; then it gets the share that leaves
 // enough for the one without optimisation, which takes its place, with a word about it. A small source may exceed the
 // bound by some seconds; this is told as well.
 Captured compile_bounded(BoundedCompilation const &compilation, BoundedRun const &run);

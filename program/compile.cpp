@@ -261,7 +261,13 @@ Words plain_command(BuildRequest const &request, rewrite::Compilation const &sou
 BoundedCompilation bounded(BuildRequest const &request, rewrite::Compilation const &source, Command const &usual) {
   std::error_code error;
   std::uintmax_t const size = std::filesystem::file_size(rewrite::real_source(source), error);
-  BoundedCompilation all{usual, usual, {}, source.source, !error && size >= large_source};
+  auto const read = request.reading_seconds.find(rewrite::real_source(source));
+  BoundedCompilation all{usual,
+                         usual,
+                         {},
+                         source.source,
+                         !error && size >= large_source,
+                         read == request.reading_seconds.end() ? 0 : read->second};
   all.unoptimised.arguments = without_optimisation(usual.arguments);
   std::string const &object = usual.arguments[position_after(usual.arguments, "-o")];
   all.original = compiler_run(plain_command(request, source, object + ".original"), source.directory);

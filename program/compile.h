@@ -35,6 +35,7 @@ struct BuildRequest {
   std::string type_name = rewrite::usual_type_name;  // how the rewritten sources spell the number
   std::string compiler = "c++", c_compiler = "cc";
   std::map<std::string, std::vector<std::string>> source_flags = {}; // of a source besides, by its real path
+  std::map<std::string, double> reading_seconds = {};                // that the rewriter took for it, likewise
   // What the user is told of a source that is too large for the compiler.
   std::function<void(std::string const &)> note = [](std::string const &) {};
   // Where objects of earlier runs may be.

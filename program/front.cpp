@@ -180,6 +180,7 @@ bool build_programs(FrontRequest const &request, Front &front, Talk const &talk)
     c = as_in_c(front.rewritten, parts.sources, {parts.compiler}, {parts.c_compiler}, parts.type_name,
                 *front.workspace);
   parts.source_flags = std::move(c.flags);
+  parts.reading_seconds = front.rewritten.reading_seconds;
   parts.note = talk.note;
   front.overlay =
       std::make_unique<Overlay>(front.rewritten, front.workspace->directory("overlay"), std::move(c.sources));

@@ -55,7 +55,7 @@ Collected collect(Request const &request) {
   std::stable_partition(facts.diagnostics.begin(), facts.diagnostics.end(),
                         [](symreal::Diagnostic const &one) { return one.id == DiagnosticId::configured_function; });
   return {std::move(facts), std::move(reading.left_out), std::move(reading.unreached), reading.collector().read(),
-          reading.collector().kept()};
+          reading.collector().kept(), reading.collector().seconds()};
 }
 
 Result run(Request const &request) {
@@ -74,6 +74,7 @@ Result run(Request const &request) {
   result.unreached = std::move(collected.unreached);
   result.sources_read = collected.read;
   result.sources_kept = collected.kept;
+  result.reading_seconds = std::move(collected.reading_seconds);
   return result;
 }
 

@@ -6,6 +6,7 @@
 #include "rewrite/request/request.h"
 
 #include <cstddef>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -144,6 +145,7 @@ struct Result {
   std::vector<Compilation> unreached; // sources in which the program reaches nothing
   std::size_t sources_read = 0;       // by Clang
   std::size_t sources_kept = 0;       // of which an earlier run has read what they are now
+  std::map<std::string, double> reading_seconds; // of the processor, by the real path of a source that was read
   std::vector<Diagnostic> diagnostics;
 };
 

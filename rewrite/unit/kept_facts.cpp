@@ -13,6 +13,7 @@
 #include <llvm/Support/SHA256.h>
 
 #include <cstdlib>
+#include <ctime>
 
 namespace symreal::rewrite {
 
@@ -141,6 +142,12 @@ void KeptFacts::keep(std::string const &key, Lookups const &lookups, Facts const
   request_.kept->keep(key, write.result());
 }
 
+static double processor_seconds() {
+  timespec now = {};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
 Facts KeptFacts::collect(Compilation const &source) {
   std::string const key = request_.kept ? this->key(source) : "";
   if (request_.kept)
@@ -150,7 +157,12 @@ Facts KeptFacts::collect(Compilation const &source) {
     }
   ++read_;
   Lookups lookups;
+  double const begin = processor_seconds();
   Facts facts = collect_source(source, scope_, request_, watched_disk(lookups));
+  {
+    std::scoped_lock const lock(mutex_);
+    seconds_[real_source(source)] = processor_seconds() - begin;
+  }
   if (request_.kept && !facts.broken && !tells_time(facts)) keep(key, lookups, facts);
   return facts;
 }

@@ -17,6 +17,8 @@
 #include "rewrite/source/lookups.h"
 
 #include <atomic>
+#include <map>
+#include <mutex>
 #include <string>
 
 namespace symreal::rewrite {
@@ -31,6 +33,7 @@ public:
   Facts collect(Compilation const &source);
 
   std::size_t read() const { return read_; }
+  std::map<std::string, double> seconds() const { return seconds_; } // of reading, by the real path of the source
   std::size_t kept() const { return found_; }
 
 private:
@@ -44,6 +47,8 @@ private:
   Scope const &scope_;
   DiskNow disk_;
   std::atomic<std::size_t> read_ = 0, found_ = 0;
+  std::mutex mutex_;
+  std::map<std::string, double> seconds_;
 };
 
 } // namespace symreal::rewrite
