@@ -5,6 +5,7 @@
 
 #include <symreal/state.h>
 
+#include <cerrno>
 #include <cstdint>
 #include <vector>
 
@@ -29,16 +30,20 @@ std::vector<MemoryRange> find_constant_memory();
 // The caller's data may be constant, which an input is not. Whether it can be written now.
 bool make_writable(void const *begin, std::size_t size = sizeof(double));
 
-// What the bookkeeping itself allocates is no memory of the kernel.
+// What the bookkeeping itself allocates is no memory of the kernel, and errno stays as it is.
 class Pause {
 public:
   Pause() { detail::recording = false; }
-  ~Pause() { detail::recording = before_; }
+  ~Pause() {
+    detail::recording = before_;
+    errno = error_;
+  }
   Pause(Pause const &) = delete;
   Pause &operator=(Pause const &) = delete;
 
 private:
   bool const before_ = detail::recording;
+  int const error_ = errno;
   memory::OwnWork const own_;
 };
 

@@ -53,11 +53,11 @@ public:
     ExploredPath::current().begin();
     Externals::current().begin();
     std::copy(std::begin(detail::executed), std::end(detail::executed), executed_before_.by_op.begin());
-    Environment::current().begin();
     TextMarks::current().begin();
     modes_at_begin_ = Environment::unusual_modes();
     enable_trap();
     if (!Join::current().is_arm()) watch_world();
+    Environment::current().begin(); // the last, which sees errno as the kernel will
   }
 
   void begin_object(Kind kind, std::string const &label, Place const &place) override {

@@ -8,6 +8,7 @@
 
 #include <symreal/environment.h>
 
+#include <cerrno>
 #include <cfenv>
 #ifdef __SSE2__
 #include <xmmintrin.h>
@@ -23,13 +24,19 @@ Environment &Environment::current() {
   return *environment;
 }
 
-void Environment::begin() { reported_.clear(); }
+void Environment::begin() {
+  reported_.clear();
+  is_error_own_ = false;
+  error_at_begin_ = errno;
+}
 
 void Environment::error_read(char const *place) {
   RealNumber const setter = Pool::current().last_to_set_error();
-  if (!setter.is_node() || !reported_.insert(place).second) return;
+  bool const is_callers = !is_error_own_ && errno == error_at_begin_;
+  if ((!setter.is_node() && !is_callers) || !reported_.insert(place).second) return;
   report({DiagnosticId::error_number, written_place(place),
-          "errno is read where " + describe(setter) + " may have set it"});
+          setter.is_node() ? "errno is read where " + describe(setter) + " may have set it"
+                           : "errno is read as the caller of the kernel has left it"});
 }
 
 void Environment::used(char const *what, char const *place) {
@@ -67,7 +74,10 @@ void error_read(char const *place) noexcept {
   Environment::current().error_read(place);
 }
 
-void error_written() noexcept { trace::Pool::current().forget_error(); }
+void error_written() noexcept {
+  trace::Pool::current().forget_error();
+  Environment::current().error_written();
+}
 
 void environment_used(char const *what, char const *place) noexcept {
   Pause const pause;

@@ -12,12 +12,15 @@ public:
 
   void begin();
   void error_read(char const *place);
+  void error_written() { is_error_own_ = true; }
   void used(char const *what, char const *place);
 
   // How arithmetic differs from what is promised about it: "does not round to nearest"; empty if it does not.
   static std::string unusual_modes();
 
 private:
+  bool is_error_own_ = false; // errno has been written since the kernel began
+  int error_at_begin_ = 0;
   std::set<std::string> reported_; // places
 };
 
