@@ -89,7 +89,11 @@ public:
         scope ? name_of(QualType(scope, 0)) + "::" + constant->getNameAsString() : name_of(constant);
     if (!is_about_numbers(name) || is_nameless(name)) return true;
     value(reference, "'" + name + "'", name.find("numeric_limits") == name.npos);
-    return true;
+    // Where the arguments of the template are others in the symbolic program, its name is what both have.
+    CXXRecordDecl const *record = scope ? scope->getAsCXXRecordDecl() : nullptr;
+    std::string const bare = record ? record->getQualifiedNameAsString() + "::" + constant->getNameAsString()
+                                    : constant->getQualifiedNameAsString();
+    return value(reference, "the value of '" + bare + "'", false);
   }
   bool VisitTypeTraitExpr(TypeTraitExpr *trait) override {
     bool const about = llvm::any_of(trait->getArgs(), [&](TypeSourceInfo const *argument) {

@@ -102,6 +102,9 @@ void Collector::argument_list(FunctionDecl const *function) {
   bool const takes_list = llvm::any_of(
       function->parameters(), [](ParmVarDecl const *parameter) { return is_list(parameter->getOriginalType()); });
   if (!function->isVariadic() && !takes_list) return;
+  if (auto const *method = dyn_cast<CXXMethodDecl>(function))
+    for (CXXMethodDecl const *overridden : method->overridden_methods())
+      facts_.lists[overridden->getQualifiedNameAsString()].handed.insert(method->getQualifiedNameAsString());
   Lists lists(map_, reals_, facts_.lists[function->getQualifiedNameAsString()]);
   lists.TraverseStmt(function->getBody());
   lists.finish();

@@ -87,11 +87,12 @@ void compare_choices(Choices const &original, std::vector<Compilation> const &as
   });
   Choices rewritten_ones;
   for (Choices &one : read_of) merge(rewritten_ones, std::move(one));
+  std::set<std::string> told; // places
   for (auto const &[key, choice] : rewritten_ones) {
     auto const found = original.find(key);
     if (found == original.end()) continue; // what leads there is another choice
     Choice const &before = found->second;
-    if (before.results == choice.results) continue;
+    if (before.results == choice.results || !told.insert(to_string(before.place)).second) continue;
     result.diagnostics.push_back({DiagnosticId::rewriting_mismatch, before.place,
                                   choice.what + " is " + list_of(choice.results) + " in the symbolic program, and " +
                                       list_of(before.results) + " in the original"});

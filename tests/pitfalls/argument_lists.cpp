@@ -61,6 +61,28 @@ static double of_view(int n, ...) {
   va_end(list);
   return first / second;
 }
+struct Ignoring {
+  virtual ~Ignoring() = default;
+  virtual double last(int, ...) const { return 0; }
+};
+struct Reading : Ignoring {
+  double last(int n, ...) const override {
+    std::va_list list;
+    va_start(list, n);
+    double result = 0;
+    while (n-- > 0) result = va_arg(list, double);
+    va_end(list);
+    return result;
+  }
+};
+static auto const sum = [](int n, ...) {
+  std::va_list list;
+  va_start(list, n);
+  double result = 0;
+  while (n-- > 0) result += va_arg(list, double);
+  va_end(list);
+  return result;
+};
 template <class T> double called_in_template(T x) { return of_template(2, x, x + 1); }
 
 // CHECK: input[0]
@@ -69,7 +91,7 @@ template <class T> double called_in_template(T x) { return of_template(2, x, x +
 double kernel(double a, double b) {
   double (*const pointer)(int, ...) = of_lambda;
   return of_template(2, a, b) + of_lambda(2, b, 3.0) + of_function(1, a) + Difference{}(2, a, b) + of_view(2, a, b) +
-         called_in_template(b) + pointer(2, a, a);
+         called_in_template(b) + pointer(2, a, a) + sum(2, a, b) + static_cast<Ignoring const &>(Reading()).last(2, a, b);
 }
 
 int main() { std::printf("%.17g\n", kernel(0.7, 1.3)); }
