@@ -103,6 +103,7 @@ void Collector::call(CallExpr const *call) {
     wrap_for(call->getRParenLoc(), all[0], Use::value, function->getQualifiedNameAsString());
   arguments(call->getRParenLoc(), function, written_arguments(all), overloaded);
   converted_by_library(call, function);
+  kept_by_type(function, all);
 }
 
 void Collector::construction(CXXConstructExpr const *construction) {
@@ -112,6 +113,7 @@ void Collector::construction(CXXConstructExpr const *construction) {
   if (construction->getParenOrBraceRange().isInvalid()) converting_construction(construction);
   kept_callable(construction);
   std::vector<Expr const *> const all(construction->arg_begin(), construction->arg_end());
+  kept_by_type(constructor, all);
   arguments(construction->getLocation(), constructor, written_arguments(all), construction->hadMultipleCandidates());
 }
 

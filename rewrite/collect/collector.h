@@ -156,6 +156,8 @@ public:
   void atomic_builtin(clang::AtomicExpr const *call);
   // The operand of sizeof or decltype, or what a concept asks of.
   void looked_at(clang::Expr const *operand);
+  void erased(clang::Expr const *operand);
+  void kept_by_type(clang::FunctionDecl const *function, std::vector<clang::Expr const *> const &arguments);
   void state_of_call(clang::CallExpr const *call);
   void state_of_construction(clang::CXXConstructExpr const *construction);
 

@@ -108,6 +108,25 @@ void Collector::extreme_argument(FunctionDecl const *function, unsigned index, E
     wrap(written, Use::conversion, spelled(parameter));
 }
 
+// Thrown, or kept in a std::any: who takes it out names its type.
+void Collector::erased(Expr const *operand) {
+  Expr const *bare = operand->IgnoreParenImpCasts();
+  if (auto const *temporary = dyn_cast<MaterializeTemporaryExpr>(operand))
+    bare = temporary->getSubExpr()->IgnoreParenImpCasts();
+  if (!map_.in_roots(bare->getBeginLoc())) return;
+  bool const may_be_plain = bare->isTypeDependent() && !isa<CXXUnresolvedConstructExpr>(bare);
+  if (may_be_plain || (bare->getType()->isIntegralOrEnumerationType() && !bare->isEvaluatable(context_)))
+    wrap(bare, Use::erased);
+}
+
+void Collector::kept_by_type(FunctionDecl const *function, std::vector<Expr const *> const &arguments) {
+  if (arguments.size() != 1 || !function->getPrimaryTemplate() || !function->isInStdNamespace()) return;
+  auto const *method = dyn_cast<CXXMethodDecl>(function);
+  bool const is_of_any = method && method->getParent()->getName() == "any";
+  if (is_of_any || (function->getIdentifier() && function->getName() == "make_exception_ptr"))
+    erased(arguments.front());
+}
+
 // sizeof(x > 1), decltype(x > 1): a comparison of REALs is a class of its own, and in a template it may be one.
 void Collector::looked_at(Expr const *operand) {
   Expr const *bare = operand->IgnoreParens();

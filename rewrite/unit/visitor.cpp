@@ -108,6 +108,10 @@ public:
     collect_.dependent_call(call);
     return true;
   }
+  bool VisitCXXThrowExpr(CXXThrowExpr *expression) override {
+    if (!passive_ && expression->getSubExpr()) collect_.erased(expression->getSubExpr());
+    return true;
+  }
   bool VisitCXXConstructExpr(CXXConstructExpr *construction) override {
     if (passive_ || !map_.in_roots(construction->getLocation())) return true;
     collect_.construction(construction);
@@ -216,6 +220,7 @@ public:
     return true;
   }
   bool VisitLambdaExpr(LambdaExpr *lambda) override {
+    collect_.argument_list(lambda->getCallOperator());
     if (!passive_ && !lambda->hasExplicitResultType()) collect_.deduced_return(lambda->getBody());
     return true;
   }

@@ -30,6 +30,8 @@ RULES = [
     Rule("argument", "converts an argument in a template as a double is converted", "argument.cpp", "pitfalls/overloads_in_templates"),
     Rule("truth", "gives `sizeof` and `decltype` the type of a comparison", "truth.cpp", "pitfalls/types_of_comparisons"),
     Rule("named", "gives types the names of the original", "named.cpp", "pitfalls/names_of_types"),
+    Rule("erased", "gives what is thrown, or kept in a std::any, the type of the original", "erased.cpp", "pitfalls/erased_types",
+         options=("--decisions=guard",)),
     Rule("arithmetic", "leaves out what changes the arithmetic of a function", "arithmetic.c", "pitfalls/arithmetic_of_functions.c"),
     Rule("later", "keeps the order of operands", "later.cpp", "pitfalls/operand_order"),
     Rule("now", "keeps the order of arguments", "now.cpp", "pitfalls/operand_order"),

@@ -22,6 +22,7 @@
 #define SYMREAL_REAL_TO(type, ...) __VA_ARGS__
 #define SYMREAL_REAL_FIT(...) __VA_ARGS__
 #define SYMREAL_REAL_ARGUMENT(type, ...) __VA_ARGS__
+#define SYMREAL_REAL_ERASED(...) __VA_ARGS__
 #define SYMREAL_REAL_TRUTH(...) __VA_ARGS__
 #define SYMREAL_REAL_LATER(...) __VA_ARGS__
 #define SYMREAL_REAL_NOW(...) __VA_ARGS__
@@ -126,6 +127,7 @@
 /* In a template: as a double converts to the parameter's type, of a call that was chosen for a double. */
 #define SYMREAL_REAL_ARGUMENT(type, ...) (::symreal::symreal_argument_as<type>(__VA_ARGS__))
 /* Where the type is looked at: of a comparison it is bool. */
+#define SYMREAL_REAL_ERASED(...) (::symreal::symreal_erased(__VA_ARGS__))
 #define SYMREAL_REAL_TRUTH(...) (::symreal::symreal_of_type<::symreal::symreal_plain_type<decltype(__VA_ARGS__)>>())
 /* The order in which a compiler evaluates operands that change what the other reads: it is another one for the
    operators of a class than for those of the language, and an argument that is a class is read late
@@ -193,6 +195,7 @@ public:                                                                         
 #define SYMREAL_REAL_VALUE(...) (__VA_ARGS__)
 #define SYMREAL_REAL_TO(type, ...) (static_cast<type>(__VA_ARGS__))
 #define SYMREAL_REAL_ARGUMENT(type, ...) __VA_ARGS__
+#define SYMREAL_REAL_ERASED(...) (__VA_ARGS__)
 #define SYMREAL_REAL_TRUTH(...) __VA_ARGS__
 #define SYMREAL_REAL_LATER(...) (__VA_ARGS__)
 #define SYMREAL_REAL_NOW(...) (__VA_ARGS__)
