@@ -337,8 +337,7 @@ private:
     for (replay::LeftBehind const &left : original_->left_behind())
       if (!is_left_by_generated(left) && !is_scratch(left)) add_left(result_.left, describe(left));
     if (!code_.needs_program())
-      for (replay::OutsideEffect const &effect : original_->effects())
-        add_left(effect.changes ? result_.changes_outside : result_.outside, effect.what);
+      for (replay::OutsideEffect const &effect : original_->effects()) add_outside(effect);
     exact_.begin(sample.inputs, sample.parameters);
     for (std::size_t slot = 0; slot < original.size(); ++slot) {
       if (!single_)
@@ -486,6 +485,15 @@ private:
         if (original[slot] != replay::spoilt_output) // else it is not written there
           is_named_ |= result_.wrapped[slot].add(k, original[slot], wrapped[slot], banner_.mode, options_.tolerance);
     }
+  }
+
+  // What the recording knows of is told of when code is generated.
+  void add_outside(replay::OutsideEffect const &effect) {
+    if (effect.kind != replay::Outside::result)
+      return add_left(effect.kind == replay::Outside::lasts ? result_.changes_outside : result_.outside, effect.what);
+    bool const is_known =
+        std::ranges::any_of(graph_.frozen, [&](Frozen const &one) { return one.name == effect.what; });
+    if (!is_known) add_left(result_.changes_outside, "reads '" + std::string(effect.what) + "'");
   }
 
   static void add_left(std::vector<LeftState> &all, std::string const &name) {

@@ -25,6 +25,11 @@ namespace {
 using memory::Known;
 using memory::MemoryImage;
 
+replay::Outside outside_of(Effect::Kind kind) {
+  if (kind == Effect::Kind::reads) return replay::Outside::result;
+  return kind == Effect::Kind::changes ? replay::Outside::lasts : replay::Outside::passes;
+}
+
 class Original final : public Sink {
 public:
   void begin(std::string const &name, void const *frame) override {
@@ -73,7 +78,7 @@ public:
     bool const is_function = output_file.empty();
     if (replay::replay_watches_world())
       for (Effect const &effect : effects_on_world(/*discard=*/true))
-        replay::replay_effect(effect.kind == Effect::Kind::changes, effect.what);
+        replay::replay_effect(outside_of(effect.kind), effect.what);
     if (!is_again_) {
       std::vector<memory::Change> left = image_.changes(known());
       std::erase_if(left, [this](memory::Change const &change) { return is_returned(change); });

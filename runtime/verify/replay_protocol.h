@@ -44,9 +44,11 @@ struct LeftBehind {
   }
 };
 
-// An effect of the original's kernel outside of the program, in words.
+// An effect of the original's kernel outside of the program, in words; of a function whose result comes from there, its
+// name.
+enum class Outside : std::uint8_t { passes, lasts, result };
 struct OutsideEffect {
-  std::uint8_t changes; // something that lasts
+  Outside kind;
   char what[183];
 };
 

@@ -150,10 +150,10 @@ void replay_left(std::vector<memory::Change> const &changes) {
 
 bool replay_watches_world() { return shared && shared->watches_world != 0 && shared->calls_done == 0; }
 
-void replay_effect(bool changes, std::string_view what) {
+void replay_effect(Outside kind, std::string_view what) {
   if (!shared || shared->effect_count == std::size(shared->effects)) return;
   OutsideEffect &effect = shared->effects[shared->effect_count++];
-  effect.changes = changes;
+  effect.kind = kind;
   effect.what[what.copy(effect.what, sizeof effect.what - 1)] = 0;
 }
 

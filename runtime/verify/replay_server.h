@@ -4,6 +4,7 @@
 #pragma once
 
 #include "memory/memory_image.h"
+#include "verify/replay_protocol.h"
 
 #include <cstdint>
 #include <functional>
@@ -37,7 +38,7 @@ void replay_left(std::vector<memory::Change> const &changes);
 
 // Whether the client wants to know what this call does outside of the program, and one such effect.
 bool replay_watches_world();
-void replay_effect(bool changes, std::string_view what);
+void replay_effect(Outside kind, std::string_view what);
 
 // Per input, in order: the output that is the same number, or -1.
 void replay_link(int output);

@@ -7,6 +7,12 @@
    RUN: %symreal generate %s -o %t.c -- -DLATER && not %symreal verify %s %t.c --samples=50 -- -DLATER 2>&1 | FileCheck %s --check-prefix=LATER
    RUN: not %symreal generate %s -o %t.c -- -DPOSITION 2>&1 | FileCheck %s --check-prefix=POSITION
    POSITION: error: kernel 'told' reads 'ftell()' (0)
+   Results from outside of the program that the recording has not noted are seen by verify as well; those that it has are allowed.
+   RUN: %symreal generate %s -o %t.c -- -DPOSITION_LATER && not %symreal verify %s %t.c --samples=50 -- -DPOSITION_LATER 2>&1 | FileCheck %s --check-prefix=UNNOTED
+   UNNOTED: error: kernel 'told': the original reads 'ftell()', and the generated code does not [SYM215]
+   RUN: %symreal generate %s -o %t.c -- -DCONVENTION && not %symreal verify %s %t.c --samples=50 -- -DCONVENTION 2>&1 | FileCheck %s --check-prefix=CONVENTION
+   CONVENTION: error: kernel 'written': the original reads 'localeconv()', and the generated code does not [SYM215]
+   RUN: %symreal generate %s -o %t.c --frozen=allow -- -DPOSITION && %symreal verify %s %t.c --samples=50 -- -DPOSITION
    NOTHING: kernel
    PRINTS: outside of the program: the original writes to standard output, and the generated code does not
    LATER: error: kernel 'set': the original changes the environment variable 'SEEN', and the generated code does not [SYM215]
@@ -34,6 +40,36 @@ int main(void)
   file = tmpfile();
   return told(0.5) > 5;
 }
+
+#elif defined(POSITION_LATER)
+static FILE *file;
+#pragma symreal function input(x) output(return)
+double told(double x)
+{
+  double y = 2 * x;
+#ifndef MBD_SYMBOLIC
+  y += (double)ftell(file);
+#endif
+  return y;
+}
+int main(void)
+{
+  file = tmpfile();
+  return told(0.5) > 5;
+}
+
+#elif defined(CONVENTION)
+#include <locale.h>
+#pragma symreal function input(x) output(return)
+double written(double x)
+{
+  double y = 2 * x;
+#ifndef MBD_SYMBOLIC
+  if (localeconv()->decimal_point[0] == ',') y += 1;
+#endif
+  return y;
+}
+int main(void) { return written(0.5) > 5; }
 
 #elif defined(LATER)
 #pragma symreal function input(x) output(return)

@@ -61,9 +61,16 @@ void compare_environment(std::vector<Effect> &effects) {
 }
 
 bool is_open = false; // between the two moments
-std::vector<char const *> &library_effects() {
-  static auto *effects = memory::make_own<std::vector<char const *>>();
+std::vector<std::pair<Effect::Kind, char const *>> &library_effects() {
+  static auto *effects = memory::make_own<std::vector<std::pair<Effect::Kind, char const *>>>();
   return *effects;
+}
+
+void note(Effect::Kind kind, char const *what) {
+  if (!is_open || memory::OwnWork::is_going_on()) return;
+  memory::OwnWork const own;
+  if (std::pair const one(kind, what); std::ranges::find(library_effects(), one) == library_effects().end())
+    library_effects().push_back(one);
 }
 
 #if defined(__linux__) && defined(__x86_64__)
@@ -438,11 +445,8 @@ void watch_world() {
   begin_calls();
 }
 
-void note_effect(char const *what) {
-  if (!is_open || memory::OwnWork::is_going_on()) return;
-  memory::OwnWork const own;
-  library_effects().push_back(what);
-}
+void note_effect(char const *what) { note(Effect::Kind::changes, what); }
+void note_result(char const *function) { note(Effect::Kind::reads, function); }
 
 std::vector<Effect> effects_on_world(bool discard) {
   discard_output(discard);
@@ -451,8 +455,8 @@ std::vector<Effect> effects_on_world(bool discard) {
   std::vector<Effect> effects;
   end_calls(effects);
   is_open = false;
-  for (char const *what : library_effects())
-    if (Effect effect{Effect::Kind::changes, what}; std::ranges::find(effects, effect) == effects.end())
+  for (auto const &[kind, what] : library_effects())
+    if (Effect effect{kind, what}; std::ranges::find(effects, effect) == effects.end())
       effects.push_back(std::move(effect));
   compare_environment(effects);
   return effects;

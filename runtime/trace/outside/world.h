@@ -13,10 +13,10 @@
 namespace symreal::trace {
 
 struct Effect {
-  // Text for a person, on standard output or error; a question, whose answer another call may not get; anything that
-  // lasts.
-  enum class Kind { prints, asks, changes } kind;
-  std::string what; // behind "the kernel": "writes to 'log.txt'"
+  // Text for a person, on standard output or error; a question, whose answer another call may not get; the result of a
+  // function of support/outside.def; anything that lasts.
+  enum class Kind { prints, asks, reads, changes } kind;
+  std::string what; // behind "the kernel": "writes to 'log.txt'"; of a result the name of the function
   bool operator==(Effect const &) const = default;
 };
 
@@ -24,6 +24,8 @@ struct Effect {
 void watch_world();
 // A library function changes what it keeps for the whole program; `what` lives as long.
 void note_effect(char const *what);
+// Such a function gives a result; the name lives as long.
+void note_result(char const *function);
 // Ends, and tells each effect once. `discard`: what is still in buffers is not written in truth.
 std::vector<Effect> effects_on_world(bool discard = false);
 

@@ -1,11 +1,13 @@
 // What comes from outside of the program while a kernel is recorded, from clocks, files, the environment, or a
 // generator of random numbers, is baked in like other hidden state. The functions of the C library that it comes
-// through are replaced in the whole symbolic program, together with the heap's, and call the originals.
+// through are replaced in the whole symbolic program and in the original, together with the heap's, and call the
+// library's.
 //
 // Weak, so that a program with a function of such a name has its own.
 #include "memory/heap_blocks.h"
 #include "memory/own_memory.h"
 #include "support/mutation/is_dropped.h"
+#include "trace/outside/world.h"
 #include "trace/state/state.h"
 
 #ifdef __GLIBC__
@@ -21,10 +23,11 @@
 
 namespace {
 
-template <class Result> void note(char const *name, [[maybe_unused]] Result result) {
-  if (!symreal::detail::recording || symreal::memory::OwnWork::is_going_on()) return;
+template <class Result> void note(char const *name, [[maybe_unused]] Result result, bool is_left_out = false) {
+  if (symreal::memory::OwnWork::is_going_on()) return;
   int const kept = errno;
-  {
+  symreal::trace::note_result(name);
+  if (symreal::detail::recording && !is_left_out) {
     symreal::trace::Pause const pause;
     if constexpr (std::is_arithmetic_v<Result>)
       symreal::trace::State::current().outside(name, {static_cast<double>(result)});
@@ -50,7 +53,7 @@ char symreal_outside_hooks = 0;
     using Function = result(*) parameters;                                                                             \
     static auto const original = reinterpret_cast<Function>(dlsym(RTLD_NEXT, #symbol));                                \
     result const value = original arguments;                                                                           \
-    if (!is_of_runtime arguments && !symreal::is_dropped(#symbol)) note(name, value);                                  \
+    if (!is_of_runtime arguments) note(name, value, symreal::is_dropped(#symbol));                                     \
     return value;                                                                                                      \
   }
 #include "support/outside.def"
