@@ -2,6 +2,7 @@
 
 #include "graph/names.h"
 #include "program/wrapped_original.h"
+#include "program/wrapper_text.h"
 #include "support/files.h"
 #include "support/mutation/is_dropped.h"
 #include "support/quoted.h"
@@ -75,7 +76,7 @@ std::string last_word(std::string text) {
 }
 
 // Loops over what an object consists of, around what `leaf` makes of each.
-using Leaf = std::function<std::string(std::string const &element, char kind)>;
+using Leaf = BakedLeaf;
 
 std::string loop(std::size_t depth, std::string const &count, std::string const &inner) {
   return fmt::format("{{ unsigned long symreal_{0}; for (symreal_{0} = 0; symreal_{0} < {1}; ++symreal_{0}) {2} }}",
@@ -114,8 +115,10 @@ std::string value_of(std::string const &element, char kind) {
   switch (kind) {
   case 'd': return fmt::format("symreal_bits({})", element);
   case 's': return fmt::format("symreal_text({})", element);
+  case 'o': return element;
   case 't': return fmt::format("symreal_text(typeid({}).name())", element);
   case 'p':
+  case 'c':
   case 'f': return fmt::format("(unsigned long long)!!({})", element);
   default: return fmt::format("(unsigned long long)({})", element);
   }
@@ -131,6 +134,59 @@ static __inline__ unsigned long long symreal_text(char const *symreal_string) {
   if (!symreal_string) return 0;
   for (; *symreal_string; ++symreal_string) symreal_hash = (symreal_hash ^ (unsigned char)*symreal_string) * 1099511628211ull;
   return symreal_hash;
+}
+)";
+
+// How two ranges lie: how far one begins from the other where they overlap.
+constexpr char const *apart =
+    R"(static __inline__ unsigned long long symreal_apart(void const volatile *symreal_a, void const volatile *symreal_a_end, void const volatile *symreal_b, void const volatile *symreal_b_end) {
+  __UINTPTR_TYPE__ const symreal_first = (__UINTPTR_TYPE__)symreal_a, symreal_second = (__UINTPTR_TYPE__)symreal_b;
+  int const symreal_meet = symreal_first < (__UINTPTR_TYPE__)symreal_b_end && symreal_second < (__UINTPTR_TYPE__)symreal_a_end;
+  return symreal_meet ? (unsigned long long)(symreal_second - symreal_first) : 1ull << 63;
+}
+)";
+
+// In C++, from where to where the numbers of an object lie: its own, or those that it looks at.
+constexpr char const *ranges = R"(namespace {
+template <int symreal_n> struct symreal_order : symreal_order<symreal_n - 1> {};
+template <> struct symreal_order<0> {};
+template <class symreal_T> void const volatile *symreal_address(symreal_T const &symreal_object) {
+  return &reinterpret_cast<char const volatile &>(symreal_object);
+}
+template <class symreal_T>
+auto symreal_begin(symreal_T const &symreal_object, symreal_order<2>)
+    -> decltype(symreal_object.rowStride(), symreal_object.colStride(), static_cast<void const volatile *>(symreal_object.data())) {
+  return symreal_object.data();
+}
+template <class symreal_T>
+auto symreal_begin(symreal_T const &symreal_object, symreal_order<1>)
+    -> decltype(symreal_object.size(), static_cast<void const volatile *>(static_cast<double const volatile *>(symreal_object.data()))) {
+  return symreal_object.data();
+}
+template <class symreal_T> void const volatile *symreal_begin(symreal_T const &symreal_object, symreal_order<0>) {
+  return symreal_address(symreal_object);
+}
+template <class symreal_T>
+auto symreal_end(symreal_T const &symreal_object, symreal_order<2>)
+    -> decltype(symreal_object.rowStride(), symreal_object.colStride(), static_cast<void const volatile *>(symreal_object.data())) {
+  return symreal_object.size() == 0 ? symreal_object.data()
+                                    : symreal_object.data() + (symreal_object.rows() - 1) * symreal_object.rowStride() +
+                                          (symreal_object.cols() - 1) * symreal_object.colStride() + 1;
+}
+template <class symreal_T>
+auto symreal_end(symreal_T const &symreal_object, symreal_order<1>)
+    -> decltype(symreal_object.size(), static_cast<void const volatile *>(static_cast<double const volatile *>(symreal_object.data()))) {
+  return symreal_object.data() + symreal_object.size();
+}
+template <class symreal_T> void const volatile *symreal_end(symreal_T const &symreal_object, symreal_order<0>) {
+  return &reinterpret_cast<char const volatile &>(symreal_object) + sizeof symreal_object;
+}
+template <class symreal_T> void const volatile *symreal_low(symreal_T const &symreal_object) {
+  return symreal_begin(symreal_object, symreal_order<2>());
+}
+template <class symreal_T> void const volatile *symreal_high(symreal_T const &symreal_object) {
+  return symreal_end(symreal_object, symreal_order<2>());
+}
 }
 )";
 
@@ -259,6 +315,19 @@ bool has_kind(std::vector<BakedObject> const &all, char kind) {
 bool is_walked(char kind) { return kind == '@' || kind == 'z'; }
 bool has_walked(std::vector<BakedObject> const &all) { return has_kind(all, '@') || has_kind(all, 'z'); }
 
+// How items lie that another call may bring together.
+void add_overlaps(Recorded &recorded) {
+  rewrite::Kernel const &kernel = recorded.kernel;
+  for (rewrite::Overlap const &one : kernel.signature.redefinition.overlaps) {
+    std::string const first = wrapper_place(kernel, recorded.graph, one.first, one.first_in_rows),
+                      second = wrapper_place(kernel, recorded.graph, one.second, one.second_in_rows);
+    if (first.empty() || second.empty()) continue;
+    std::string const label = overlap_label(one);
+    recorded.baked.push_back(
+        {{label, fmt::format("symreal_apart({}, {})", first, second), {}, "o", false, kernel.place}, {}, {}});
+  }
+}
+
 bool is_number(std::string const &text) { return text.find_first_not_of("0123456789") == text.npos; }
 
 // Of what an annotated object holds besides numbers, what the kernel has read counts.
@@ -369,6 +438,7 @@ void add_baked_values(Front const &front, RunOptions const &run, Recorded &recor
     recorded.baked.push_back({one, {}, {}});
   }
   keep_read(recorded.baked, recorded.graph.frozen);
+  add_overlaps(recorded);
   for (BakedObject const &one : recorded.baked)
     if (has_kind({one}, 'x')) refuse(recorded, one.what, "the kernel reads a private member of it");
   require_named(recorded);
@@ -399,6 +469,8 @@ std::string baked_checks(Recorded const &recorded, Otherwise const &otherwise) {
   std::string text;
   if (is_dropped("baked")) return text;
   for (BakedObject const &one : recorded.baked) {
+    if (is_dropped("extents") && one.what.shape == "z") continue;
+    if (is_dropped("overlaps") && one.what.shape == "o") continue;
     std::string const other = otherwise(one.what.label);
     std::vector<std::string> lengths;
     for (std::size_t k = 0; k < one.lengths.size(); ++k) {
@@ -436,25 +508,23 @@ std::string baked_checks(Recorded const &recorded, Otherwise const &otherwise) {
 
 std::vector<std::string> baked_helpers(Recorded const &recorded) {
   if (recorded.baked.empty()) return {};
-  if (!has_walked(recorded.baked)) return {hashes};
-  return {hashes, visits};
+  std::vector<std::string> blocks = {hashes};
+  if (has_kind(recorded.baked, 'o')) blocks.push_back(apart);
+  if (has_kind(recorded.baked, 'o') && !is_c(recorded.kernel)) blocks.push_back(ranges);
+  if (has_walked(recorded.baked)) blocks.push_back(visits);
+  return blocks;
 }
 
 bool compares_classes(Recorded const &recorded) { return has_kind(recorded.baked, 't'); }
 
-std::vector<Variation> baked_variations(Recorded const &recorded) {
-  std::vector<Variation> all;
-  for (BakedObject const &one : recorded.baked) {
-    std::vector<std::string> lengths;
-    for (std::size_t const length : one.lengths) lengths.push_back(std::to_string(length) + "u");
-    std::string const varied = statements(one.what, lengths, [&](std::string const &element, char kind) {
-      return kind == 'd'   ? fmt::format("((unsigned char *)&({0}))[sizeof({0}) - 2] ^= 1;", element)
-             : kind == 'i' ? fmt::format("*(unsigned char *)&({}) ^= 1;", element)
-                           : std::string();
-    });
-    if (!varied.empty()) all.push_back({one.what.label, varied});
-  }
-  return all;
+std::string overlap_label(rewrite::Overlap const &overlap) {
+  return fmt::format("where '{}' and '{}' lie", overlap.first, overlap.second);
+}
+
+std::string baked_statements(BakedObject const &object, BakedLeaf const &leaf) {
+  std::vector<std::string> lengths;
+  for (std::size_t const length : object.lengths) lengths.push_back(std::to_string(length) + "u");
+  return statements(object.what, lengths, leaf);
 }
 
 } // namespace symreal::program

@@ -25,11 +25,11 @@ std::vector<std::string> baked_helpers(Recorded const &recorded);
 // Is an object compared by its class, which takes <typeinfo>?
 bool compares_classes(Recorded const &recorded);
 
-// Statements that change a value, by number from 1 on, where the variable symreal_varied is that number: what
-// verification tries. Text, classes and what only templates reach stay.
-struct Variation {
-  std::string label, statement;
-};
-std::vector<Variation> baked_variations(Recorded const &recorded);
+// What a check on how two items lie is called.
+std::string overlap_label(rewrite::Overlap const &overlap);
+
+// Loops over the values of an object, around what `leaf` makes of each by its kind (rewrite/model/baked_values.h).
+using BakedLeaf = std::function<std::string(std::string const &element, char kind)>;
+std::string baked_statements(BakedObject const &object, BakedLeaf const &leaf);
 
 } // namespace symreal::program

@@ -207,6 +207,8 @@ std::vector<replay::OutsideEffect> Replay::effects() const {
   return {server_->head->effects, server_->head->effects + server_->head->effect_count};
 }
 
+std::uint64_t Replay::returned() const { return server_->head->returned; }
+
 GeneratedCode::Result Replay::run_generated(Sample const &sample, std::span<double const> inputs) {
   replay::Head *head = server_->head;
   internal_check(inputs.size() == head->code_input_count);

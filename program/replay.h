@@ -42,6 +42,8 @@ public:
   // original only.
   std::vector<replay::LeftBehind> left_behind() const;
   std::vector<replay::OutsideEffect> effects() const;
+  // A hash of what is no number in the object that the kernel has returned, where SYMREAL_RETURNED says what that is.
+  std::uint64_t returned() const;
   // `inputs`: all that the generated code has, also those that derivatives add.
   GeneratedCode::Result run_generated(Sample const &sample, std::span<double const> inputs);
   Evaluation run_graph(Sample const &sample);

@@ -93,8 +93,11 @@ public:
     bool const by_hand = front.original_program.empty();
     auto const start = [&](std::unique_ptr<Replay> &program, char const *what, std::string const &executable,
                            GeneratedCode const *code, std::string const &profile = {}) {
-      program =
-          std::make_unique<Replay>(what, executable, run, recorded.begun_as, graph_, *front.workspace, code, profile);
+      std::vector<std::string> environment;
+      std::string const &others = recorded.kernel.signature.redefinition.result.others;
+      if (options.wrapper && !others.empty()) environment.push_back("SYMREAL_RETURNED=" + others);
+      program = std::make_unique<Replay>(what, executable, run, recorded.begun_as, graph_, *front.workspace, code,
+                                         profile, environment);
     };
     start(original_, "the original", by_hand ? front.replay_program : front.original_program,
           code_.needs_program() ? &code_ : nullptr);
@@ -163,8 +166,9 @@ public:
     if (covered_) finish_branches();
     if (wrapped_) {
       wrapped_.reset();
-      result_.missed_by_wrapper = values_missed_by_wrapper(front_, run_, recorded_, graph_, code_, wrapped_program_,
-                                                           tried_wrapped_, options_.tolerance);
+      for (LeftState &one : values_missed_by_wrapper(front_, run_, recorded_, graph_, code_, wrapped_program_,
+                                                     tried_wrapped_, options_.tolerance))
+        result_.missed_by_wrapper.push_back(std::move(one));
     }
     return std::move(result_);
   }
@@ -296,6 +300,7 @@ private:
     std::vector<LaterCall> const later =
         is_called_again ? plan_later(sample, computed.outputs) : std::vector<LaterCall>();
     std::vector<double> const original = run_original(sample, later);
+    returned_ = original_->returned();
     // Code of derivatives alone has no values that could differ.
     std::size_t const values = banner_.has_values ? original.size() : 0;
     std::vector<double> const generated =
@@ -454,6 +459,7 @@ private:
       is_named_ |= result_.wrapped[slot].add(k, generated[slot], wrapped[slot], FloatingPoint::strict, 0);
     for (replay::LeftBehind const &left : wrapped_->left_behind())
       if (!is_left_by_generated(left)) add_left(result_.left_by_wrapper, describe(left));
+    if (wrapped_->returned() != returned_) add_left(result_.missed_by_wrapper, "in what it returns besides numbers");
     compare_wrapped_calls(k, sample, generated);
     if (tried_wrapped_.size() < most_varied) tried_wrapped_.push_back(sample);
   }
@@ -524,6 +530,7 @@ private:
   std::optional<SingleRuns> single_; // of the sample that is tried, where the code is in single precision
   std::unique_ptr<Replay> original_, rewritten_, own_flags_, wrapped_, covered_;
   std::string wrapped_program_;
+  std::uint64_t returned_ = 0; // by the original on the last sample, besides numbers
   std::vector<Sample> tried_wrapped_;
   static constexpr std::size_t most_varied = 4;
   CoveredRun covered_run_;

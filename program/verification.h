@@ -94,7 +94,7 @@ struct Verification {
   std::vector<LeftState> left, left_by_wrapper;
   // Effects of the original outside of the program, in words, on a few samples: those that last, and others.
   std::vector<LeftState> changes_outside, outside;
-  std::vector<LeftState> missed_by_wrapper; // values that are baked in, and that it does not compare
+  std::vector<LeftState> missed_by_wrapper; // where it gives other results than the original, behind "the original"
 
   std::vector<GuardCheck> guards;              // of the generated code, in order
   std::size_t refused = 0;                     // samples within the premises on which one does not hold

@@ -2,6 +2,7 @@
 
 #include "program/baked_values.h"
 #include "program/wrapper_text.h"
+#include "program/wrapper_variations.h"
 #include "rewrite/text/pragma_text.h"
 
 #include <algorithm>
@@ -37,14 +38,22 @@ std::string checks(Recorded const &recorded) {
   return text;
 }
 
-std::string variations(Recorded const &recorded) {
-  std::vector<Variation> const all = baked_variations(recorded);
+// `member`: of each variation, where it is made.
+std::string variations(std::vector<Variation> const &all, std::string Variation::*member) {
   if (all.empty()) return "int const symreal_varied = 0; ";
   std::string text = "char const *const symreal_wish = symreal_environment(\"SYMREAL_VARY\"); "
                      "int const symreal_varied = symreal_wish ? symreal_integer(symreal_wish) : 0; ";
   for (std::size_t k = 0; k < all.size(); ++k)
-    text += fmt::format("if (symreal_varied == {0} || symreal_varied == -{0}) {{ {1} }} ", k + 1, all[k].statement);
+    if (std::string const &statement = all[k].*member; !statement.empty())
+      text += fmt::format("if (symreal_varied == {0} || symreal_varied == -{0}) {{ {1} }} ", k + 1, statement);
   return text;
+}
+
+// When the function begins.
+std::string statements_before(Recorded const &recorded) {
+  std::vector<Variation> const all = wrapper_variations(recorded);
+  bool const any = std::ranges::any_of(all, [](Variation const &one) { return !one.before.empty(); });
+  return any ? "{ " + variations(all, &Variation::before) + "} " : "";
 }
 
 std::string statements(Recorded const &recorded) {
@@ -56,7 +65,8 @@ std::string statements(Recorded const &recorded) {
   return fmt::format("if (SYMREAL_ORIGINAL_IS_ACTIVE) {{ {} if (symreal_varied >= 0) {{ int symreal_same = 1; {} "
                      "if (symreal_same) {{ {} {} if (symreal_original_compute(symreal_input, {}, symreal_output) == 0) "
                      "{{ {} {} }} }} }} }}",
-                     variations(recorded), checks(recorded), wrapper_arrays(recorded.graph), packing(recorded),
+                     variations(wrapper_variations(recorded), &Variation::statement), checks(recorded),
+                     wrapper_arrays(recorded.graph), packing(recorded),
                      recorded.graph.parameter_count() == 0 ? "0" : "symreal_parameters", unpacking,
                      returns ? "" : "return;");
 }
@@ -67,12 +77,16 @@ constexpr char const *library = "char *symreal_environment(char const *) __asm__
 } // namespace
 
 void insert_in_wrapper_place(rewrite::Result &annotated, rewrite::Kernel const &kernel, std::string const &statements,
-                             std::string const &top, bool with_classes) {
-  std::string const mark = "SYMREAL_ORIGINAL_WRAPPER(" + rewrite::place_arguments(kernel.name, kernel.place) + ")";
+                             std::string const &top, bool with_classes, std::string const &before) {
+  std::string const place = rewrite::place_arguments(kernel.name, kernel.place),
+                    mark = "SYMREAL_ORIGINAL_WRAPPER(" + place + ")";
   bool is_found = false;
   for (rewrite::File &file : annotated.files)
     if (std::size_t const at = file.text.find(mark); at != file.text.npos) {
       file.text.replace(at, mark.size(), on_one_line(statements));
+      std::size_t const begin = file.text.rfind("SYMREAL_ORIGINAL_FUNCTION(" + place, at);
+      internal_check(begin != file.text.npos);
+      file.text.insert(begin, on_one_line(before));
       file.text.insert(0, (with_classes ? "#include <typeinfo>\n" : "") + on_one_line(top) + "\n#line 1\n");
       is_found = true;
     }
@@ -95,7 +109,9 @@ std::string build_wrapped(Front const &front, Recorded const &recorded) {
   std::string top = (is_cxx ? "extern \"C\" { " : "") + std::string(library) + (is_cxx ? "} " : "");
   for (std::string const &block : baked_helpers(recorded)) top += block;
   for (std::string const &block : wrapper_templates(recorded.kernel, recorded.graph)) top += block;
-  insert_in_wrapper_place(wrapped, recorded.kernel, statements(recorded), top, compares_classes(recorded));
+  top += variation_helpers(recorded);
+  insert_in_wrapper_place(wrapped, recorded.kernel, statements(recorded), top, compares_classes(recorded),
+                          statements_before(recorded));
   Overlay const text(wrapped, front.workspace->directory("annotated-wrapper"));
   constexpr std::array variants = {Variant::wrapped};
   return build_variants(front.build, variants, *front.overlay, text, *front.workspace).front();

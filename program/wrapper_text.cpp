@@ -1,6 +1,7 @@
 #include "program/wrapper_text.h"
 
 #include "diagnostics/diagnostic.h"
+#include "support/mutation/is_dropped.h"
 #include "support/quoted.h"
 
 #include <algorithm>
@@ -299,7 +300,7 @@ std::size_t add_offsets(std::string_view &layout, std::size_t begin, std::vector
 std::string make_returned(rewrite::Kernel const &kernel, rewrite::Annotation const &annotation, Object const &object,
                           std::string &value) {
   rewrite::ReturnedObject const &result = kernel.signature.redefinition.result;
-  if (!result.obstacle.empty())
+  if (!result.obstacle.empty() && !is_dropped("SYM095"))
     fail(DiagnosticId::no_wrapper, kernel.place,
          fmt::format("--wrapper cannot take the place of '{}': {}", kernel.name, result.obstacle));
   value = fmt::format("symreal_output[{}]", object.first);
@@ -387,6 +388,7 @@ std::string wrapper_unpack(rewrite::Kernel const &kernel, std::vector<Object> co
 
 std::vector<ExtentCheck> wrapper_extents(rewrite::Kernel const &kernel, Graph const &graph) {
   std::vector<ExtentCheck> checks;
+  if (is_dropped("extents")) return checks;
   auto const add = [&](std::string differs, std::string const &label) {
     bool const is_known =
         std::any_of(checks.begin(), checks.end(), [&](ExtentCheck const &one) { return one.differs == differs; });
@@ -400,6 +402,34 @@ std::vector<ExtentCheck> wrapper_extents(rewrite::Kernel const &kernel, Graph co
       add(fmt::format("symreal_count({}) != {}", annotation.expression, object.count), annotation.label);
   });
   return checks;
+}
+
+std::string wrapper_place(rewrite::Kernel const &kernel, Graph const &graph, std::string const &label, bool in_rows) {
+  std::string text;
+  for_objects(kernel, graph, [&](rewrite::Annotation const &annotation, Object const &object) {
+    if (!text.empty() || annotation.label != label || object.count == 0) return;
+    bool const walked = is_walked(kernel, annotation, object);
+    std::string first = "(" + annotation.expression + ")", last = first;
+    for (std::size_t k = 0; k < (walked ? annotation.sections.size() : object.extents.size()); ++k) {
+      std::string const low = k < annotation.sections.size() ? "(" + annotation.sections[k].low + ") + " : "";
+      bool const is_one_row = in_rows && k + 1 < annotation.sections.size();
+      first += fmt::format("[{}0]", low);
+      last += fmt::format("[{}{}]", low, is_one_row ? 0 : object.extents[k] - 1);
+    }
+    text = is_c(kernel) ? fmt::format("&{}, &{} + 1", first, last)
+                        : fmt::format("symreal_low({}), symreal_high({})", first, last);
+  });
+  return text;
+}
+
+std::vector<std::string> wrapper_containers(rewrite::Kernel const &kernel, Graph const &graph) {
+  std::vector<std::string> found;
+  for_objects(kernel, graph, [&](rewrite::Annotation const &annotation, Object const &object) {
+    bool const is_known = std::ranges::find(found, annotation.expression) != found.end();
+    if (!is_known && annotation.sections.empty() && is_walked(kernel, annotation, object))
+      found.push_back(annotation.expression);
+  });
+  return found;
 }
 
 std::vector<std::string> wrapper_templates(rewrite::Kernel const &kernel, Graph const &graph) {

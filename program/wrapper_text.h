@@ -32,6 +32,12 @@ struct ExtentCheck {
 };
 std::vector<ExtentCheck> wrapper_extents(rewrite::Kernel const &kernel, Graph const &graph);
 
+// From where to where the numbers of an object lie, as two arguments; `in_rows`: those of its first row. Empty where it
+// has none.
+std::string wrapper_place(rewrite::Kernel const &kernel, Graph const &graph, std::string const &label, bool in_rows);
+// The objects whose extents the wrapper asks in the call, as the source names them.
+std::vector<std::string> wrapper_containers(rewrite::Kernel const &kernel, Graph const &graph);
+
 // What the statements of a kernel in C++ use where an object is more than an array: a container, a matrix, a complex
 // number. Blocks of C++11 in lines without directives; none where nothing uses them.
 std::vector<std::string> wrapper_templates(rewrite::Kernel const &kernel, Graph const &graph);

@@ -33,6 +33,16 @@ struct Baked {
   Place place;
 };
 
+// Two items that may lie in one place in another call, by their labels.
+struct Overlap {
+  std::string first, second;
+  bool first_in_rows = false, second_in_rows = false; // each row elsewhere
+  // Statements that bring one to where the other is, when the function begins, of which one is enough; empty where
+  // there is no such way. `calls`: the function calls itself so, once.
+  std::string first_there, second_there;
+  bool calls = false;
+};
+
 // What a function returns, as an object that a wrapper fills.
 struct ReturnedObject {
   enum class Form { number, integer, members, walked, bytes };
@@ -40,6 +50,12 @@ struct ReturnedObject {
   std::string type;
   std::string obstacle; // why no wrapper can make one; else empty
   std::string begin;    // of the macro that annotates it, up to the value
+  // What is no number in it, for the program that tries a wrapper: { what "+" offset ";" } with
+  //   what := "b" size   bytes: integers, truth values, enumerators, float
+  //         | "p"        a pointer: whether it is null
+  //         | "t"        a pointer to text that a null character ends
+  //         | "s"        a std::string
+  std::string others;
 };
 
 // What a file of its own needs to define the function instead of the original.
@@ -61,6 +77,7 @@ struct Redefinition {
   std::size_t body = 0;
   bool is_template = false;
   std::vector<Baked> baked;
+  std::vector<Overlap> overlaps;
   ReturnedObject result;
 };
 

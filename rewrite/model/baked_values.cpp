@@ -4,6 +4,8 @@
 #include "rewrite/model/plain_declaration.h"
 #include "rewrite/source/walk.h"
 
+#include <clang/AST/RecordLayout.h>
+
 #include <algorithm>
 #include <set>
 
@@ -316,7 +318,7 @@ std::vector<Baked> baked_values(FunctionDecl const *function, std::vector<BakedI
   for (VarDecl const *variable : mentioned.called_variables)
     add({variable->getNameAsString(), variable->getQualifiedNameAsString(), {}, "f", false, place});
   if (function->isTemplated()) add({"the arguments of the template", "__PRETTY_FUNCTION__", {}, "s", false, place});
-  for (std::string const &comparison : mentioned.comparisons) add({comparison, comparison, {}, "p", false, place});
+  for (std::string const &comparison : mentioned.comparisons) add({comparison, comparison, {}, "c", false, place});
   for (std::string const &object : mentioned.virtual_on) add({object, object, {}, "t", false, place});
   return found;
 }
@@ -367,6 +369,41 @@ bool has_public_members(CXXRecordDecl const *record) {
   });
 }
 
+// What is no number in an object, by its place in it.
+void add_others(QualType type, std::int64_t offset, ASTContext const &context, std::string &others) {
+  type = type.getCanonicalType().getUnqualifiedType();
+  std::int64_t const size = context.getTypeSizeInChars(type).getQuantity();
+  if (auto const *array = context.getAsConstantArrayType(type)) {
+    std::int64_t const each = context.getTypeSizeInChars(array->getElementType()).getQuantity();
+    for (std::int64_t at = 0; at < size && each != 0; at += each)
+      add_others(array->getElementType(), offset + at, context, others);
+    return;
+  }
+  auto const add = [&](std::string const &what) { others += what + "+" + std::to_string(offset) + ";"; };
+  bool const is_single = type->isSpecificBuiltinType(BuiltinType::Float);
+  if (is_text(type)) return add("t");
+  if (type->isPointerType()) return add("p");
+  if (type->isIntegralOrEnumerationType() || is_single) return add("b" + std::to_string(size));
+  RecordDecl const *record = type->getAsRecordDecl();
+  record = record ? record->getDefinition() : nullptr;
+  if (!record || record->isUnion()) return;
+  ASTRecordLayout const &layout = context.getASTRecordLayout(record);
+  auto const *derived = dyn_cast<CXXRecordDecl>(record);
+  constexpr std::int64_t text_size = 32; // of libstdc++
+  if (is_standard(derived, "basic_string") && size == text_size) return add("s");
+  if (derived && derived->isInStdNamespace() && !is_standard(derived, "pair") && !is_standard(derived, "array")) return;
+  if (derived)
+    for (CXXBaseSpecifier const &base : derived->bases())
+      if (auto const *shared = base.getType()->getAsCXXRecordDecl(); shared && !base.isVirtual() && !shared->isEmpty())
+        add_others(base.getType(), offset + layout.getBaseClassOffset(shared).getQuantity(), context, others);
+  for (FieldDecl const *field : record->fields())
+    if (!field->isBitField())
+      add_others(field->getType(),
+                 offset +
+                     static_cast<std::int64_t>(layout.getFieldOffset(field->getFieldIndex())) / context.getCharWidth(),
+                 context, others);
+}
+
 } // namespace
 
 ReturnedObject returned_object(FunctionDecl const *function) {
@@ -388,6 +425,7 @@ ReturnedObject returned_object(FunctionDecl const *function) {
   if (!record || !record->getDefinition()) return object;
   std::string const other = other_than_number(type, context);
   if (!other.empty()) object.obstacle = "what it returns has more than numbers: " + other;
+  if (!type->isDependentType()) add_others(type, 0, context, object.others);
   object.form = Form::members;
   auto const *derived = dyn_cast<CXXRecordDecl>(record->getDefinition());
   if (!derived || !object.obstacle.empty()) return object;

@@ -4,7 +4,9 @@
 //   what   := "d"                          a floating-point number
 //           | "i"                          an integer, truth value or enumerator
 //           | "b"                          the same in a bit-field
-//           | "p"                          a pointer: whether it is null; a comparison of two
+//           | "p"                          a pointer: whether it is null
+//           | "c"                          a comparison of two pointers
+//           | "o"                          how two items lie that may overlap (rewrite/model/overlaps.h)
 //           | "s"                          text that a null character ends
 //           | "f"                          what is called through it: a pointer to a function, std::function
 //           | "t"                          an object of a class with virtual functions: its class

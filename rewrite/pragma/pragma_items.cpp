@@ -4,6 +4,7 @@
 #include "rewrite/model/baked_values.h"
 #include "rewrite/model/item_type.h"
 #include "rewrite/model/object_layout.h"
+#include "rewrite/model/overlaps.h"
 #include "rewrite/model/plain_declaration.h"
 #include "rewrite/model/redefinition.h"
 #include "rewrite/pragma/item_bounds.h"
@@ -141,6 +142,13 @@ private:
   ValueDecl const *variable_;
 };
 
+// What it looks at is not the argument's own.
+bool is_span(QualType type) {
+  CXXRecordDecl const *record = type->getAsCXXRecordDecl();
+  return record && record->isInStdNamespace() && record->getIdentifier() &&
+         (record->getName() == "span" || record->getName() == "mdspan");
+}
+
 class Attacher {
 public:
   Attacher(SourceMap const &map, Reals const &reals, IntegerState const &integers,
@@ -177,6 +185,7 @@ public:
     redefined.body = pragma.function[0].brace.end;
     redefined.is_template = function->isTemplated();
     redefined.baked = baked_values(function, items_of(pragma, function), pragma.place);
+    redefined.overlaps = possible_overlaps(function, placed_items(pragma, function));
     redefined.result = returned_object(function);
     if (function->getReturnType()->isVoidType())
       refuse_returned(pragma);
@@ -201,6 +210,26 @@ private:
     return items;
   }
 
+  static std::vector<PlacedItem> placed_items(PragmaFact const &pragma, FunctionDecl const *function) {
+    std::vector<PlacedItem> items;
+    auto const find = [function](std::string const &name) { return look_up(name, function); };
+    for (ClauseFact const &clause : pragma.clauses)
+      for (ItemFact const &item : clause.items) {
+        if (item.is_return || !takes_numbers(clause)) continue;
+        PlacedItem placed{item.label, item.base, item.sections.size(), info(clause.clause).has(trait::RESULTS)};
+        placed.base_type = type_of_item(item.base, function->getASTContext(), function, find).type;
+        std::size_t begin = item.base.find_first_not_of("*&( ");
+        if (begin == item.base.npos) continue;
+        if (item.base.compare(begin, 6, "this->") == 0) begin += 6;
+        std::size_t end = begin;
+        while (end < item.base.size() && isAsciiIdentifierContinue(item.base[end])) ++end;
+        placed.root_name = item.base.substr(begin, end - begin);
+        placed.root = look_up(placed.root_name, function);
+        items.push_back(std::move(placed));
+      }
+    return items;
+  }
+
   void note_function(PragmaFact &pragma, FunctionDecl const *function) {
     auto const [file, begin] = map_.sources().getDecomposedExpansionLoc(function->getBeginLoc());
     llvm::StringRef const text = map_.sources().getBufferData(file);
@@ -221,8 +250,9 @@ private:
     fact.signature = {normalised(text.substr(begin, end - begin).str()), {}, !function->getReturnType()->isVoidType()};
     if (std::optional<Signature> const plain = plain_declaration(function, map_.language())) fact.signature = *plain;
     for (ParmVarDecl const *parameter : function->parameters())
-      if (parameter->getIdentifier() && (reals_.carries_real(parameter->getType()) ||
-                                         (parameter->isReferenced() && integers_.holds(parameter->getType()))))
+      if (parameter->getIdentifier() && !is_span(parameter->getType()) &&
+          (reals_.carries_real(parameter->getType()) ||
+           (parameter->isReferenced() && integers_.holds(parameter->getType()))))
         fact.values.push_back({parameter->getName().str(), map_.place(parameter->getLocation())});
     constexpr unsigned in_registers = 6; // at least, of the calling conventions in use
     auto const *method = dyn_cast<CXXMethodDecl>(function);

@@ -10,6 +10,7 @@
 #include "trace/sinks.h"
 #include "verify/replay_protocol.h"
 #include "verify/replay_server.h"
+#include "verify/returned_object.h"
 
 #include <symreal/original.h>
 
@@ -244,6 +245,14 @@ void symreal_original_handed_over(int active, void const volatile *begin, std::s
   if (active) Kernel::current().sink().handed_over(const_cast<void const *>(begin), size);
 }
 
+void symreal_original_whole(int active, void const volatile *object) {
+  OwnWork const own;
+  static char const *const others = std::getenv("SYMREAL_RETURNED");
+  if (active && others)
+    symreal::replay::replay_returned(
+        symreal::replay::hash_of_others(static_cast<char const *>(const_cast<void const *>(object)), others));
+}
+
 void symreal_original_own(void const volatile *begin, std::size_t size) {
   OwnWork const own;
   Kernel::current().sink().own(const_cast<void const *>(begin), size);
@@ -283,6 +292,7 @@ void symreal_original_returned(int active, char const *label, char const *file, 
   if (layout) {
     symreal_original_layout(value, layout, nullptr, 1);
     symreal_original_handed_over(1, value, size);
+    symreal_original_whole(1, value);
   } else
     symreal_original_bytes(value, size, 1);
   symreal_original_object_end();

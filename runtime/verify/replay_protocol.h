@@ -71,6 +71,7 @@ struct Head {
   std::uint32_t most_arguments, most_results; // of a function
   std::uint64_t stack[16]; // of a program that counts its branches: where the kernel begins, see Memory::stack
   LeftBehind left[16];
+  std::uint64_t returned;      // a hash of what is no number in the object that the first call returns
   std::uint32_t watches_world; // the client wants to know the effects
   std::uint32_t effect_count;
   OutsideEffect effects[8];

@@ -40,6 +40,9 @@ void replay_left(std::vector<memory::Change> const &changes);
 bool replay_watches_world();
 void replay_effect(Outside kind, std::string_view what);
 
+// What is no number in the object that the kernel returns, as a hash.
+void replay_returned(std::uint64_t hash);
+
 // Per input, in order: the output that is the same number, or -1.
 void replay_link(int output);
 

@@ -127,6 +127,8 @@ RULES = [
     # Files.
     Rule("baked", "lets a wrapper compare what is baked in", "baked.c", "tool/wrapper_baked.c",
          options=("--wrapper", "--decisions=guard")),
+    Rule("extents", "lets it compare the extents of containers", "extents.cpp", "tool/wrapper_extents", options=("--wrapper",)),
+    Rule("overlaps", "lets it compare whether arguments lie in one place", "overlaps.c", "tool/wrapper_overlaps.c", options=("--wrapper",)),
     Rule("SYM095", "reports a returned object that a wrapper cannot make", "more_than_numbers.cpp", "tool/wrapper_returned",
          refused="SYM095", options=("--wrapper",)),
     Rule("SYM187", "reports a result in the place of a file that is read", "returned.c", "tool/outputs_apart", refused="SYM187",

@@ -331,12 +331,10 @@ std::optional<Diagnostic> verification_failure(Graph const &graph, program::Veri
                       {{{}, first_difference(graph, verification, verification.wrapped, "wrapper's")}}};
   if (auto failure = state_failure(graph, verification.left_by_wrapper, "wrapper")) return failure;
   if (!verification.missed_by_wrapper.empty())
-    return Diagnostic{
-        DiagnosticId::verification_mismatch,
-        {file},
-        fmt::format("the wrapper gives other results than the original where '{}' has another value than in "
-                    "the recorded call",
-                    verification.missed_by_wrapper.front().name)};
+    return Diagnostic{DiagnosticId::verification_mismatch,
+                      {file},
+                      fmt::format("the wrapper gives other results than the original {}",
+                                  verification.missed_by_wrapper.front().name)};
   std::size_t const wanted = wanted_samples(verification, options);
   if (verification.inside < wanted)
     return Diagnostic{DiagnosticId::too_few_samples,

@@ -48,6 +48,8 @@ int symreal_original_compute(double const *input, double const *parameters, doub
 /* The returned value, as an output; of a structure with its layout. */
 void symreal_original_returned(int active, char const *label, char const *file, unsigned line, unsigned column,
                                void *value, __SIZE_TYPE__ size, char const *layout);
+/* The object that is returned, as a whole: what is no number in it is compared with what a wrapper returns. */
+void symreal_original_whole(int active, void const volatile *object);
 /* Numbers that leave in registers, which no annotation reaches later: they are ordinary ones again. */
 void symreal_original_settle(void volatile *begin, __SIZE_TYPE__ size);
 /* What else a pragma says of its kernel, for a recording. */
@@ -312,6 +314,7 @@ public:
   }
   template <class T> T symreal_handed_over(T &&value) {
     T result(static_cast<T &&>(value));
+    symreal_original_whole(active_, &reinterpret_cast<char const volatile &>(result));
     symreal_original_handed_over(active_, &reinterpret_cast<char const volatile &>(result), sizeof result);
     return result;
   }
@@ -334,6 +337,7 @@ public:
       symreal_original_holder(&reinterpret_cast<char const volatile &>(result), sizeof result);
       symreal_original_layout(&reinterpret_cast<char const volatile &>(result), layout, Visits<Containers...>::list(),
                               1);
+      symreal_original_whole(1, &reinterpret_cast<char const volatile &>(result));
       symreal_original_object_end();
       symreal_original_settle(&reinterpret_cast<char volatile &>(result), sizeof result);
     }

@@ -13,10 +13,12 @@ static constexpr std::string_view rules[] = {
     "beyond_guards",    // a static integer that another path may read is state
     "check_bits",       // a number of which a part was overwritten is told from others
     "constant_changed", // a constant that is read must still be what it was when the kernel ends
+    "extents",          // and the extents of containers
     "generic",          // the controlling expression of _Generic has the type that it has in C
     "handed_over",      // the object that a function returns may change
     "list_text",        // text that is made of a list of arguments comes from its numbers
     "memory",           // what code that was not rewritten leaves in memory
+    "overlaps",         // and how its arguments lie
     "torn",             // numbers of which a part was overwritten
 // and the functions whose results come from outside of the program
 #define OUTSIDE(result, symbol, ...) #symbol,

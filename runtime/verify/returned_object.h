@@ -1,0 +1,12 @@
+// What is no number in an object that a kernel returns: a wrapper makes the numbers alone.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+namespace symreal::replay {
+
+// A hash of it. `others` says where it lies (rewrite/facts/signature.h).
+std::uint64_t hash_of_others(char const *object, std::string_view others);
+
+} // namespace symreal::replay
