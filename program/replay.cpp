@@ -49,6 +49,8 @@ struct Replay::Server {
         shape.most_results = std::max(shape.most_results, static_cast<std::uint32_t>(external.result_count()));
       }
     }
+    shape.keeps_formats = std::ranges::any_of(
+        graph.frozen, [](Frozen const &one) { return one.name.starts_with("std::c") && one.name.ends_with("()"); });
     shape.input_count = static_cast<std::uint32_t>(graph.input_count());
     shape.parameter_count = static_cast<std::uint32_t>(graph.parameter_count());
     shape.output_count = static_cast<std::uint32_t>(graph.output_count());

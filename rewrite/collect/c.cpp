@@ -4,6 +4,8 @@
 #include "rewrite/source/keyword_names.h"
 #include "rewrite/text/pragma_text.h"
 
+#include <clang/Basic/Builtins.h>
+
 namespace symreal::rewrite {
 using namespace clang;
 
@@ -111,6 +113,36 @@ void Collector::c_arguments(CallExpr const *call) {
     } else if (is_integral && (cast->getCastKind() == CK_IntegralCast || cast->getCastKind() == CK_FloatingToIntegral))
       wrap(cast->getSubExpr(), Use::cast, spelled(cast->getType()));
   }
+}
+
+// A function of <tgmath.h> is that of its argument's type; the C library's of this name, which C++ finds, takes a
+// double.
+void Collector::c_generic_call(CallExpr const *call) {
+  FunctionDecl const *function = call->getDirectCallee();
+  if (!function || !function->hasAttr<OverloadableAttr>() || reals_.in_roots(function)) return;
+  auto const has = [&](auto const &wanted) {
+    return llvm::any_of(function->parameters(), [&](ParmVarDecl const *one) { return wanted(one->getType()); });
+  };
+  bool const is_other = has([](QualType type) { return type->isRealFloatingType() && !Reals::is_double(type); });
+  bool const takes_real =
+      llvm::any_of(call->arguments(), [&](Expr const *one) { return reals_.is_real(one->IgnoreParenImpCasts()); });
+  if (!is_other || takes_real || has([](QualType type) { return type->isAnyComplexType(); })) return;
+  SourceLocation const at = call->getCallee()->IgnoreParenImpCasts()->getBeginLoc();
+  std::optional<Span> const token = map_.in_roots(at) ? map_.token(at, function->getName()) : std::nullopt;
+  if (token && !map_.is_argument_of(at, "REAL_EITHER"))
+    facts_.wraps.insert({*token, Use::instead, "::std::" + function->getNameAsString()});
+}
+
+// The kind of a type, which is that of a class while the program is recorded, and a bool's in C++.
+void Collector::kind_asked(CallExpr const *call) {
+  if (call->getBuiltinCallee() != Builtin::BI__builtin_classify_type || call->getNumArgs() != 1) return;
+  Expr::EvalResult kind;
+  bool const is_other = reals_.mentions_real(call->getArg(0)->getType()) || !map_.language().CPlusPlus;
+  if (!is_other || !map_.in_roots(call->getBeginLoc()) || call->isValueDependent() ||
+      !call->EvaluateAsInt(kind, context_))
+    return;
+  if (std::optional<Span> const span = map_.range_for(call->getRParenLoc(), call->getSourceRange()))
+    facts_.wraps.insert({*span, Use::instead, std::to_string(kind.Val.getInt().getExtValue())});
 }
 
 // A literal's characters are const in C++, and so are those that `x ? name : "none"` leads to.

@@ -90,6 +90,8 @@ public:
   void c_prototype(clang::FunctionDecl const *function);
   void c_call(clang::CallExpr const *call);
   void c_arguments(clang::CallExpr const *call);
+  void c_generic_call(clang::CallExpr const *call);
+  void kind_asked(clang::CallExpr const *call);
 
   // What C means by an expression that C++ gives another type (c_types.cpp).
   void c_operation(clang::BinaryOperator const *operation);
@@ -122,6 +124,7 @@ public:
   void error_assigned(clang::BinaryOperator const *assignment);
   // What functions of libraries give (outside.cpp).
   void call_outside(clang::CallExpr const *call);
+  void stream_asked(clang::CXXMemberCallExpr const *call);
 
   // Text that is made of REALs, and text that is read (text.cpp).
   void discarded(clang::Stmt const *statement, clang::FunctionDecl const *function);

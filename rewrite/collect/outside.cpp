@@ -52,4 +52,18 @@ void Collector::call_outside(CallExpr const *call) {
   environment(call, "outside", function->getQualifiedNameAsString() + "()");
 }
 
+// The format and the state of a stream that the whole program has.
+void Collector::stream_asked(CXXMemberCallExpr const *call) {
+  CXXMethodDecl const *method = call->getMethodDecl();
+  if (!method || !method->getDeclName().isIdentifier() || !method->getParent()->isInStdNamespace() ||
+      call->getNumArgs() != 0)
+    return;
+  constexpr llvm::StringLiteral asked[] = {"precision", "width", "flags",   "fill",       "good",  "fail",
+                                           "bad",       "eof",   "rdstate", "exceptions", "gcount"};
+  auto const *object = dyn_cast<DeclRefExpr>(call->getImplicitObjectArgument()->IgnoreParenImpCasts());
+  auto const *variable = object ? dyn_cast<VarDecl>(object->getDecl()) : nullptr;
+  if (!llvm::is_contained(asked, method->getName()) || !variable || !variable->hasGlobalStorage()) return;
+  environment(call, "outside", variable->getQualifiedNameAsString() + "." + method->getName().str() + "()");
+}
+
 } // namespace symreal::rewrite

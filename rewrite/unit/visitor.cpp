@@ -98,6 +98,8 @@ public:
     collect_.call(call);
     collect_.c_call(call);
     collect_.c_arguments(call);
+    collect_.c_generic_call(call);
+    collect_.kind_asked(call);
     collect_.c_search(call);
     collect_.dependent_variadic_call(call);
     if (no_state_) return true;
@@ -212,6 +214,7 @@ public:
     if (!passive_) {
       collect_.removed_member(call);
       collect_.type_asked(call);
+      if (!no_state_) collect_.stream_asked(call);
     }
     return true;
   }

@@ -5,6 +5,7 @@
 #include "trace/kernel/again.h"
 #include "trace/kernel/object_layout.h"
 #include "trace/nodes/pool.h"
+#include "trace/outside/stream_formats.h"
 #include "trace/outside/world.h"
 #include "trace/report/call_stack.h"
 #include "trace/sinks.h"
@@ -89,6 +90,7 @@ public:
     if (!is_function || !replay::replay_again()) replay::replay_end();
     is_again_ = true;
     spoil_outputs();
+    if (replay::replay_changes_formats()) change_formats();
     Kernel::current().begin_again();
     run_again();
     replay::replay_end(); // this machine cannot

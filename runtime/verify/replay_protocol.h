@@ -74,6 +74,7 @@ struct Head {
   std::uint64_t returned;      // a hash of what is no number in the object that the first call returns
   std::uint32_t watches_world; // the client wants to know the effects
   std::uint32_t effect_count;
+  std::uint32_t keeps_formats; // of the standard streams, which the kernel is known to read
   OutsideEffect effects[8];
 };
 static_assert(sizeof(Head) % sizeof(double) == 0);

@@ -151,6 +151,8 @@ void replay_left(std::vector<memory::Change> const &changes) {
 
 bool replay_watches_world() { return shared && shared->watches_world != 0 && shared->calls_done == 0; }
 
+bool replay_changes_formats() { return shared && shared->keeps_formats == 0; }
+
 void replay_effect(Outside kind, std::string_view what) {
   if (!shared || shared->effect_count == std::size(shared->effects)) return;
   OutsideEffect &effect = shared->effects[shared->effect_count++];

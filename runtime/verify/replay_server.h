@@ -38,6 +38,8 @@ void replay_left(std::vector<memory::Change> const &changes);
 
 // Whether the client wants to know what this call does outside of the program, and one such effect.
 bool replay_watches_world();
+// Whether the formats of the standard streams may be others in later calls.
+bool replay_changes_formats();
 void replay_effect(Outside kind, std::string_view what);
 
 // What is no number in the object that the kernel returns, as a hash.

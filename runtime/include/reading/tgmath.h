@@ -101,6 +101,18 @@ SYMREAL_BINARY(nextafter)
 SYMREAL_BINARY(pow)
 SYMREAL_BINARY(remainder)
 SYMREAL_OVERLOAD double _Complex pow(double _Complex, double _Complex);
+SYMREAL_OVERLOAD float fma(float, float, float);
+SYMREAL_OVERLOAD double fma(float, float, double);
+SYMREAL_OVERLOAD double fma(float, double, float);
+SYMREAL_OVERLOAD double fma(float, double, double);
+SYMREAL_OVERLOAD double fma(double, float, float);
+SYMREAL_OVERLOAD double fma(double, float, double);
+SYMREAL_OVERLOAD double fma(double, double, float);
+SYMREAL_OVERLOAD long double fma(long double, long double, long double);
+SYMREAL_OVERLOAD float remquo(float, float, int *);
+SYMREAL_OVERLOAD double remquo(float, double, int *);
+SYMREAL_OVERLOAD double remquo(double, float, int *);
+SYMREAL_OVERLOAD long double remquo(long double, long double, int *);
 SYMREAL_GENERIC(SYMREAL_SAME, frexp, , int *)
 SYMREAL_GENERIC(SYMREAL_SAME, ldexp, , int)
 SYMREAL_GENERIC(SYMREAL_SAME, nexttoward, , long double)

@@ -1,6 +1,7 @@
 #include "trace/outside/world.h"
 
 #include "memory/heap_blocks.h"
+#include "trace/outside/stream_formats.h"
 
 #include <algorithm>
 #include <array>
@@ -60,6 +61,7 @@ void compare_environment(std::vector<Effect> &effects) {
     if (differs(one, now)) add(one.first);
 }
 
+StreamFormats formats_before;
 bool is_open = false; // between the two moments
 std::vector<std::pair<Effect::Kind, char const *>> &library_effects() {
   static auto *effects = memory::make_own<std::vector<std::pair<Effect::Kind, char const *>>>();
@@ -440,6 +442,7 @@ void watch_world() {
   memory::OwnWork const own;
   std::fflush(nullptr);
   environment_before() = environment();
+  formats_before = read_formats();
   library_effects().clear();
   is_open = true;
   begin_calls();
@@ -459,6 +462,8 @@ std::vector<Effect> effects_on_world(bool discard) {
     if (Effect effect{kind, what}; std::ranges::find(effects, effect) == effects.end())
       effects.push_back(std::move(effect));
   compare_environment(effects);
+  for (std::string const &stream : changed_formats(formats_before))
+    effects.push_back({Effect::Kind::changes, "changes the format of '" + stream + "'"});
   return effects;
 }
 
