@@ -78,7 +78,8 @@ void join(Verification &verification, Verification const &other) {
   for (auto const member :
        {&Verification::inside, &Verification::not_finite, &Verification::zero_sign, &Verification::undefined,
         &Verification::outside_different, &Verification::graph_different, &Verification::decided_otherwise,
-        &Verification::tried, &Verification::around, &Verification::refused, &Verification::guards_different})
+        &Verification::tried, &Verification::around, &Verification::refused, &Verification::guards_different,
+        &Verification::next_call_different})
     verification.*member += other.*member;
   join_mathematics(verification.mathematics, other.mathematics);
   for (std::size_t slot = 0; slot < verification.lost.size(); ++slot) verification.lost[slot] += other.lost[slot];

@@ -3,6 +3,7 @@
 #include "graph/graph_binary.h"
 
 #include <algorithm>
+#include <atomic>
 #include <bit>
 #include <cerrno>
 #include <cmath>
@@ -89,7 +90,8 @@ Replay::Replay(std::string what, std::string const &executable, RunOptions const
       server_(std::make_unique<Server>()) {
   std::signal(SIGPIPE, SIG_IGN); // the program may end at any moment
   if (!graph.inputs.empty()) place_ = graph.inputs.front().place;
-  std::string file = workspace.file(std::filesystem::path(executable).parent_path().filename().string() + "-samples");
+  static std::atomic<unsigned> started = 0;
+  std::string file = workspace.file("samples-" + std::to_string(++started));
   server_->share(file, graph, options.time_limit, code, profile.empty() ? 1 + most_later : 1);
   Command command{.arguments = {executable},
                   .directory = options.directory,

@@ -7,6 +7,7 @@
 #include "graph/implicit.h"
 #include "program/guard_verification.h"
 #include "program/later_calls.h"
+#include "program/next_call.h"
 #include "program/replay.h"
 #include "program/single_runs.h"
 #include "program/wrapped_original.h"
@@ -112,6 +113,9 @@ public:
                        [&](std::unique_ptr<Replay> &program, GeneratedCode const &code) {
                          start(program, "the original", by_hand ? front.replay_program : front.original_program, &code);
                        });
+    asks_next_call_ = !by_hand && !code_.needs_program() && !banner.is_single && banner.has_values &&
+                      banner.derivatives.empty() && banner.mode != FloatingPoint::fast && !options.branches &&
+                      is_next_call_comparable(recorded);
     if (options.wrapper) {
       wrapped_program_ = build_wrapped(front, recorded);
       start(wrapped_, "the original with its wrapper", wrapped_program_, &code_);
@@ -164,6 +168,9 @@ public:
     if (errors_) result_.errors = errors_->result();
     if (derivatives_) result_.derivatives = derivatives_->result();
     if (covered_) finish_branches();
+    if (!tried_next_.empty())
+      result_.next_call_different = different_in_next_call(front_, run_, recorded_, code_, *original_,
+                                                           front_.original_program, tried_next_, options_.tolerance);
     if (wrapped_) {
       wrapped_.reset();
       for (LeftState &one : values_missed_by_wrapper(front_, run_, recorded_, graph_, code_, wrapped_program_,
@@ -353,6 +360,7 @@ private:
         is_named_ |= result_.outputs[slot].add_single(k, original[slot], generated[slot], options_.tolerance);
     }
     compare_later(k, later);
+    if (asks_next_call_ && tried_next_.size() < most_varied) tried_next_.push_back(sample);
     if (!later.empty() && tried_beyond_ < most_beyond) compare_beyond(k, sample, generated);
     result_.graph_different += !all_same(original, recorded);
     if (rewritten_) {
@@ -531,7 +539,8 @@ private:
   std::unique_ptr<Replay> original_, rewritten_, own_flags_, wrapped_, covered_;
   std::string wrapped_program_;
   std::uint64_t returned_ = 0; // by the original on the last sample, besides numbers
-  std::vector<Sample> tried_wrapped_;
+  std::vector<Sample> tried_wrapped_, tried_next_;
+  bool asks_next_call_ = false;
   static constexpr std::size_t most_varied = 4;
   CoveredRun covered_run_;
   static constexpr std::size_t most_beyond = 100; // samples that are followed by one beyond the guards

@@ -94,6 +94,7 @@ struct Verification {
   std::vector<LeftState> left, left_by_wrapper;
   // Effects of the original outside of the program, in words, on a few samples: those that last, and others.
   std::vector<LeftState> changes_outside, outside;
+  std::size_t next_call_different = 0;      // samples on which the program's own next call gives something else
   std::vector<LeftState> missed_by_wrapper; // where it gives other results than the original, behind "the original"
 
   std::vector<GuardCheck> guards;              // of the generated code, in order

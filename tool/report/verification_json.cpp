@@ -312,6 +312,7 @@ VerificationRecord record_of(Json const &json) {
   verification.left = left_of(json.at("left_behind"));
   verification.left_by_wrapper = left_of(json.at("left_by_wrapper"));
   verification.changes_outside = left_of(json.value("changes_outside", Json::array()));
+  verification.next_call_different = json.value("next_call_different", std::size_t{0});
   verification.outside = left_of(json.value("outside", Json::array()));
   if (json.contains("missed_by_wrapper")) verification.missed_by_wrapper = left_of(json["missed_by_wrapper"]);
   for (Json const &one : json.at("named"))
@@ -375,6 +376,7 @@ Json to_json(VerificationRecord const &record) {
   json["left_behind"] = left_json(verification.left);
   json["left_by_wrapper"] = left_json(verification.left_by_wrapper);
   if (!verification.changes_outside.empty()) json["changes_outside"] = left_json(verification.changes_outside);
+  if (verification.next_call_different != 0) json["next_call_different"] = verification.next_call_different;
   if (!verification.outside.empty()) json["outside"] = left_json(verification.outside);
   if (!verification.missed_by_wrapper.empty()) json["missed_by_wrapper"] = left_json(verification.missed_by_wrapper);
   add_guards(json, verification);

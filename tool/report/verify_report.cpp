@@ -311,6 +311,12 @@ std::optional<Diagnostic> verification_failure(Graph const &graph, program::Veri
                     "keeps something that the generated code does not",
                     count, verification.outputs.size()),
         {{{}, first_difference(graph, verification, verification.called_beyond, "without these calls")}}};
+  if (verification.next_call_different != 0)
+    return Diagnostic{DiagnosticId::verification_mismatch,
+                      {file},
+                      fmt::format("in the program's next call the original gives other outputs on {} samples: it reads "
+                                  "something that the recording has baked in, and that the program changes",
+                                  verification.next_call_different)};
   if (auto failure = thread_failure(verification, file)) return failure;
   if (verification.guards_different != 0 && verification.mode != FloatingPoint::fast)
     return Diagnostic{DiagnosticId::verification_mismatch,
