@@ -19,6 +19,31 @@ std::vector<std::string> words_of(std::string const &text) {
   return words;
 }
 
+// The name of each parameter, or what stands last where it has none or its type goes around it.
+std::vector<std::string> parameters_of(rewrite::Kernel const &kernel) {
+  std::string const &text = kernel.signature.declaration;
+  std::size_t begin = text.find(kernel.name + "(");
+  std::vector<std::string> names;
+  if (begin == text.npos) return {""};
+  begin += kernel.name.size() + 1;
+  std::size_t depth = 0, first = begin;
+  for (std::size_t at = begin; at < text.size(); ++at) {
+    char const one = text[at];
+    bool const ends = depth == 0 && (one == ',' || one == ')');
+    if (ends) {
+      std::size_t const last = std::min(text.find_first_of("[=", first), at);
+      std::vector<std::string> const words = words_of(text.substr(first, last - first));
+      bool const is_none = words.empty() || (words.size() == 1 && words[0] == "void");
+      if (!is_none) names.push_back(words.back());
+      first = at + 1;
+    }
+    if (ends && one == ')') return names;
+    if (one == '(' || one == '<' || one == '[') ++depth;
+    if (depth != 0 && (one == ')' || one == '>' || one == ']')) --depth;
+  }
+  return {""};
+}
+
 constexpr unsigned seconds = 2; // for a sample
 
 } // namespace
@@ -42,8 +67,7 @@ bool is_next_call_comparable(Recorded const &recorded) {
   };
   bool const may_meet = std::ranges::any_of(
       function.overlaps, [&](rewrite::Overlap const &one) { return is_output(one.first) && is_output(one.second); });
-  std::vector<std::string> const arguments = words_of(function.arguments);
-  return !may_meet && std::ranges::all_of(arguments, [&](std::string const &one) {
+  return !may_meet && std::ranges::all_of(parameters_of(kernel), [&](std::string const &one) {
     return std::ranges::find(named, one) != named.end();
   });
 }
