@@ -3,6 +3,7 @@
 #include "rewrite/collect/collector.h"
 #include "rewrite/model/byte_functions.h"
 #include "rewrite/model/library.h"
+#include "rewrite/model/text_functions.h"
 #include "rewrite/text/pragma_text.h"
 
 #include <clang/AST/ParentMapContext.h>
@@ -243,8 +244,15 @@ static Expr const *pointed_into(Expr const *pointer) {
   }
 }
 
-void Collector::moved_bytes(CallExpr const *call, FunctionDecl const *function) {
-  if (!function->getDeclName().isIdentifier()) return;
+// An array, called by its own name, that holds state and may outlive the kernel.
+bool Collector::is_lasting_array(Expr const *expression) const {
+  expression = spelled_expression(expression);
+  return expression->getType()->isArrayType() && holds_state(expression->getType()) && may_outlive(expression);
+}
+
+// Gives whether the run is told all that the function reads and writes.
+bool Collector::moved_bytes(CallExpr const *call, FunctionDecl const *function) {
+  if (!function->getDeclName().isIdentifier()) return false;
   llvm::StringRef name = function->getName();
   name.consume_front("__builtin_");
   std::string how = name == "memset"                        ? "set"
@@ -254,11 +262,11 @@ void Collector::moved_bytes(CallExpr const *call, FunctionDecl const *function) 
                     : name == "fwrite"                      ? "write"
                                                             : "";
   bool const is_file = how == "read" || how == "write";
-  if (how.empty() || call->getNumArgs() != (is_file ? 4 : 3)) return;
+  if (how.empty() || call->getNumArgs() != (is_file ? 4 : 3)) return false;
   bool any = false;
   for (Expr const *argument : {call->getArg(0), call->getArg(is_file ? 0 : 1)}) {
     QualType const pointee = Reals::pointee(argument);
-    any = any || (!pointee.isNull() && reals_.carries_real(pointee));
+    any = any || is_lasting_array(argument) || (!pointee.isNull() && holds_state(pointee) && !is_character(pointee));
   }
   auto const *taken = dyn_cast<UnaryOperator>(pointed_into(call->getArg(0)));
   bool const is_number = taken && taken->getOpcode() == UO_AddrOf && Reals::is_double(taken->getSubExpr()->getType());
@@ -272,7 +280,7 @@ void Collector::moved_bytes(CallExpr const *call, FunctionDecl const *function) 
       any = any || (!pointee.isNull() && reals_.carries_real(pointee));
   Expr const *callee = call->getCallee()->IgnoreParenImpCasts();
   std::optional<Span> const span = map_.range(callee->getSourceRange());
-  if (!any || !span || !map_.in_roots(callee->getBeginLoc())) return;
+  if (!any || !span || !map_.in_roots(callee->getBeginLoc())) return false;
   // To a structure without numbers.
   QualType const target = Reals::pointee(call->getArg(0));
   if (how == "move" && !target.isNull() && target->isRecordType() && !reals_.carries_real(target)) how = "into";
@@ -287,6 +295,7 @@ void Collector::moved_bytes(CallExpr const *call, FunctionDecl const *function) 
   std::string detail = how + ", " + in_quotes(what);
   detail.append(", ").append(in_quotes(to_string(map_.place(call->getBeginLoc()))));
   facts_.wraps.insert({*span, Use::bytes, detail});
+  return !llvm::StringRef(how).ends_with("_bytes");
 }
 
 } // namespace symreal::rewrite

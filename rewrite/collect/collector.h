@@ -209,7 +209,8 @@ private:
   bool use_of_view(clang::Expr const *value, clang::DeclRefExpr const *name);
   void uses_of_views();
   void looked_into(clang::Expr const *address);
-  void moved_bytes(clang::CallExpr const *call, clang::FunctionDecl const *function);
+  bool moved_bytes(clang::CallExpr const *call, clang::FunctionDecl const *function);
+  bool is_lasting_array(clang::Expr const *expression) const;
   void given_bytes(clang::FunctionDecl const *function, unsigned index, clang::Expr const *argument);
   // `named`: the expression that gives the name and the place, if it is another one. `words`: further arguments of the
   // macro, before them.
@@ -222,6 +223,8 @@ private:
   void object(clang::Expr const *expression, Use use);
   void library_arguments(clang::FunctionDecl const *function, Arguments arguments);
   void library_object(clang::CallExpr const *call, clang::FunctionDecl const *function, clang::Expr const *object);
+  bool begins_range(Arguments arguments, std::size_t first) const;
+  void range(Arguments arguments, std::size_t first, Use begin, Use end);
   void operator_call(clang::CXXOperatorCallExpr const *call, clang::FunctionDecl const *function);
 
   // How many bits gcc's C computes an integer in; null for what is none.
@@ -264,6 +267,7 @@ private:
   std::vector<Waiting> waiting_;
   // What handlers tell each other.
   llvm::SmallPtrSet<clang::Expr const *, 32> judged_;        // names whose use is noted already
+  llvm::SmallPtrSet<clang::Expr const *, 8> iterators_;      // calls that give one, through which nothing is read
   llvm::SmallPtrSet<clang::Expr const *, 4> counting_casts_; // to bytes, which nobody looks at
   llvm::SmallPtrSet<clang::VarDecl const *, 4> views_;       // local pointers to integers, where numbers lie
   std::vector<std::pair<clang::Expr const *, clang::DeclRefExpr const *>> through_pointers_; // may look through those

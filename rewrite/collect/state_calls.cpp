@@ -2,6 +2,9 @@
 // there is noted where they are given.
 #include "rewrite/collect/collector.h"
 #include "rewrite/model/library.h"
+#include "rewrite/model/text_functions.h"
+
+#include <llvm/ADT/StringSwitch.h>
 
 namespace symreal::rewrite {
 using namespace clang;
@@ -38,10 +41,33 @@ bool only_writes(FunctionDecl const *function) {
   return function->isInStdNamespace() && library::has(name_of(function), library::ONLY_WRITES);
 }
 
-// v.begin() or a pointer's own container, as the argument of such a function.
-Expr const *iterated(Expr const *argument) {
-  auto const *call = dyn_cast<CXXMemberCallExpr>(spelled_expression(argument));
-  return call ? call->getImplicitObjectArgument() : nullptr;
+// The same with what a function of the caller gives, which may read the range.
+bool asks_caller(FunctionDecl const *function) { return llvm::StringRef(name_of(function)).starts_with("generate"); }
+
+// Which argument of a function of <algorithm> or <numeric> says where it writes, and reads nothing; else -1u.
+unsigned output_of(FunctionDecl const *function, std::size_t arguments) {
+  if (!function->isInStdNamespace() || arguments < 3) return -1u;
+  return llvm::StringSwitch<unsigned>(name_of(function))
+      .Cases("copy", "copy_if", "copy_n", "move", "reverse_copy", "partial_sum", "adjacent_difference", 2)
+      .Case("transform", static_cast<unsigned>(arguments) - 2)
+      .Default(-1u);
+}
+
+// v.begin(), v.end() - 1 or their like, as an argument of such a function.
+CXXMemberCallExpr const *iterator(Expr const *argument) {
+  for (;;) {
+    argument = argument->IgnoreUnlessSpelledInSource();
+    auto const *step = dyn_cast<CXXOperatorCallExpr>(argument);
+    if (!step || (step->getOperator() != OO_Plus && step->getOperator() != OO_Minus)) break;
+    argument = step->getArg(0);
+  }
+  return dyn_cast<CXXMemberCallExpr>(argument);
+}
+
+bool is_same_variable(Expr const *one, Expr const *other) {
+  auto const *first = dyn_cast<DeclRefExpr>(spelled_expression(one));
+  auto const *second = dyn_cast<DeclRefExpr>(spelled_expression(other));
+  return first && second && first->getDecl() == second->getDecl();
 }
 
 } // namespace
@@ -56,25 +82,38 @@ void Collector::object(Expr const *expression, Use use) {
   if (holds_state(type) && may_outlive(expression)) note(expression, use);
 }
 
+// Whether a range begins there, and ends at the next argument; not where the pointers themselves are taken, to swap
+// them.
+bool Collector::begins_range(Arguments arguments, std::size_t first) const {
+  if (arguments[first]->isGLValue() || first + 1 == arguments.size() || arguments[first + 1]->isTypeDependent())
+    return false;
+  return context_.hasSameUnqualifiedType(arguments[first]->getType(), arguments[first + 1]->getType());
+}
+
+void Collector::range(Arguments arguments, std::size_t first, Use begin, Use end) {
+  note(arguments[first]->IgnoreImpCasts(), begin);
+  note(arguments[first + 1]->IgnoreImpCasts(), end, arguments[first]->IgnoreImpCasts());
+}
+
 void Collector::library_arguments(FunctionDecl const *function, Arguments arguments) {
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     Expr const *argument = arguments[i];
     if (argument->isTypeDependent()) continue;
-    if (only_writes(function))
-      if (Expr const *container = iterated(argument)) {
-        object(container, Use::written);
-        continue;
-      }
     QualType const type = argument->getType();
-    if (type->isPointerType() && reals_.carries_real(type->getPointeeType())) {
-      // first, last; but not where the pointers themselves are taken, to swap them
-      if (argument->isGLValue() || i + 1 == arguments.size() || arguments[i + 1]->isTypeDependent()) continue;
-      if (context_.hasSameUnqualifiedType(type, arguments[i + 1]->getType()) && !only_writes(function)) {
-        note(argument->IgnoreImpCasts(), Use::range_begin);
-        note(arguments[++i]->IgnoreImpCasts(), Use::range_end, argument->IgnoreImpCasts());
-      }
+    if (auto const *call = iterator(argument); call && i == output_of(function, arguments.size())) {
+      iterators_.insert(call);
+    } else if (call && only_writes(function)) {
+      if (!asks_caller(function)) object(call->getImplicitObjectArgument(), Use::written);
+      iterators_.insert(call);
+    } else if (only_writes(function) && type->isPointerType() && holds_state(type->getPointeeType())) {
+      if (asks_caller(function) || !begins_range(arguments, i)) continue;
+      range(arguments, i++, Use::fill_begin, Use::fill_end);
+    } else if (type->isPointerType() && holds_state(type->getPointeeType()) && !is_character(type->getPointeeType())) {
+      if (begins_range(arguments, i)) range(arguments, i++, Use::range_begin, Use::range_end);
     } else if (argument->isGLValue() && Reals::is_double(type)) {
       if (reals_.is_real(argument) && may_outlive(argument)) note(argument, Use::read);
+    } else if (argument->isGLValue() && IntegerState::is_integer(type)) {
+      if (!isa<MaterializeTemporaryExpr>(argument->IgnoreParens())) integer(argument->IgnoreParenImpCasts(), Use::read);
     } else
       object(argument, Use::read);
   }
@@ -126,16 +165,23 @@ void Collector::operator_call(CXXOperatorCallExpr const *call, FunctionDecl cons
 void Collector::state_of_call(CallExpr const *call) {
   FunctionDecl const *function = call->getDirectCallee();
   if (!function || call->isTypeDependent()) return;
+  if (iterators_.contains(call)) return;
   // A rewritten function is looked at where it stands.
   bool const rewritten = reals_.in_roots(Reals::pattern(function)) && function->getBuiltinID() == 0;
   if (rewritten && !function->isDefaulted()) return;
-  moved_bytes(call, function);
+  if (moved_bytes(call, function)) return;
   if (auto const *operation = dyn_cast<CXXOperatorCallExpr>(call)) {
     operator_call(operation, function);
     return;
   }
-  if (auto const *member = dyn_cast<CXXMemberCallExpr>(call))
+  if (auto const *member = dyn_cast<CXXMemberCallExpr>(call)) {
     library_object(call, function, member->getImplicitObjectArgument());
+    if (effect(member->getMethodDecl()) == Effect::changes) // v.erase(v.begin())
+      for (Expr const *argument : call->arguments())
+        if (auto const *at = iterator(argument);
+            at && is_same_variable(at->getImplicitObjectArgument(), member->getImplicitObjectArgument()))
+          iterators_.insert(at);
+  }
   library_arguments(function, {call->getArgs(), call->getNumArgs()});
 }
 

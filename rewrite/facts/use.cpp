@@ -20,6 +20,7 @@ constexpr bool stands_before(Use outer, Use inner) { return outer < inner; }
 static_assert(stands_before(Use::as_width, Use::width));
 static_assert(stands_before(Use::compound, Use::compound_list));
 static_assert(stands_before(Use::range_begin, Use::range_end));
+static_assert(stands_before(Use::fill_begin, Use::fill_end));
 static_assert(stands_before(Use::cast, Use::conversion));
 static_assert(std::is_partitioned(table.begin(), table.end(),
                                   [](UseInfo const &row) { return (row.traits & OUTERMOST) == 0; }));

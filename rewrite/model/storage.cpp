@@ -29,13 +29,12 @@ Expr const *object_of(CallExpr const *call) {
   return nullptr;
 }
 
-// Does the function return one of its arguments?
+} // namespace
+
 bool selects_argument(FunctionDecl const *function) {
   return function->isInStdNamespace() && function->getDeclName().isIdentifier() &&
          library::has(function->getName(), library::GIVES_ARGUMENT);
 }
-
-} // namespace
 
 Expr const *spelled_expression(Expr const *expression) {
   while (true) {
@@ -71,6 +70,41 @@ Expr const *Storage::base(Expr const *expression) {
   }
 }
 
+// A reference of static storage duration, or a constant pointer, to a const object of that duration; a temporary too.
+bool Storage::leads_to_constant(VarDecl const *variable) const {
+  if (!followed_.insert(variable).second) return false; // it leads to itself
+  bool const leads = target_is_constant(variable);
+  followed_.erase(variable);
+  return leads;
+}
+
+bool Storage::target_is_constant(VarDecl const *variable) const {
+  VarDecl const *definition = nullptr;
+  Expr const *target = variable->getAnyInitializer(definition);
+  if (!target || target->isInstantiationDependent()) return false;
+  QualType const type = variable->getType();
+  target = target->IgnoreParens();
+  if (auto const *full = dyn_cast<FullExpr>(target)) target = full->getSubExpr()->IgnoreParens();
+  if (type->isReferenceType()) {
+    auto const *temporary = dyn_cast<MaterializeTemporaryExpr>(target);
+    if (temporary && temporary->getStorageDuration() != SD_FullExpression)
+      return type.getNonReferenceType().isConstQualified();
+    return home(target) == Home::constant;
+  }
+  if (!type->isPointerType() || !type.isConstQualified()) return false;
+  target = spelled_expression(target);
+  if (target->getType()->isArrayType()) return home(target) == Home::constant;
+  auto const *address = dyn_cast<UnaryOperator>(target);
+  return address && address->getOpcode() == UO_AddrOf && home(address->getSubExpr()) == Home::constant;
+}
+
+// What the pointer leads to.
+Home Storage::home_behind(Expr const *pointer) const {
+  auto const *reference = dyn_cast<DeclRefExpr>(spelled_expression(pointer));
+  auto const *variable = reference ? dyn_cast<VarDecl>(reference->getDecl()) : nullptr;
+  return variable && leads_to_constant(variable) ? Home::constant : Home::elsewhere;
+}
+
 Home Storage::home_of(ValueDecl const *declaration, bool is_captured) const {
   if (auto const *binding = dyn_cast<BindingDecl>(declaration)) {
     auto const *whole = dyn_cast_or_null<VarDecl>(binding->getDecomposedDecl());
@@ -81,7 +115,7 @@ Home Storage::home_of(ValueDecl const *declaration, bool is_captured) const {
   if (variable->isConstexpr()) return Home::constant;
   if (variable->hasGlobalStorage()) {
     if (reals_.is_passive(variable)) return Home::constant;
-    if (variable->getType()->isReferenceType()) return Home::elsewhere;
+    if (variable->getType()->isReferenceType()) return leads_to_constant(variable) ? Home::constant : Home::elsewhere;
     bool const is_const = variable->getASTContext().getBaseElementType(variable->getType()).isConstQualified();
     return is_const ? Home::constant : Home::elsewhere;
   }
@@ -112,8 +146,10 @@ Home Storage::home(Expr const *expression) const {
   }
   if (auto const *index = dyn_cast<ArraySubscriptExpr>(expression)) {
     Expr const *array = index->getBase()->IgnoreParenImpCasts();
-    return array->getType()->isArrayType() ? home(array) : Home::elsewhere;
+    return array->getType()->isArrayType() ? home(array) : home_behind(array);
   }
+  if (auto const *pointed = dyn_cast<UnaryOperator>(expression); pointed && pointed->getOpcode() == UO_Deref)
+    return home_behind(pointed->getSubExpr());
   if (auto const *call = dyn_cast<CallExpr>(expression)) return home_of_call(call);
   if (auto const *cast = dyn_cast<ExplicitCastExpr>(expression); cast && cast->isGLValue())
     return home(cast->getSubExpr());

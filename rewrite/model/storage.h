@@ -27,11 +27,18 @@ public:
 
 private:
   Home home_of(clang::ValueDecl const *declaration, bool is_captured) const;
+  bool leads_to_constant(clang::VarDecl const *variable) const;
+  bool target_is_constant(clang::VarDecl const *variable) const;
+  Home home_behind(clang::Expr const *pointer) const;
   Home home_of_call(clang::CallExpr const *call) const;
   bool owns_elements(clang::QualType type) const;
 
   Reals const &reals_;
+  mutable llvm::SmallPtrSet<clang::VarDecl const *, 2> followed_;
 };
+
+// Does the function return one of its arguments?
+bool selects_argument(clang::FunctionDecl const *function);
 
 // Without what has no spelling of its own, and without parentheses.
 clang::Expr const *spelled_expression(clang::Expr const *expression);

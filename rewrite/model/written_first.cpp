@@ -1,5 +1,6 @@
 #include "rewrite/model/written_first.h"
 
+#include "rewrite/model/storage.h"
 #include "rewrite/source/walk.h"
 
 #include <clang/Analysis/CFG.h>
@@ -53,10 +54,24 @@ Does effect_of(Stmt const *statement, VarDecl const *variable, bool (*is_it)(Exp
 // `count`: how often the statement itself has the variable as an operand.
 using Effect = llvm::function_ref<Does(Stmt const *, VarDecl const *, unsigned &count)>;
 
+// How often the variable is among what a function of the library gives one of, as std::max(n, 1): it only reads them.
+unsigned choices_among(Expr const *expression, VarDecl const *variable) {
+  auto const *call = dyn_cast<CallExpr>(spelled_expression(expression));
+  FunctionDecl const *function = call ? call->getDirectCallee() : nullptr;
+  if (!function || !selects_argument(function)) return 0;
+  unsigned count = 0;
+  for (Expr const *argument : call->arguments())
+    count += names(spelled_expression(argument), variable) + choices_among(argument, variable);
+  return count;
+}
+
 Does sure_effect_of(Stmt const *statement, VarDecl const *variable, unsigned &count) {
   Does const does = effect_of(statement, variable, names);
   count = does != Does::nothing;
-  return does;
+  if (auto const *cast = dyn_cast<ImplicitCastExpr>(statement);
+      does == Does::nothing && cast && cast->getCastKind() == CK_LValueToRValue)
+    count = choices_among(cast->getSubExpr(), variable);
+  return count > 0 && does == Does::nothing ? Does::reads : does;
 }
 
 // A part counts as the whole, and a function that is given it as one that assigns it.

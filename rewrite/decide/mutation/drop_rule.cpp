@@ -12,6 +12,7 @@ namespace {
 std::map<std::string_view, std::set<Use>> const groups = {
     {"width", {Use::width, Use::as_width}},
     {"range", {Use::range_begin, Use::range_end}},
+    {"fill", {Use::fill_begin, Use::fill_end}},
     {"formatting", {Use::formatting, Use::shown}},
     {"layouts", {Use::layout, Use::padding}},
 };

@@ -45,6 +45,8 @@
 #define SYMREAL_REAL_CHANGED(name, place, ...) __VA_ARGS__
 #define SYMREAL_REAL_FIRST(name, place, ...) __VA_ARGS__
 #define SYMREAL_REAL_LAST(name, place, ...) __VA_ARGS__
+#define SYMREAL_REAL_FILL_FIRST(name, place, ...) __VA_ARGS__
+#define SYMREAL_REAL_FILL_LAST(name, place, ...) __VA_ARGS__
 #define SYMREAL_REAL_BITS(name, place, ...) __VA_ARGS__
 #define SYMREAL_REAL_VIEW(name, place, ...) __VA_ARGS__
 #define SYMREAL_REAL_PART(how, first, count, name, place, ...) __VA_ARGS__
@@ -100,6 +102,7 @@
 
 #include <symreal/allocator.h>
 #include <symreal/annotate.h>
+#include <symreal/enumerators.h>
 #include <symreal/fit.h>
 #include <symreal/library_conversions.h>
 #include <symreal/macro_names.h>
@@ -146,6 +149,8 @@
 #define SYMREAL_REAL_CHANGED(name, place, ...) (::symreal::symreal_changed(__VA_ARGS__, name, place))
 #define SYMREAL_REAL_FIRST(name, place, ...) (::symreal::symreal_range_begin(__VA_ARGS__, name, place))
 #define SYMREAL_REAL_LAST(name, place, ...) (::symreal::symreal_range_end(__VA_ARGS__, name, place))
+#define SYMREAL_REAL_FILL_FIRST(name, place, ...) (::symreal::symreal_fill_begin(__VA_ARGS__, name, place))
+#define SYMREAL_REAL_FILL_LAST(name, place, ...) (::symreal::symreal_fill_end(__VA_ARGS__, name, place))
 #define SYMREAL_REAL_BITS(name, place, ...) (::symreal::symreal_bits(__VA_ARGS__, name, place))
 #define SYMREAL_REAL_VIEW(name, place, ...) (::symreal::symreal_view(__VA_ARGS__, name, place))
 /* Bits of an object that numbers share; a count of 0 stands for all of them. */
@@ -210,6 +215,8 @@ public:                                                                         
 #define SYMREAL_REAL_CHANGED(name, place, ...) (__VA_ARGS__)
 #define SYMREAL_REAL_FIRST(name, place, ...) (__VA_ARGS__)
 #define SYMREAL_REAL_LAST(name, place, ...) (__VA_ARGS__)
+#define SYMREAL_REAL_FILL_FIRST(name, place, ...) (__VA_ARGS__)
+#define SYMREAL_REAL_FILL_LAST(name, place, ...) (__VA_ARGS__)
 #define SYMREAL_REAL_BITS(name, place, ...) (__VA_ARGS__)
 #define SYMREAL_REAL_VIEW(name, place, ...) (__VA_ARGS__)
 #define SYMREAL_REAL_PART(how, first, count, name, place, ...) (__VA_ARGS__)

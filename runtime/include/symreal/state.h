@@ -177,17 +177,38 @@ template <class T> T &symreal_changed(T &object, char const *name, char const *p
   return object;
 }
 
+namespace detail {
+
+// Calls `note` with each object of a range, once both of its ends are known.
+template <class T, class Note> void begin_range(T *begin, char const *place, Note note) noexcept {
+  if (auto const *end = static_cast<T *>(const_cast<void *>(other_range_end(begin, false, place))))
+    for (T *each = begin; each < end; ++each) note(*each);
+}
+template <class T, class Note> void end_range(T *end, char const *place, Note note) noexcept {
+  if (auto *begin = static_cast<T *>(const_cast<void *>(other_range_end(end, true, place))))
+    for (T *each = begin; each < end; ++each) note(*each);
+}
+
+} // namespace detail
+
 // The ends of a range that is handed to code that is not rewritten.
 template <class T> T *symreal_range_begin(T *begin, char const *name, char const *place) noexcept {
   if (detail::recording)
-    if (auto const *end = static_cast<T *>(const_cast<void *>(detail::other_range_end(begin, false, place))))
-      for (T *each = begin; each < end; ++each) detail::read_object(*each, name, place);
+    detail::begin_range(begin, place, [=](T &object) { detail::read_object(object, name, place); });
   return begin;
 }
 template <class T> T *symreal_range_end(T *end, char const *name, char const *place) noexcept {
+  if (detail::recording) detail::end_range(end, place, [=](T &object) { detail::read_object(object, name, place); });
+  return end;
+}
+// The same of a range that such code writes without reading it.
+template <class T> T *symreal_fill_begin(T *begin, char const *name, char const *place) noexcept {
   if (detail::recording)
-    if (auto *begin = static_cast<T *>(const_cast<void *>(detail::other_range_end(end, true, place))))
-      for (T *each = begin; each < end; ++each) detail::read_object(*each, name, place);
+    detail::begin_range(begin, place, [=](T &object) { detail::write_object(object, name, place); });
+  return begin;
+}
+template <class T> T *symreal_fill_end(T *end, char const *name, char const *place) noexcept {
+  if (detail::recording) detail::end_range(end, place, [=](T &object) { detail::write_object(object, name, place); });
   return end;
 }
 
