@@ -64,6 +64,11 @@ template <class A, class = std::enable_if_t<std::is_same_v<A, SymbolicBool>>>
   return (x & (!y)) | ((!x) & y);
 }
 [[gnu::always_inline]] inline SymbolicBool operator==(SymbolicBool x, SymbolicBool y) noexcept { return !(x != y); }
+// As integers, 0 or 1; both as numbers and as plain truth values they would be compared as well.
+[[gnu::always_inline]] inline SymbolicBool operator<(SymbolicBool x, SymbolicBool y) noexcept { return (!x) & y; }
+[[gnu::always_inline]] inline SymbolicBool operator>(SymbolicBool x, SymbolicBool y) noexcept { return x & (!y); }
+[[gnu::always_inline]] inline SymbolicBool operator<=(SymbolicBool x, SymbolicBool y) noexcept { return (!x) | y; }
+[[gnu::always_inline]] inline SymbolicBool operator>=(SymbolicBool x, SymbolicBool y) noexcept { return x | (!y); }
 
 // With an ordinary truth value.
 #define SYMREAL_WITH_BOOL(op)                                                                                          \
