@@ -17,6 +17,7 @@
 #include "verify/boundaries.h"
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 #include <llvm/Demangle/Demangle.h>
 #include <memory>
@@ -495,9 +496,12 @@ private:
       bool const is_refused = evaluated.failing_guard < graph_.guards.size();
       if (!is_refused && !evaluated.premises.hold_in(banner_.mode)) return;
       std::vector<double> const original = original_->outputs_of(call), wrapped = wrapped_->outputs_of(call);
-      for (std::size_t slot = 0; slot < original.size(); ++slot)
-        if (original[slot] != replay::spoilt_output) // else it is not written there
+      for (std::size_t slot = 0; slot < original.size(); ++slot) {
+        // Beyond a guard, where the original was called, nothing is said of values that are not finite.
+        bool const is_nan = is_refused && std::isnan(original[slot]) && std::isnan(wrapped[slot]);
+        if (original[slot] != replay::spoilt_output && !is_nan) // else it is not written there
           is_named_ |= result_.wrapped[slot].add(k, original[slot], wrapped[slot], banner_.mode, options_.tolerance);
+      }
     }
   }
 
