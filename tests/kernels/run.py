@@ -38,6 +38,7 @@ def arguments():
     parser.add_argument("--jobs", "-j", type=int, default=1)
     parser.add_argument("--without", default="", help="features that no kernel has")
     parser.add_argument("--only", default="", help="the features that kernels may have")
+    parser.add_argument("--often", default="", help="features that seven kernels of ten have")
     parser.add_argument("--open", action="store_true", help="also the features that are known to be wrong yet")
     parser.add_argument("--verify", action="store_true", help="run symreal verify as well, which must agree")
     parser.add_argument("--oracle", action="store_true", help="run symreal oracle as well, which must give the same graph")
@@ -45,6 +46,7 @@ def arguments():
     parser.add_argument("--via-ir", action="store_true", help="generate from the instructions of the original")
     parser.add_argument("--flags-every", metavar="N", type=int, default=8,
                         help="compile the symbolic program of C as the tool does in each N-th batch, in the others without optimisation")
+    parser.add_argument("--cache", metavar="DIR", help="what the tool has compiled lies there, for other runs as well; by default for this one alone")
     parser.add_argument("--print", metavar="INDEX", type=int, help="print one kernel and end")
     parser.add_argument("--index", type=int, help="only this kernel of each language, policy and mode")
     parser.add_argument("--minimise", action="store_true", help="leave out statements of a kernel as long as its fault stays")
@@ -87,9 +89,13 @@ def excluded(options, language):
     return names
 
 
+def often(options):
+    return set(filter(None, options.often.split(",")))
+
+
 def execute(options, language, policy, mode, indices):
     made = [make_kernel(f"k{i}", kernel_seed(options, language, policy, mode, i), language, policy, mode,
-                        excluded(options, language)) for i in indices]
+                        excluded(options, language), often(options)) for i in indices]
     name = f"{language}-{policy}-{mode}-{indices.start}"
     quick = indices.start // options.batch % options.flags_every != 0
     directory = os.path.join(options.keep, name) if options.keep else tempfile.mkdtemp(prefix="kernels-")
@@ -97,10 +103,10 @@ def execute(options, language, policy, mode, indices):
     try:
         kind = WrapperSession if options.wrapper else Session
         session = kind(options.symreal, language, policy, mode, directory, options.samples, options.verify,
-                       options.oracle, quick, via_ir=options.via_ir)
+                       options.oracle, quick, via_ir=options.via_ir, cache=options.cache)
         outcome = session.execute(made, options.seed + indices.start)
         of_session = dict(symreal=options.symreal, language=language, policy=policy, mode=mode, samples=options.samples, quick=quick,
-                          via_ir=options.via_ir)
+                          via_ir=options.via_ir, cache=options.cache)
         seed = options.seed + indices.start
         if options.minimise:
             again = lambda directory: kind(**of_session, directory=directory)
@@ -131,10 +137,11 @@ def main():
         for language, policy, mode, indices in batches(options):
             if options.print in indices:
                 seed = kernel_seed(options, language, policy, mode, options.print)
-                print(make_kernel(f"k{options.print}", seed, language, policy, mode, excluded(options, language)).text)
+                print(make_kernel(f"k{options.print}", seed, language, policy, mode, excluded(options, language), often(options)).text)
         return 0
     start, totals = time.monotonic(), {}
-    with ThreadPoolExecutor(options.jobs) as pool:
+    with tempfile.TemporaryDirectory(prefix="kernels-cache-") as own, ThreadPoolExecutor(options.jobs) as pool:
+        options.cache = os.path.abspath(options.cache or own)
         for language, policy, outcome in pool.map(lambda b: execute(options, *b), list(batches(options))):
             totals.setdefault((language, policy), Outcome()).add(outcome)
             for found in outcome.found:

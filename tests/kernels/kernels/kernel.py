@@ -44,8 +44,8 @@ def flat(nodes, depth=0):
                 yield "  " * depth + node.footer
 
 
-def make_kernel(name, seed, language, policy, mode, excluded=()):
-    features = drawn(random.Random(f"features {seed}"), language, int(seed.split("/")[-1]), excluded)
+def make_kernel(name, seed, language, policy, mode, excluded=(), often=()):
+    features = drawn(random.Random(f"features {seed}"), language, int(seed.split("/")[-1]), excluded, often)
     g = Generator(name, seed, language, policy, mode, features)
     for _ in range(g.whole(0, 4)):
         g.choose("definition", 2)

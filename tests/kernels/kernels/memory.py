@@ -9,9 +9,13 @@ from .expression import ADD
 from .generator import Variable
 from .interface import section
 from .numbers import tame_number
+from .plain import read_by_library
 
 LEFT = {"SYM053", "SYM017", "SYM136"}
 SIZE = 3
+# What the caller left in numbers. A function of the library that writes the same value over it cannot be told from one that
+# leaves it, so no expression has these values.
+FOUND = ["1.015625", "3.046875", "2.078125"]
 
 
 @dataclass
@@ -106,10 +110,10 @@ def change_numbers(g, w, plain):
 def numbers(g, made, is_declared):
     use_container = g.language == "cxx" and g.chance(0.4) and (not is_declared or g.has("whole_objects"))
     if use_container:
-        w = g.among(lambda: of_container(g, made, "std::vector<double>", "{1.0, 3.0, 2.0}"),
-                    lambda: of_container(g, made, f"std::array<double, {SIZE}>", "{1.0, 3.0, 2.0}"))()
+        w = g.among(lambda: of_container(g, made, "std::vector<double>", f"{{{', '.join(FOUND)}}}"),
+                    lambda: of_container(g, made, f"std::array<double, {SIZE}>", f"{{{', '.join(FOUND)}}}"))()
     else:
-        w = of_array(g, made, "double", ["1.0", "3.0", "2.0"], is_declared)
+        w = of_array(g, made, "double", FOUND, is_declared)
     if not is_declared:
         if g.chance(0.5):
             fill_numbers(g, w)
@@ -152,6 +156,14 @@ def integers(g, made, is_declared):
         made.clauses.append(f"scratch({w.item})")
 
 
+def integers_read(g, made, is_declared):
+    """No clause names them; those that one names are plain arguments (plain.py)."""
+    w = of_array(g, made, "int", [5, 3, 4], False)
+    kept = g.local("read")
+    g.line(f"double {kept} = {read_by_library(g, w.name)};")
+    g.shown.append(kept)
+
+
 def text(g, made, is_declared):
     name = g.local("line")
     made.parameters.append(f"char *{name}")
@@ -176,9 +188,9 @@ def owned(g, made, is_declared):
 OWNED = [
     ("std::vector<int>", "{5, 3, 4}", "NAME.push_back(3);"), ("std::vector<int>", "{5, 3, 4}", "NAME.resize(7);"),
     ("std::vector<int>", "{5, 3, 4}", "NAME.assign(2, 8);"), ("std::vector<int>", "{5, 3, 4}", "NAME.insert(NAME.begin(), 2);"),
-    ("std::vector<int>", "{5, 3, 4}", "NAME.erase(NAME.begin());"), ("std::vector<int>", "{5, 3, 4}", "NAME.clear();"),
+    ("std::vector<int>", "{5, 3, 4}", "NAME.push_back(8); NAME.erase(NAME.begin());"), ("std::vector<int>", "{5, 3, 4}", "NAME.clear();"),
     ("std::vector<double>", "{1.0, 2.0}", "NAME.push_back(2.5);"), ("std::vector<double>", "{1.0, 2.0}", "NAME.assign(4, INPUT);"),
-    ("std::vector<double>", "{1.0, 2.0}", "NAME.resize(5);"), ("std::vector<double>", "{1.0, 2.0}", "NAME.erase(NAME.begin());"),
+    ("std::vector<double>", "{1.0, 2.0}", "NAME.resize(5);"), ("std::vector<double>", "{1.0, 2.0}", "NAME.push_back(8); NAME.erase(NAME.begin());"),
     ("std::vector<double>", "{1.0, 2.0}", "NAME.insert(NAME.end(), INPUT);"),
     ("std::vector<bool>", "{true, false}", "NAME.flip();"), ("std::vector<bool>", "{true, false}", "NAME.push_back(true);"),
     ("std::vector<bool>", "{true, false}", "NAME[1] = true;"),
@@ -196,5 +208,5 @@ def declare_memory(g, made):
     if g.has("library_memory") and g.chance(0.7):
         g.random.choice(kinds)(g, made, True)
     if g.has("undeclared_memory") and g.chance(0.7):
-        g.random.choice(kinds)(g, made, False)
+        g.random.choice([*kinds, integers_read])(g, made, False)
         g.expected |= LEFT

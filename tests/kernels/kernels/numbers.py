@@ -229,7 +229,7 @@ def function_of_integers(g, depth):
         inner = Expression(g.among("'\\2'", "'a'", "'0'"), PRIMARY, INT, 2, 97, False)
     if inner.type.bits == 64 or inner.type.truth:
         return None  # C++ has no such overload where long is not converted without loss, and what it has differs
-    if g.language == "cxx" and (inner.type.bits != 32 or "mode" in inner.text.lower()):
+    if g.language == "cxx" and (inner.type.bits != 32 or any(word in inner.text.lower() for word in ("mode", "kind"))):
         return None  # an enumerator is no int there
     name = g.random.choice(sorted(set(ONE_ARGUMENT) - {"nearbyint", "rint"}))
     low, high = float(inner.low), float(inner.high)

@@ -106,7 +106,42 @@ def word(g, made):
     g.declare(Variable(same, INT, 0, 1, False, False))
 
 
-KINDS = [mode, mode, enumerator, flag, gain, members, length, depth, word]
+def integers_of_library(g, made):
+    """Integers that functions of the library read, by pointers and references."""
+    name = g.local("w")
+    made.parameters.append(f"const int *{name}")
+    made.arguments.append(name)
+    made.objects.append(f"int {name}[3] = {{5, 3, 4}};")
+    made.clauses.append(f"constant({name}[0:3])")
+    made.plains += [Plain(f"{name}[{k}]", values) for k, values in enumerate((["5", "6"], ["3", "0", "7"], ["4", "8"]))]
+    g.declare(Variable(read_by_library(g, name), INT, 0, 30, False, False, binds=14))
+
+
+def read_by_library(g, name):
+    """An expression of an integer that a function of the library has read of three."""
+    copy = g.local("copy")
+    how = g.whole(0, 5 if g.language == "cxx" else 1)
+    if how == 0:
+        g.line(f"int {copy}[3];")
+        g.line(f"{g.among('memcpy', 'memmove')}({copy}, {name}, sizeof {copy});")
+    elif how == 1:
+        kept = g.outer("three")
+        g.define(f"struct {kept} {{ int v[3]; }};")
+        g.line(f"struct {kept} {copy}_of;")
+        g.line(f"memcpy(&{copy}_of, {name}, sizeof {copy}_of);")
+        return f"{copy}_of.v[{g.whole(0, 2)}]"
+    elif how == 2:
+        g.line(f"int {copy}[3];")
+        g.line(f"std::copy({name}, {name} + 3, {copy});")
+    elif how == 3:
+        g.line(f"std::vector<int> const {copy}({name}, {name} + 3);")
+    else:
+        return g.among(f"std::max({name}[1], 2)", f"std::accumulate({name}, {name} + 3, 1)", f"(int)std::count({name}, {name} + 3, 4)",
+                       f"*std::max_element({name}, {name} + 3)")
+    return f"{copy}[{g.whole(0, 2)}]"
+
+
+KINDS = [mode, mode, enumerator, flag, gain, members, length, depth, word, integers_of_library]
 
 
 def declare_plain(g, made):

@@ -108,7 +108,7 @@ def callable_object(g):
     body = g.among("z * 0.5", "z + 1", "1 - z", "std::cos(z)")
     g.line(g.among(f"static std::function<double(double)> const {name} = [](double z) {{ return {body}; }};",
                    f"static auto const {name} = [](double z) {{ return {body}; }};",
-                   f"static auto const {name} = [k = {value(g)}](double z) {{ return {body} + k; }};"))
+                   f"static auto const {name} = [k = {g.among('2.5', '-0.75', '1.0/3')}](double z) {{ return {body} + k; }};"))
     g.declare(Function(name, [(DOUBLE, -50.0, 50.0)], DOUBLE, -70.0, 70.0, True))
 
 
