@@ -10,10 +10,8 @@ namespace {
 
 // The uses that are one rule together; any other is one by itself.
 std::map<std::string_view, std::set<Use>> const groups = {
-    {"width", {Use::width, Use::as_width}},
-    {"range", {Use::range_begin, Use::range_end}},
-    {"fill", {Use::fill_begin, Use::fill_end}},
-    {"formatting", {Use::formatting, Use::shown}},
+    {"width", {Use::width, Use::as_width}},     {"range", {Use::range_begin, Use::range_end}},
+    {"fill", {Use::fill_begin, Use::fill_end}}, {"formatting", {Use::formatting, Use::shown}},
     {"layouts", {Use::layout, Use::padding}},
 };
 // Macros of a use whose words begin like this.
