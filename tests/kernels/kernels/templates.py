@@ -24,7 +24,7 @@ def template(g, depth):
 def generic(g):
     """The type is deduced; for integers it is integer arithmetic."""
     name = g.outer("mix")
-    body = g.among(f"a * T({g.whole(2, 4)}) + b", "a < b ? b - a : a - b", f"a / T({g.among(2, 3, 4)}) - b", "a - b * b",
+    body = g.among(f"a * T({g.whole(2, 4)}) + b", "a < b ? b - a : a - b" if g.decides else "b - a - b", f"a / T({g.among(2, 3, 4)}) - b", "a - b * b",
                    "static_cast<T>(a + b) * T(2)")
     g.define(f"template <class T> static T {name}(T a, T b) {{ return {body}; }}")
     g.functions.append(Function(name, [(DOUBLE, *WIDE), (DOUBLE, *WIDE)], DOUBLE, -3000.0, 3000.0, deduced=True))
@@ -117,7 +117,7 @@ def overloaded(g, depth):
 def local_function(g, depth):
     name = g.local("fn")
     if g.chance(0.4):
-        body = g.among("p + q * 2", "p < q ? q : p", "p - q", "p * q + p")
+        body = g.among("p + q * 2", "p < q ? q : p" if g.decides else "p * 0.5 - q", "p - q", "p * q + p")
         g.line(f"auto {name} = [](auto p, auto q) {{ return {body}; }};")
 
         def use(g, depth):
