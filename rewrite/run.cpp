@@ -54,8 +54,8 @@ Collected collect(Request const &request) {
   // Other errors may follow from a name that was not found.
   std::stable_partition(facts.diagnostics.begin(), facts.diagnostics.end(),
                         [](symreal::Diagnostic const &one) { return one.id == DiagnosticId::configured_function; });
-  return {std::move(facts), std::move(reading.left_out), std::move(reading.unreached), reading.collector().read(),
-          reading.collector().kept(), reading.collector().seconds()};
+  return {std::move(facts),           std::move(reading.left_out), std::move(reading.unreached),
+          reading.collector().read(), reading.collector().kept(),  reading.collector().seconds()};
 }
 
 Result run(Request const &request) {

@@ -120,11 +120,11 @@ void Collector::erased(Expr const *operand) {
 }
 
 void Collector::kept_by_type(FunctionDecl const *function, std::vector<Expr const *> const &arguments) {
-  if (arguments.size() != 1 || !function->getPrimaryTemplate() || !function->isInStdNamespace()) return;
+  if (arguments.size() != 1 || !function->getPrimaryTemplate()) return;
   auto const *method = dyn_cast<CXXMethodDecl>(function);
-  bool const is_of_any = method && method->getParent()->getName() == "any";
-  if (is_of_any || (function->getIdentifier() && function->getName() == "make_exception_ptr"))
-    erased(arguments.front());
+  auto const *named = method ? static_cast<NamedDecl const *>(method->getParent()) : function;
+  bool const is_known = named->getIdentifier() && named->getName() == (method ? "any" : "make_exception_ptr");
+  if (is_known && named->isInStdNamespace()) erased(arguments.front());
 }
 
 // sizeof(x > 1), decltype(x > 1): a comparison of REALs is a class of its own, and in a template it may be one.

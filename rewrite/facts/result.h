@@ -139,12 +139,12 @@ struct Result {
   std::vector<Refusal> refusals;   // in the order of their places
   std::vector<Decision> decisions; // by file and offset
   std::vector<Conversion> conversions;
-  std::vector<std::string> externals; // mangled names of functions that stay calls
-  std::size_t comparisons = 0;        // of REALs
-  std::vector<std::string> left_out;  // sources that do not compile, if the request allows it
-  std::vector<Compilation> unreached; // sources in which the program reaches nothing
-  std::size_t sources_read = 0;       // by Clang
-  std::size_t sources_kept = 0;       // of which an earlier run has read what they are now
+  std::vector<std::string> externals;            // mangled names of functions that stay calls
+  std::size_t comparisons = 0;                   // of REALs
+  std::vector<std::string> left_out;             // sources that do not compile, if the request allows it
+  std::vector<Compilation> unreached;            // sources in which the program reaches nothing
+  std::size_t sources_read = 0;                  // by Clang
+  std::size_t sources_kept = 0;                  // of which an earlier run has read what they are now
   std::map<std::string, double> reading_seconds; // of the processor, by the real path of a source that was read
   std::vector<Diagnostic> diagnostics;
 };

@@ -23,7 +23,7 @@ template <class T> double thrown(T value) {
 }
 static bool is_truth(std::any const &kept) { return std::any_cast<bool>(&kept) != nullptr; }
 
-#pragma symreal function input(x, y) output(return)
+#pragma symreal function input(x) range(0.2, 0.9) input(y) range(1.25, 1.45) output(return)
 double kernel(double x, double y) {
   double result = thrown(x < y) + thrown(x * 2) + thrown(3);
   try {

@@ -47,16 +47,6 @@ template <class From> [[gnu::always_inline]] constexpr decltype(auto) symreal_de
     return static_cast<From &&>(value);
 }
 
-// A value that is known by its type from here on, by a handler of exceptions or a std::any: a comparison and an integer
-// become what the original has, by a decision where they are symbolic.
-template <class From> [[gnu::always_inline]] constexpr decltype(auto) symreal_erased(From &&value) noexcept {
-  using Plain = symreal_plain_type<std::remove_cvref_t<From>>;
-  if constexpr (std::is_same_v<Plain, std::remove_cvref_t<From>> || std::is_floating_point_v<Plain>)
-    return static_cast<From &&>(value);
-  else
-    return static_cast<Plain>(value);
-}
-
 // A truth value of C counts: ++ leaves true, -- the other one.
 class CountedTruth {
 public:

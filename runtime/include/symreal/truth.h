@@ -18,6 +18,14 @@ constexpr bool symreal_truth(T x) noexcept {
 // The condition that `for (;;)` does not have.
 constexpr bool symreal_truth() noexcept { return true; }
 
+// A value that is known by its type from here on, by a handler of exceptions or a std::any: a comparison and an integer
+// become what the original has, by a decision where they are symbolic.
+inline bool symreal_erased(SymbolicBool value) noexcept { return static_cast<bool>(value); }
+template <class T> T symreal_erased(SymbolicInt<T> value) noexcept { return value; }
+template <class From> [[gnu::always_inline]] constexpr From &&symreal_erased(From &&value) noexcept {
+  return static_cast<From &&>(value);
+}
+
 template <class T> inline constexpr bool is_symbolic_truth =
     std::is_same_v<T, SymbolicBool> || std::is_same_v<T, RealNumber>;
 
