@@ -25,7 +25,7 @@ std::vector<std::string> baked_helpers(Recorded const &recorded);
 // Is an object compared by its class, which takes <typeinfo>?
 bool compares_classes(Recorded const &recorded);
 
-// What a check on how two items lie is called.
+// The name of a check on how two items lie.
 std::string overlap_label(rewrite::Overlap const &overlap);
 
 // Loops over the values of an object, around what `leaf` makes of each by its kind (rewrite/model/baked_values.h).

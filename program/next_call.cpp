@@ -1,5 +1,6 @@
 #include "program/next_call.h"
 
+#include "program/wrapper_text.h"
 #include "verify/compare.h"
 
 #include <algorithm>
@@ -52,12 +53,14 @@ bool is_next_call_comparable(Recorded const &recorded) {
   rewrite::Kernel const &kernel = recorded.kernel;
   rewrite::Redefinition const &function = kernel.signature.redefinition;
   if (!kernel.is_function || function.has_this || !recorded.graph.frozen.empty()) return false;
+  // Another shape may have as many numbers.
+  if (!wrapper_containers(kernel, recorded.graph).empty()) return false;
   std::vector<std::string> named;
   auto const add = [&named](std::string const &text) {
     for (std::string &word : words_of(text)) named.push_back(std::move(word));
   };
   for (rewrite::Annotation const &one : kernel.annotations) {
-    if (one.kind == "constant") return false;
+    if (one.kind == "constant" || one.sections.size() > 1) return false;
     add(one.expression);
     for (rewrite::Section const &section : one.sections) add(section.low + " " + section.length);
   }

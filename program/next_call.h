@@ -10,7 +10,7 @@
 namespace symreal::program {
 
 // Whether the next call must be the recorded one on other inputs: nothing is said to be constant, the recording has
-// told of nothing that it bakes in, and the clauses name every argument.
+// told of nothing that it bakes in, the clauses name every argument, and as many numbers have one shape.
 bool is_next_call_comparable(Recorded const &recorded);
 
 // `first`: the original in the recorded call. On how many of the samples the original gives other outputs there than

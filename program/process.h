@@ -9,7 +9,7 @@
 
 namespace symreal::program {
 
-// Of the processor time of all processes that one command starts.
+// A limit of the processor time that all processes of one command take together.
 struct ProcessorLimit {
   double seconds = 0;                   // 0: none
   std::function<double()> further = {}; // asked once when it is reached, while they wait: the limit from there on

@@ -505,7 +505,7 @@ private:
     }
   }
 
-  // What the recording knows of is told of when code is generated.
+  // The recording tells of the rest when code is generated.
   void add_outside(replay::OutsideEffect const &effect) {
     if (effect.kind != replay::Outside::result)
       return add_left(effect.kind == replay::Outside::lasts ? result_.changes_outside : result_.outside, effect.what);

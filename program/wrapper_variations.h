@@ -17,7 +17,7 @@ struct Variation {
 };
 std::vector<Variation> wrapper_variations(Recorded const &recorded);
 
-// What the statements use, in one line.
+// The functions that the statements call, in one line.
 std::string variation_helpers(Recorded const &recorded);
 
 } // namespace symreal::program

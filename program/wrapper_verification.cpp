@@ -46,7 +46,7 @@ std::vector<LeftState> values_missed_by_wrapper(Front const &front, RunOptions c
     std::optional<Results> const original = results(without);
     if (!original) continue;
     std::size_t const different = count_different(*original, results(std::to_string(k + 1)));
-    // What the original reads beyond an extent may be anything.
+    // Memory beyond an extent may hold anything.
     if (different != 0 && count_different(*original, results(without)) == 0)
       missed.push_back({variations[k].where, different});
   }

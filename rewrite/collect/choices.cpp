@@ -89,7 +89,7 @@ public:
         scope ? name_of(QualType(scope, 0)) + "::" + constant->getNameAsString() : name_of(constant);
     if (!is_about_numbers(name) || is_nameless(name)) return true;
     value(reference, "'" + name + "'", name.find("numeric_limits") == name.npos);
-    // Where the arguments of the template are others in the symbolic program, its name is what both have.
+    // The arguments of the template may be others in the symbolic program; its name is the same.
     CXXRecordDecl const *record = scope ? scope->getAsCXXRecordDecl() : nullptr;
     std::string const bare = record ? record->getQualifiedNameAsString() + "::" + constant->getNameAsString()
                                     : constant->getQualifiedNameAsString();

@@ -223,7 +223,7 @@ struct ConversionFact {
   auto operator<=>(ConversionFact const &) const = default;
 };
 
-// What the language has found out about types at one place of a function.
+// An answer of the language about types, at one place of a function.
 struct Choice {
   Place place;
   std::string what;

@@ -50,7 +50,7 @@ struct ReturnedObject {
   std::string type;
   std::string obstacle; // why no wrapper can make one; else empty
   std::string begin;    // of the macro that annotates it, up to the value
-  // What is no number in it, for the program that tries a wrapper: { what "+" offset ";" } with
+  // Its members that are not numbers, for the program that tries a wrapper: { what "+" offset ";" } with
   //   what := "b" size   bytes: integers, truth values, enumerators, float
   //         | "p"        a pointer: whether it is null
   //         | "t"        a pointer to text that a null character ends

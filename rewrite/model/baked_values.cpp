@@ -369,7 +369,7 @@ bool has_public_members(CXXRecordDecl const *record) {
   });
 }
 
-// What is no number in an object, by its place in it.
+// The members of an object that are not numbers, by their places.
 void add_others(QualType type, std::int64_t offset, ASTContext const &context, std::string &others) {
   type = type.getCanonicalType().getUnqualifiedType();
   std::int64_t const size = context.getTypeSizeInChars(type).getQuantity();

@@ -9,7 +9,7 @@ namespace {
 
 using namespace clang;
 
-// Where the numbers of an item lie.
+// The place where the numbers of an item lie.
 enum class Storage {
   own,      // in a variable, or in a parameter that is passed by value
   object,   // in an object that the caller names

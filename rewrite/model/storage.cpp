@@ -98,7 +98,7 @@ bool Storage::target_is_constant(VarDecl const *variable) const {
   return address && address->getOpcode() == UO_AddrOf && home(address->getSubExpr()) == Home::constant;
 }
 
-// What the pointer leads to.
+// The home of the object that the pointer leads to.
 Home Storage::home_behind(Expr const *pointer) const {
   auto const *reference = dyn_cast<DeclRefExpr>(spelled_expression(pointer));
   auto const *variable = reference ? dyn_cast<VarDecl>(reference->getDecl()) : nullptr;

@@ -142,7 +142,7 @@ private:
   ValueDecl const *variable_;
 };
 
-// What it looks at is not the argument's own.
+// A view: its elements are not the argument's own.
 bool is_span(QualType type) {
   CXXRecordDecl const *record = type->getAsCXXRecordDecl();
   return record && record->isInStdNamespace() && record->getIdentifier() &&

@@ -30,7 +30,7 @@ std::vector<MemoryRange> find_constant_memory();
 // The caller's data may be constant, which an input is not. Whether it can be written now.
 bool make_writable(void const *begin, std::size_t size = sizeof(double));
 
-// What the bookkeeping itself allocates is no memory of the kernel, and errno stays as it is.
+// The bookkeeping's own work: its allocations are not memory of the kernel, and errno stays as it is.
 class Pause {
 public:
   Pause() { detail::recording = false; }

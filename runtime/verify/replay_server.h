@@ -42,7 +42,7 @@ bool replay_watches_world();
 bool replay_changes_formats();
 void replay_effect(Outside kind, std::string_view what);
 
-// What is no number in the object that the kernel returns, as a hash.
+// A hash of the members of the returned object that are not numbers.
 void replay_returned(std::uint64_t hash);
 
 // Per input, in order: the output that is the same number, or -1.

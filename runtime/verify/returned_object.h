@@ -1,4 +1,4 @@
-// What is no number in an object that a kernel returns: a wrapper makes the numbers alone.
+// The members of a returned object that are not numbers: generated code has the numbers alone.
 #pragma once
 
 #include <cstdint>

@@ -7,7 +7,7 @@
 // RUN: %symreal generate %s -o %t.c -- -DPRINTS 2>&1 | FileCheck %s --allow-empty --implicit-check-not="[SYM"
 // RUN: %symreal verify %s %t.c --samples=20 -- -DPRINTS 2>&1 | FileCheck %s --check-prefix=PRINTS
 // PRINTS: outside of the program: the original writes to standard output, and the generated code does not
-// What the recording does not see, verify does.
+// The recording does not see these; verify does.
 // RUN: %symreal generate %s -o %t.c -- -DREADS_LATER && not %symreal verify %s %t.c --samples=20 -- -DREADS_LATER 2>&1 | FileCheck %s --check-prefix=READS_LATER
 // READS_LATER: error: called again, 1 of 1 outputs differ from the original{{.*}} [SYM091]
 // RUN: %symreal generate %s -o %t.c -- -DSETS_LATER && not %symreal verify %s %t.c --samples=20 -- -DSETS_LATER 2>&1 | FileCheck %s --check-prefix=SETS_LATER

@@ -58,6 +58,15 @@ double kernel(double x, double y) {
     result *= 2;
   } catch (...) {
   }
+  struct {
+    int small : 3;
+  } const bits{static_cast<int>(is_truth(kept)) + 1};
+  try {
+    // CHECK: throw REAL_ERASED(bits.small);
+    throw bits.small;
+  } catch (int i) {
+    result += i;
+  }
   // CHECK: throw 5;
   try { throw 5; } catch (int) { ++result; }
   return result;

@@ -1,4 +1,4 @@
-// What the program changes between two calls of a kernel, and the recording bakes in without a word, shows in the program's own
+// State that the program changes between two calls of a kernel, and the recording bakes in without a word, shows in its own
 // next call: verify runs the original there as well.
 // DEFINE: %{of} =
 // DEFINE: %{try} = %symreal generate %s -o %t.c -- -std=c++17 -D%{of} && %symreal verify %s %t.c --samples=20 --min-samples=5 -- -std=c++17 -D%{of}

@@ -22,7 +22,11 @@ constexpr bool symreal_truth() noexcept { return true; }
 // become what the original has, by a decision where they are symbolic.
 inline bool symreal_erased(SymbolicBool value) noexcept { return static_cast<bool>(value); }
 template <class T> T symreal_erased(SymbolicInt<T> value) noexcept { return value; }
-template <class From> [[gnu::always_inline]] constexpr From &&symreal_erased(From &&value) noexcept {
+template <class T, class = std::enable_if_t<std::is_arithmetic_v<T>>> constexpr T symreal_erased(T value) noexcept {
+  return value;
+}
+template <class From, class = std::enable_if_t<!std::is_arithmetic_v<std::decay_t<From>>>>
+[[gnu::always_inline]] constexpr From &&symreal_erased(From &&value) noexcept {
   return static_cast<From &&>(value);
 }
 
