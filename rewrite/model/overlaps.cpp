@@ -1,5 +1,7 @@
 #include "rewrite/model/overlaps.h"
 
+#include "rewrite/model/storage.h"
+
 #include <algorithm>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -10,26 +12,18 @@ namespace {
 using namespace clang;
 
 // The place where the numbers of an item lie.
-enum class Storage {
+enum class Location {
   own,      // in a variable, or in a parameter that is passed by value
   object,   // in an object that the caller names
   elsewhere // behind a pointer, or where a view looks
 };
 
 struct Where {
-  Storage storage = Storage::elsewhere;
+  Location location = Location::elsewhere;
   bool is_parameter = false; // its own memory
   bool is_restricted = false;
   bool is_in_rows = false;
 };
-
-// A class that holds its elements, and no view of others'.
-bool owns_elements(QualType type) {
-  CXXRecordDecl const *record = type->getAsCXXRecordDecl();
-  if (!record || !record->getIdentifier()) return true;
-  constexpr llvm::StringLiteral views[] = {"span", "mdspan", "basic_string_view", "Map", "Ref", "Block"};
-  return !llvm::is_contained(views, record->getName());
-}
 
 Where where_of(PlacedItem const &item) {
   Where where;
@@ -45,13 +39,13 @@ Where where_of(PlacedItem const &item) {
                                                           : QualType();
     where.is_in_rows = rows.isNull() || !rows->isArrayType();
   }
-  if (is_pointer || !owns_elements(item.base_type)) return where;
-  where.storage = Storage::object;
+  if (is_pointer || Storage::is_view(item.base_type)) return where;
+  where.location = Location::object;
   bool const is_variable = item.root && isa<VarDecl>(item.root) && !root->isReferenceType();
   if (is_variable && !is_through) {
     bool const is_decayed = isa<ParmVarDecl>(item.root) && root->isPointerType(); // double a[3]
-    if (is_decayed) return where.storage = Storage::elsewhere, where;
-    where.storage = Storage::own;
+    if (is_decayed) return where.location = Location::elsewhere, where;
+    where.location = Location::own;
     where.is_parameter = isa<ParmVarDecl>(item.root);
   }
   return where;
@@ -61,8 +55,8 @@ bool may_meet(PlacedItem const &a, PlacedItem const &b) {
   Where const first = where_of(a), second = where_of(b);
   if (a.base == b.base || first.is_restricted || second.is_restricted) return false;
   if (first.is_parameter || second.is_parameter) return false;
-  if (first.storage == Storage::own && second.storage == Storage::own) return false;
-  bool const are_named = first.storage != Storage::elsewhere && second.storage != Storage::elsewhere;
+  if (first.location == Location::own && second.location == Location::own) return false;
+  bool const are_named = first.location != Location::elsewhere && second.location != Location::elsewhere;
   return !(are_named && a.root_name == b.root_name);
 }
 

@@ -7,6 +7,7 @@
 #include "rewrite/model/overlaps.h"
 #include "rewrite/model/plain_declaration.h"
 #include "rewrite/model/redefinition.h"
+#include "rewrite/model/storage.h"
 #include "rewrite/pragma/item_bounds.h"
 #include "rewrite/source/walk.h"
 #include "rewrite/text/pragma_text.h"
@@ -142,13 +143,6 @@ private:
   ValueDecl const *variable_;
 };
 
-// A view: its elements are not the argument's own.
-bool is_span(QualType type) {
-  CXXRecordDecl const *record = type->getAsCXXRecordDecl();
-  return record && record->isInStdNamespace() && record->getIdentifier() &&
-         (record->getName() == "span" || record->getName() == "mdspan");
-}
-
 class Attacher {
 public:
   Attacher(SourceMap const &map, Reals const &reals, IntegerState const &integers,
@@ -250,7 +244,7 @@ private:
     fact.signature = {normalised(text.substr(begin, end - begin).str()), {}, !function->getReturnType()->isVoidType()};
     if (std::optional<Signature> const plain = plain_declaration(function, map_.language())) fact.signature = *plain;
     for (ParmVarDecl const *parameter : function->parameters())
-      if (parameter->getIdentifier() && !is_span(parameter->getType()) &&
+      if (parameter->getIdentifier() && !Storage::is_view(parameter->getType()) &&
           (reals_.carries_real(parameter->getType()) ||
            (parameter->isReferenced() && integers_.holds(parameter->getType()))))
         fact.values.push_back({parameter->getName().str(), map_.place(parameter->getLocation())});
