@@ -299,8 +299,6 @@ template <class symreal_T> void symreal_tell(int symreal_file, symreal_T const &
 }
 )";
 
-bool is_c(rewrite::Kernel const &kernel) { return kernel.source.ends_with(".c"); }
-
 bool has_kind(std::vector<BakedObject> const &all, char kind) {
   return std::ranges::any_of(all, [kind](BakedObject const &one) {
     bool found = false;

@@ -65,6 +65,7 @@ BuildRequest build_request(FrontRequest const &request, rewrite::Result const &r
   build.type_name = rewritten.type_name;
   build.reachable = request.source.reachable;
   build.called_from_outside = rewritten.externals;
+  build.reading_seconds = rewritten.reading_seconds;
   std::set<std::pair<std::string, std::vector<std::string>>> unreached;
   for (rewrite::Compilation const &one : rewritten.unreached) unreached.emplace(rewrite::real_source(one), one.flags);
   std::map<std::string, std::vector<std::string>> known; // with their flags
@@ -180,7 +181,6 @@ bool build_programs(FrontRequest const &request, Front &front, Talk const &talk)
     c = as_in_c(front.rewritten, parts.sources, {parts.compiler}, {parts.c_compiler}, parts.type_name,
                 *front.workspace);
   parts.source_flags = std::move(c.flags);
-  parts.reading_seconds = front.rewritten.reading_seconds;
   parts.note = talk.note;
   front.overlay =
       std::make_unique<Overlay>(front.rewritten, front.workspace->directory("overlay"), std::move(c.sources));

@@ -1,7 +1,6 @@
 #include "program/group_use.h"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <filesystem>
 #include <fstream>

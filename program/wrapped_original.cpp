@@ -105,7 +105,7 @@ bool is_wrapper_of(std::string const &text, Recorded const &recorded) {
 
 std::string build_wrapped(Front const &front, Recorded const &recorded) {
   rewrite::Result wrapped = front.annotated;
-  bool const is_cxx = !recorded.kernel.source.ends_with(".c");
+  bool const is_cxx = !is_c(recorded.kernel);
   std::string top = (is_cxx ? "extern \"C\" { " : "") + std::string(library) + (is_cxx ? "} " : "");
   for (std::string const &block : baked_helpers(recorded)) top += block;
   for (std::string const &block : wrapper_templates(recorded.kernel, recorded.graph)) top += block;

@@ -9,9 +9,9 @@
 #include <fmt/format.h>
 
 namespace symreal::program {
-namespace {
 
 bool is_c(rewrite::Kernel const &kernel) { return kernel.source.ends_with(".c"); }
+namespace {
 
 // What is behind the sections: C has arrays alone there, C++ whatever can be annotated; members have their names.
 bool is_walked(rewrite::Kernel const &kernel, rewrite::Annotation const &annotation, Object const &object) {

@@ -10,6 +10,9 @@
 
 namespace symreal::program {
 
+// Is the kernel's source in C, and its wrapper so too?
+bool is_c(rewrite::Kernel const &kernel);
+
 // symreal_input and symreal_output, of at least one element each; symreal_parameters where there are any.
 std::string wrapper_arrays(Graph const &graph);
 

@@ -9,8 +9,6 @@
 namespace symreal::program {
 namespace {
 
-bool is_c(rewrite::Kernel const &kernel) { return kernel.source.ends_with(".c"); }
-
 constexpr int extents = 0, inner_extents = 1, element = 2; // what symreal_vary changes in a container
 constexpr int changes[] = {extents, inner_extents, element};
 

@@ -13,7 +13,7 @@ from .plain import read_by_library
 
 LEFT = {"SYM053", "SYM017", "SYM136"}
 SIZE = 3
-# What the caller left in numbers. A function of the library that writes the same value over it cannot be told from one that
+# Numbers as the caller has left them. A function of the library that writes the same value over it cannot be told from one that
 # leaves it, so no expression has these values.
 FOUND = ["1.015625", "3.046875", "2.078125"]
 

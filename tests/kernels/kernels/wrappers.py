@@ -71,7 +71,7 @@ class WrapperSession(Session):
                 self.compile(f"-D{kernel.name}=fallback", "-Dmain=another_main", "-c", os.path.basename(self.path), "-o", "fallback.o")
             self.run("objcopy", "--weaken", "fallback.o")
             objects += ["wrapper.o", "weak.o", "fallback.o"]
-        # What the weakened objects ask of a library is weak as well.
+        # A reference of the weakened objects to a library is weak as well.
         return message or self.compile(*objects, "-Wl,--wrap=compute", "-Wl,--no-as-needed", "-lm", "-o", "swapped")
 
     def guards(self, kernel):
