@@ -157,7 +157,7 @@ void Collector::store_to_union(Expr const *left) {
   if (is_part) judged_.insert(member);
   if (!member) member = member_in(left, [this](FieldDecl const *field) { return shares_number(field); });
   if (!member) return;
-  if (IntegerState::has_address(left))
+  if (ScalarState::has_address(left))
     note(left, Use::part, nullptr, "stored, 0, 0, ");
   else if (Expr const *base = member->getBase()->IgnoreParenImpCasts(); !member->isImplicitAccess())
     note(base, Use::part, left, "stored, " + bits_within(left, base, context_) + ", ");

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "rewrite/facts/facts.h"
-#include "rewrite/model/integer_state.h"
 #include "rewrite/model/named_variables.h"
 #include "rewrite/model/reals.h"
+#include "rewrite/model/scalar_state.h"
 #include "rewrite/model/storage.h"
 #include "rewrite/model/surroundings.h"
 #include "rewrite/model/written_first.h"
@@ -18,12 +18,12 @@ namespace symreal::rewrite {
 
 class Collector {
 public:
-  Collector(clang::ASTContext &context, SourceMap const &map, Reals const &reals, IntegerState const &integers,
+  Collector(clang::ASTContext &context, SourceMap const &map, Reals const &reals, ScalarState const &scalars,
             Surroundings const &surroundings, Facts &facts)
       : context_(context),
         map_(map),
         reals_(reals),
-        integers_(integers),
+        scalars_(scalars),
         surroundings_(surroundings),
         storage_(reals),
         facts_(facts) {}
@@ -145,6 +145,7 @@ public:
   // Hidden state (state.cpp, state_calls.cpp).
   void state(clang::VarDecl const *variable, clang::Expr const *reference, bool is_dependent);
   void read(clang::Expr const *value);
+  void pointer_test(clang::Expr const *pointer);
   void assignment(clang::BinaryOperator const *assignment);
   void step(clang::UnaryOperator const *step);
   void dependent_operands(clang::BinaryOperator const *operation);
@@ -182,6 +183,7 @@ private:
 
   using Arguments = llvm::ArrayRef<clang::Expr const *>;
   // `call`: where the call is written.
+  void integer_of_math(clang::FunctionDecl const *function, unsigned index, clang::Expr const *argument);
   void arguments(clang::SourceLocation call, clang::FunctionDecl const *function, Arguments arguments, bool overloaded);
   void literal_argument(clang::FunctionDecl const *function, unsigned index, clang::Expr const *argument,
                         bool overloaded, unsigned count, Use use = Use::literal);
@@ -216,10 +218,12 @@ private:
   // macro, before them.
   void note(clang::Expr const *expression, Use use, clang::Expr const *named = nullptr, std::string const &words = "");
   bool may_outlive(clang::Expr const *expression) const;
-  void integer(clang::Expr const *expression, Use use);
+  void scalar(clang::Expr const *expression, Use use);
+  void decides(clang::Expr const *expression);
+  void dispatch(clang::CXXMemberCallExpr const *call);
   // A pointer gets a new value.
   void pointer(clang::Expr const *expression);
-  bool holds_state(clang::QualType type) const { return reals_.carries_real(type) || integers_.holds(type); }
+  bool holds_state(clang::QualType type) const { return reals_.carries_real(type) || scalars_.holds(type); }
   void object(clang::Expr const *expression, Use use);
   void library_arguments(clang::FunctionDecl const *function, Arguments arguments);
   void library_object(clang::CallExpr const *call, clang::FunctionDecl const *function, clang::Expr const *object);
@@ -254,7 +258,7 @@ private:
   clang::ASTContext &context_;
   SourceMap const &map_;
   Reals const &reals_;
-  IntegerState const &integers_;
+  ScalarState const &scalars_;
   WrittenFirst written_first_;
   Surroundings const &surroundings_;
   Storage const storage_;

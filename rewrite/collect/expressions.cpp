@@ -260,7 +260,7 @@ void Collector::compound_assignment(CompoundAssignOperator const *assignment) {
   if (!reals_.is_real(assignment->getRHS()) && reals_.stays_double(assignment->getRHS())) return;
   // The runtime has an operator that does what the original did. It takes a reference.
   if (reals_.is_symbolic_integer(left)) return; // its class has one
-  if (!IntegerState::has_address(left))
+  if (!ScalarState::has_address(left))
     report(DiagnosticId::implicit_narrowing, assignment->getOperatorLoc(),
            "the result is a REAL and is converted to " + left->getType().getAsString());
   else if (std::optional<Span> const span = map_.token(assignment->getOperatorLoc());

@@ -10,10 +10,10 @@ using namespace clang;
 
 class Instances : public Walk {
 public:
-  Instances(ASTContext &context, SourceMap const &map, Reals const &reals, IntegerState const &integers,
+  Instances(ASTContext &context, SourceMap const &map, Reals const &reals, ScalarState const &scalars,
             Surroundings const &surroundings, Facts &facts)
       : map_(map),
-        collect_(context, map, reals, integers, surroundings, facts) {}
+        collect_(context, map, reals, scalars, surroundings, facts) {}
 
   bool shouldVisitTemplateInstantiations() const override { return true; }
 
@@ -131,9 +131,9 @@ private:
 
 } // namespace
 
-void collect_instances(ASTContext &context, SourceMap const &map, Reals const &reals, IntegerState const &integers,
+void collect_instances(ASTContext &context, SourceMap const &map, Reals const &reals, ScalarState const &scalars,
                        Surroundings const &surroundings, Facts &facts) {
-  Instances instances(context, map, reals, integers, surroundings, facts);
+  Instances instances(context, map, reals, scalars, surroundings, facts);
   instances.TraverseDecl(context.getTranslationUnitDecl());
   instances.finish();
 }

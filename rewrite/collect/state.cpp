@@ -1,5 +1,6 @@
 // Uses of objects that may outlive a kernel: single numbers, and the names of objects.
 #include "rewrite/collect/collector.h"
+#include "rewrite/model/text_functions.h"
 #include "rewrite/text/pragma_text.h"
 
 namespace symreal::rewrite {
@@ -17,9 +18,9 @@ static bool is_library_macro(SourceLocation location, SourceMap const &map) {
 void Collector::note(Expr const *expression, Use use, Expr const *named, std::string const &words) {
   SourceLocation const begin = expression->getBeginLoc();
   if (!map_.in_roots(begin)) return;
-  // Whether the bytes of an integer are also those of a number is another question.
+  // Whether the bytes of a scalar are also those of a number is another question.
   Expr const *base = Storage::base(expression);
-  if (base && (isa<DeclRefExpr>(base) || !IntegerState::is_integer(expression->getType()))) judged_.insert(base);
+  if (base && (isa<DeclRefExpr>(base) || !ScalarState::is_scalar(expression->getType()))) judged_.insert(base);
   std::optional<Span> const span = map_.range(expression->getSourceRange());
   if (!span && is_library_macro(begin, map_)) return; // library code, as in a template
   if (!span) {
@@ -36,16 +37,16 @@ void Collector::note(Expr const *expression, Use use, Expr const *named, std::st
       {*span, use, words + in_quotes(name) + ", " + in_quotes(to_string(map_.place(named->getBeginLoc())))});
 }
 
-// The value of an integer is used, or it gets a new one.
-void Collector::integer(Expr const *expression, Use use) {
+// The value of a scalar is used, or it gets a new one.
+void Collector::scalar(Expr const *expression, Use use) {
   if (expression->isTypeDependent() || !may_outlive(expression)) return;
   auto const *reference = dyn_cast_or_null<DeclRefExpr>(Storage::base(expression));
   auto const *variable = reference ? dyn_cast<VarDecl>(reference->getDecl()) : nullptr;
-  if (variable && integers_.is_fixed(variable)) return;
+  if (variable && scalars_.is_fixed(variable)) return;
   // A macro of a library, such as errno.
   SourceLocation const begin = expression->getBeginLoc();
   if (begin.isMacroID() && !map_.token(begin)) return;
-  if (IntegerState::has_address(expression)) return note(expression, use);
+  if (ScalarState::has_address(expression)) return note(expression, use);
   // Once for a member, however often it is used.
   auto const *member = dyn_cast<MemberExpr>(expression->IgnoreParens());
   bool const is_declared_here = member && map_.in_roots(member->getMemberDecl()->getLocation());
@@ -53,8 +54,20 @@ void Collector::integer(Expr const *expression, Use use) {
   std::string const name = member ? member->getMemberDecl()->getQualifiedNameAsString()
                            : span ? normalised(map_.text(*span, begin))
                                   : "this";
-  report(DiagnosticId::integer_not_looked_at, is_declared_here ? member->getMemberDecl()->getLocation() : begin,
+  report(DiagnosticId::scalar_not_looked_at, is_declared_here ? member->getMemberDecl()->getLocation() : begin,
          "cannot tell whether '" + name + "' is hidden state");
+}
+
+// A pointer to constants, which need not be the same in the next call.
+static bool leads_to_constants(QualType type) {
+  return type->isObjectPointerType() && type->getPointeeType().isConstQualified() &&
+         !is_character(type->getPointeeType());
+}
+
+// Whether the pointer leads somewhere, or where, decides.
+void Collector::pointer_test(Expr const *pointer) {
+  pointer = pointer->IgnoreParenImpCasts();
+  if (pointer->isGLValue() && pointer->getType()->isObjectPointerType()) scalar(pointer, Use::read);
 }
 
 static bool is_pointer(Expr const *expression) {
@@ -63,7 +76,7 @@ static bool is_pointer(Expr const *expression) {
 }
 
 void Collector::pointer(Expr const *expression) {
-  if (may_outlive(expression) && IntegerState::has_address(expression)) note(expression, Use::written);
+  if (may_outlive(expression) && ScalarState::has_address(expression)) note(expression, Use::written);
 }
 
 bool Collector::may_outlive(Expr const *expression) const {
@@ -89,8 +102,10 @@ void Collector::read(Expr const *value) {
   } else if (value->isGLValue() && Reals::is_double(value->getType())) {
     number_of_union(value);
     if (reals_.is_real(value) && may_outlive(value)) note(value, Use::read);
-  } else if (value->isGLValue() && IntegerState::is_integer(value->getType()))
-    integer(value, Use::read);
+  } else if (value->isGLValue() && ScalarState::is_scalar(value->getType()))
+    scalar(value, Use::read);
+  else if (value->isGLValue() && leads_to_constants(value->getType()))
+    scalar(value, Use::read);
   else
     object(value, Use::read);
 }
@@ -105,8 +120,8 @@ void Collector::assignment(BinaryOperator const *assignment) {
     for (auto const *member = dyn_cast<MemberExpr>(left); member;
          member = dyn_cast<MemberExpr>(member->getBase()->IgnoreParenImpCasts()))
       judged_.insert(member);
-  if (IntegerState::is_integer(left->getType()))
-    integer(left, use);
+  if (ScalarState::is_scalar(left->getType()))
+    scalar(left, use);
   else if (is_pointer(left))
     pointer(left);
   else if (!Reals::is_double(left->getType()))
@@ -119,8 +134,8 @@ void Collector::step(UnaryOperator const *step) {
   Expr const *operand = step->getSubExpr()->IgnoreParens();
   if (operand->isTypeDependent()) return;
   store_to_view(operand, /*reads=*/true);
-  if (IntegerState::is_integer(operand->getType()))
-    integer(operand, Use::read);
+  if (ScalarState::is_scalar(operand->getType()))
+    scalar(operand, Use::read);
   else if (is_pointer(operand))
     pointer(operand);
   else if (Reals::is_double(operand->getType()) && may_outlive(operand))
@@ -183,7 +198,7 @@ void Collector::state(VarDecl const *variable, Expr const *reference, bool is_de
   if (variable->getType()->isDependentType() || !holds_state(variable->getType())) return;
   if (context_.getBaseElementType(variable->getType()).isConstQualified()) return;
   bool const of_numbers = reals_.carries_real(variable->getType());
-  if (!of_numbers && integers_.is_fixed(variable)) return;
+  if (!of_numbers && scalars_.is_fixed(variable)) return;
   Use use = Use::state;
   if (variable->isStaticLocal() && !of_numbers)
     use = written_first_.holds(variable)       ? Use::scratch_state
@@ -220,7 +235,7 @@ void Collector::members(RecordDecl const *record) {
       continue;
     }
     bool const is_looked_at = !type->isIncompleteType() && !type->isReferenceType() && !type->isPointerType() &&
-                              (!IntegerState::is_integer(type) || IntegerState::has_address(field));
+                              (!ScalarState::is_scalar(type) || ScalarState::has_address(field));
     bool const holds = is_looked_at && (type->isDependentType() || holds_state(type));
     fact.fields.push_back({field->getNameAsString(), holds});
   }

@@ -36,6 +36,13 @@ Effect effect(CXXMethodDecl const *method) {
   return found == known.end() ? Effect::reads : found->second;
 }
 
+// A container of the standard library is asked how many elements it has.
+bool asks_count(CXXMethodDecl const *method) {
+  std::string const name = name_of(method);
+  return (name == "size" || name == "empty") && method->getParent()->isInStdNamespace() &&
+         !is_string(method->getThisType()->getPointeeType());
+}
+
 // Functions of <algorithm> and <numeric> that only write to the range they are given.
 bool only_writes(FunctionDecl const *function) {
   return function->isInStdNamespace() && library::has(name_of(function), library::ONLY_WRITES);
@@ -64,6 +71,11 @@ CXXMemberCallExpr const *iterator(Expr const *argument) {
   return dyn_cast<CXXMemberCallExpr>(argument);
 }
 
+bool is_parameter(Expr const *expression) {
+  auto const *reference = dyn_cast<DeclRefExpr>(expression);
+  return reference && isa<ParmVarDecl>(reference->getDecl());
+}
+
 bool is_same_variable(Expr const *one, Expr const *other) {
   auto const *first = dyn_cast<DeclRefExpr>(spelled_expression(one));
   auto const *second = dyn_cast<DeclRefExpr>(spelled_expression(other));
@@ -79,7 +91,37 @@ void Collector::object(Expr const *expression, Use use) {
   if (expression->isTypeDependent() || type->isPointerType() || Reals::is_double(type)) return;
   if (!expression->isGLValue() && !Storage::is_view(type)) return;
   if (!type->isRecordType() && !type->isArrayType()) return;
+  // Text is looked at where it is read, and an argument such as a function is the caller's choice, as a count is.
+  if (is_string(type) || (is_parameter(expression) && ScalarState::is_opaque(type))) return;
   if (holds_state(type) && may_outlive(expression)) note(expression, use);
+}
+
+// The text, the pointer to an object or the container decides what the kernel does. As an argument it is the caller's
+// choice.
+void Collector::decides(Expr const *expression) {
+  expression = spelled_expression(expression);
+  if (expression->isTypeDependent() || !expression->isGLValue() || is_parameter(expression)) return;
+  auto const *reference = dyn_cast_or_null<DeclRefExpr>(Storage::base(expression));
+  auto const *variable = reference ? dyn_cast<VarDecl>(reference->getDecl()) : nullptr;
+  if (variable && scalars_.is_fixed(variable)) return;
+  if (may_outlive(expression)) note(expression, Use::decides);
+}
+
+// Which function a virtual call reaches.
+void Collector::dispatch(CXXMemberCallExpr const *call) {
+  CXXMethodDecl const *method = call->getMethodDecl();
+  auto const *callee = dyn_cast<MemberExpr>(call->getCallee()->IgnoreParens());
+  if (!method || !callee || !method->isVirtual() || callee->hasQualifier()) return;
+  if (method->hasAttr<FinalAttr>() || method->getParent()->isEffectivelyFinal()) return;
+  Expr const *object = spelled_expression(callee->getBase());
+  if (auto const *star = dyn_cast<UnaryOperator>(object); star && star->getOpcode() == UO_Deref)
+    object = spelled_expression(star->getSubExpr());
+  else if (auto const *step = dyn_cast<CXXOperatorCallExpr>(object);
+           step && (step->getOperator() == OO_Arrow || step->getOperator() == OO_Star))
+    object = spelled_expression(step->getArg(0));
+  else if (!callee->isArrow())
+    return;
+  decides(object);
 }
 
 // Whether a range begins there, and ends at the next argument; not where the pointers themselves are taken, to swap
@@ -112,8 +154,8 @@ void Collector::library_arguments(FunctionDecl const *function, Arguments argume
       if (begins_range(arguments, i)) range(arguments, i++, Use::range_begin, Use::range_end);
     } else if (argument->isGLValue() && Reals::is_double(type)) {
       if (reals_.is_real(argument) && may_outlive(argument)) note(argument, Use::read);
-    } else if (argument->isGLValue() && IntegerState::is_integer(type)) {
-      if (!isa<MaterializeTemporaryExpr>(argument->IgnoreParens())) integer(argument->IgnoreParenImpCasts(), Use::read);
+    } else if (argument->isGLValue() && ScalarState::is_scalar(type)) {
+      if (!isa<MaterializeTemporaryExpr>(argument->IgnoreParens())) scalar(argument->IgnoreParenImpCasts(), Use::read);
     } else
       object(argument, Use::read);
   }
@@ -123,7 +165,10 @@ void Collector::library_object(CallExpr const *call, FunctionDecl const *functio
   auto const *method = dyn_cast<CXXMethodDecl>(function);
   if (!method || method->isStatic()) return;
   Effect const what = effect(method);
-  if (what == Effect::nothing) return;
+  if (what == Effect::nothing) {
+    if (asks_count(method)) decides(object_argument);
+    return;
+  }
   if (what == Effect::overwrites || what == Effect::changes) {
     object(object_argument, what == Effect::changes ? Use::changed : Use::written);
     return;
@@ -163,6 +208,7 @@ void Collector::operator_call(CXXOperatorCallExpr const *call, FunctionDecl cons
 }
 
 void Collector::state_of_call(CallExpr const *call) {
+  if (auto const *member = dyn_cast<CXXMemberCallExpr>(call); member && !call->isTypeDependent()) dispatch(member);
   FunctionDecl const *function = call->getDirectCallee();
   if (!function || call->isTypeDependent()) return;
   if (iterators_.contains(call)) return;

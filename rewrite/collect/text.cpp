@@ -113,6 +113,7 @@ void Collector::reads_text(SourceLocation reader, Expr const *text, bool only_lo
   constexpr std::size_t longest = 60;
   std::string name = normalised(map_.text(*span, begin));
   if (name.size() > longest) name.replace(longest, std::string::npos, "...");
+  if (!only_looks && !is_source(text->getType()) && !is_character(text->getType())) decides(text);
   facts_.wraps.insert(
       {*span, Use::text, (only_looks ? "nullptr" : in_quotes(name)) + ", " + in_quotes(to_string(map_.place(begin)))});
 }

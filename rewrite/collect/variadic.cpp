@@ -113,7 +113,7 @@ void Collector::argument_list(FunctionDecl const *function) {
 // An integer for which the symbolic program has a class: a comparison, isnan, what truth values and rounding make. In
 // doubt it may: the macro passes plain integers.
 bool Collector::may_be_truth(Expr const *argument) const {
-  if (!IntegerState::is_integer(argument->getType())) return false;
+  if (!ScalarState::is_integer(argument->getType())) return false;
   if (reals_.is_symbolic_integer(argument) || Conditions(map_, reals_).mentions_real(argument)) return true;
   Expr const *bare = argument->IgnoreParenImpCasts();
   if (auto const *negation = dyn_cast<UnaryOperator>(bare); negation && negation->getOpcode() == UO_LNot)

@@ -249,7 +249,7 @@ bool is_about_rewriting(Diagnostic const &diagnostic) {
   case DiagnosticId::quoted_double:
   case DiagnosticId::split_expression:
   case DiagnosticId::unaccounted_double:
-  case DiagnosticId::integer_not_looked_at:
+  case DiagnosticId::scalar_not_looked_at:
   case DiagnosticId::state_not_looked_for: return true;
   default: return false;
   }

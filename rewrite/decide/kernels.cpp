@@ -21,11 +21,13 @@ void check_item(ClauseFact const &clause, ItemFact const &item, Result &result) 
   bool const is_pointer = item.base_kind == Base::pointer || item.base_kind == Base::pointer_to_const ||
                           item.base_kind == Base::const_pointer_to_const;
   if (clause.clause == Clause::scratch) return; // whatever is left there, and wherever a pointer points to
-  if (item.base_is_name && is_pointer && item.sections.empty())
+  if (item.base_is_name && is_pointer && item.sections.empty()) {
+    if (clause.clause == Clause::constant) return; // the pointer itself
     return wrong("is a pointer and needs an extent: '*" + item.label + "' for one object, or '" + item.label +
                  "[0:n]'");
-  if (clause.clause == Clause::constant && !item.carries_real && !item.holds_integer)
-    return wrong("holds neither doubles nor integers: it is " + item.type);
+  }
+  if (clause.clause == Clause::constant && !item.carries_real && !item.holds_scalar)
+    return wrong("holds nothing that could be constant: it is " + item.type);
   if (clause.clause != Clause::constant && !item.carries_real) return wrong("holds no double: it is " + item.type);
   if (!info(clause.clause).has(trait::GIVEN)) return;
   if (item.base_kind == Base::const_object) return wrong("is const: the compiler may have used its value already");

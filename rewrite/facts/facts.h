@@ -71,7 +71,7 @@ struct ItemFact {
   // From the syntax tree.
   bool seen = false; // it stands where a statement can
   bool carries_real = false;
-  bool holds_integer = false;
+  bool holds_scalar = false;
   std::string type;
   Base base_kind = Base::object;
   ObjectLayout layout;               // of each element

@@ -50,7 +50,7 @@ template <class Take> void visit(Take &take, Kernel &object)
   SYMREAL_CONSISTS_OF(name, is_function, by_hand, place, output_file, signature, annotations, source)
 template <class Take> void visit(Take &take, ItemFact &object)
   SYMREAL_CONSISTS_OF(label, expression, tested, base, sections, place, is_return, base_is_name, section_on_base, seen,
-    carries_real, holds_integer, type, base_kind, layout, left_out, kept)
+    carries_real, holds_scalar, type, base_kind, layout, left_out, kept)
 template <class Take> void visit(Take &take, ClauseFact &object)
   SYMREAL_CONSISTS_OF(clause, place, argument, items)
 template <class Take> void visit(Take &take, FunctionFact::Value &object)

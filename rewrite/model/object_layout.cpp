@@ -2,7 +2,7 @@
 
 #include "rewrite/model/plain_declaration.h"
 
-#include "rewrite/model/integer_state.h"
+#include "rewrite/model/scalar_state.h"
 
 #include <clang/AST/QualTypeNames.h>
 #include <clang/AST/RecordLayout.h>
@@ -72,9 +72,15 @@ public:
       text += (type->isSignedIntegerOrEnumerationType() ? "i" : "u") + number(size(type));
       return true;
     }
+    if (ScalarState::is_function_pointer(type)) return text += "p" + number(size(type)), true;
+    if (ScalarState::is_floating(type)) {
+      result_.others.push_back(path);
+      return text += "f" + number(size(type)), true;
+    }
     if (RecordDecl const *record = type->getAsRecordDecl()) return of_record(record->getDefinition(), type, path, text);
     bool const refers = type->isPointerType() || type->isReferenceType();
     if (refers && reals_.mentions_real(type)) result_.pointers.push_back(path);
+    if (type->isPointerType()) return text += "t" + number(size(type)), true;
     if (!refers && (type->isRealFloatingType() || type->isAnyComplexType() || type->isIncompleteArrayType()))
       result_.others.push_back(path);
     return false;
@@ -89,12 +95,16 @@ private:
   bool is_counted(QualType type) const {
     bool const is_text = type->isAnyCharacterType() && !type->isSpecificBuiltinType(BuiltinType::SChar) &&
                          !type->isSpecificBuiltinType(BuiltinType::UChar);
-    return IntegerState::is_integer(type) && !is_text && size(type) <= 8;
+    return ScalarState::is_integer(type) && !is_text && size(type) <= 8;
   }
 
   bool of_record(RecordDecl const *record, QualType type, std::string const &path, std::string &text) {
     if (!record) return false;
     if (auto const *derived = dyn_cast<CXXRecordDecl>(record)) {
+      if (ScalarState::has_value_of_its_own(type)) {
+        if (reals_.mentions_real(type)) result_.pointers.push_back(path);
+        return text += "o1", true;
+      }
       if (is_standard(derived, "complex")) return text += "[2]d", true;
       if (is_standard(derived, "array")) return shape(derived->field_begin()->getType(), path, text);
       if (QualType const element = element_of(derived); !element.isNull())

@@ -77,11 +77,11 @@ std::map<std::string, std::vector<Block>> find_blocks(Facts &facts) {
 
 class BlockFunctions : public Walk {
 public:
-  BlockFunctions(SourceMap const &map, Reals const &reals, IntegerState const &integers, Surroundings &found,
+  BlockFunctions(SourceMap const &map, Reals const &reals, ScalarState const &scalars, Surroundings &found,
                  std::map<std::string, std::vector<Block>> blocks)
       : map_(map),
         reals_(reals),
-        integers_(integers),
+        scalars_(scalars),
         found_(found),
         blocks_(std::move(blocks)) {}
 
@@ -136,15 +136,15 @@ private:
     if (context.getBaseElementType(type).isConstQualified() || type->isVariablyModifiedType()) return;
     if (variable->isConstexpr() || reals_.is_passive(variable)) return;
     if (block.annotated.contains(variable->getName().str())) return;
-    bool const is_integer = !type->isDependentType() && IntegerState::is_integer(type);
-    bool const holds = type->isDependentType() || reals_.carries_real(type) || integers_.holds(type);
-    if (!is_integer && !holds) return;
+    bool const is_scalar = !type->isDependentType() && ScalarState::is_scalar(type);
+    bool const holds = type->isDependentType() || reals_.carries_real(type) || scalars_.holds(type);
+    if (!is_scalar && !holds) return;
     std::vector<Mention> const &mentions = mentions_of(variable);
     bool const has_value =
         variable->hasInit() || isa<ParmVarDecl>(variable) || (!mentions.empty() && mentions[0].offset < block.begin);
-    if (!has_value || (is_integer && !is_read_first(block, mentions))) return;
+    if (!has_value || (is_scalar && !is_read_first(block, mentions))) return;
     block.pragma->around.push_back({variable->getName().str(), map_.place(variable->getLocation())});
-    if (!is_integer) found_.blocks_[variable].emplace_back(block.begin, block.end);
+    if (!is_scalar) found_.blocks_[variable].emplace_back(block.begin, block.end);
   }
 
   // In the order of the text.
@@ -154,7 +154,7 @@ private:
     return mentions;
   }
 
-  // An integer is not followed; what counts is whether the block begins with a use of it.
+  // A scalar is not followed; what counts is whether the block begins with a use of it.
   bool is_read_first(Block const &block, std::vector<Mention> const &mentions) const {
     auto const first = std::find_if(mentions.begin(), mentions.end(),
                                     [&block](Mention const &one) { return one.offset > block.begin; });
@@ -163,19 +163,19 @@ private:
 
   SourceMap const &map_;
   Reals const &reals_;
-  IntegerState const &integers_;
+  ScalarState const &scalars_;
   Surroundings &found_;
   std::map<std::string, std::vector<Block>> blocks_;
   std::map<VarDecl const *, std::vector<Mention>> mentions_; // in the function
   llvm::SmallPtrSet<Expr const *, 8> assigned_;              // where the block begins
 };
 
-Surroundings::Surroundings(ASTContext &context, SourceMap const &map, Reals const &reals, IntegerState const &integers,
+Surroundings::Surroundings(ASTContext &context, SourceMap const &map, Reals const &reals, ScalarState const &scalars,
                            Facts &facts)
     : map_(map) {
   auto blocks = find_blocks(facts);
   if (!blocks.empty())
-    BlockFunctions(map, reals, integers, *this, std::move(blocks)).TraverseDecl(context.getTranslationUnitDecl());
+    BlockFunctions(map, reals, scalars, *this, std::move(blocks)).TraverseDecl(context.getTranslationUnitDecl());
 }
 
 bool Surroundings::contain(VarDecl const *variable, SourceLocation mention) const {

@@ -2,8 +2,8 @@
 // in; unlike other state they may be changed, since nobody else knows them.
 #pragma once
 
-#include "rewrite/model/integer_state.h"
 #include "rewrite/model/reals.h"
+#include "rewrite/model/scalar_state.h"
 #include "rewrite/source/source_map.h"
 
 namespace symreal::rewrite {
@@ -11,7 +11,7 @@ namespace symreal::rewrite {
 class Surroundings {
 public:
   // Looks for the blocks, and tells the pragma that begins each which locals there are.
-  Surroundings(clang::ASTContext &context, SourceMap const &map, Reals const &reals, IntegerState const &integers,
+  Surroundings(clang::ASTContext &context, SourceMap const &map, Reals const &reals, ScalarState const &scalars,
                Facts &facts);
 
   // Is it a number, or an object of numbers, that a block finds there, mentioned within the block?

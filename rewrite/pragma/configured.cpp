@@ -132,10 +132,10 @@ bool has_clauses_of(PragmaFact const &pragma, ConfiguredKernel const &kernel) {
 
 class Kernels {
 public:
-  Kernels(SourceMap const &map, Reals const &reals, IntegerState const &integers, Facts &facts)
+  Kernels(SourceMap const &map, Reals const &reals, ScalarState const &scalars, Facts &facts)
       : map_(map),
         reals_(reals),
-        integers_(integers),
+        scalars_(scalars),
         facts_(facts) {}
 
   void attach(ConfiguredKernel const &kernel, std::size_t index, FunctionDecl const *function) {
@@ -159,7 +159,7 @@ public:
         if (means_file(clause.clause, item))
           item.place = map_.place(function->getLocation()); // it is in no file itself
     facts_.pragmas.emplace(*brace, std::move(fact));
-    attach_pragma(*brace, function, names, map_, reals_, integers_, facts_);
+    attach_pragma(*brace, function, names, map_, reals_, scalars_, facts_);
   }
 
 private:
@@ -172,12 +172,12 @@ private:
     if (has_clauses_of(pragma, kernel)) return;
     std::vector<PragmaIndex::Name> names;
     if (read_clauses(kernel, span, function->getASTContext(), pragma, names, facts_))
-      attach_pragma(span, function, names, map_, reals_, integers_, facts_);
+      attach_pragma(span, function, names, map_, reals_, scalars_, facts_);
   }
 
   SourceMap const &map_;
   Reals const &reals_;
-  IntegerState const &integers_;
+  ScalarState const &scalars_;
   Facts &facts_;
 };
 
@@ -202,8 +202,8 @@ void index_configured_externals(Request const &request, ASTContext &context, Pra
 }
 
 void attach_configured_kernels(Request const &request, std::vector<FunctionDecl const *> const &definitions,
-                               SourceMap const &map, Reals const &reals, IntegerState const &integers, Facts &facts) {
-  Kernels kernels(map, reals, integers, facts);
+                               SourceMap const &map, Reals const &reals, ScalarState const &scalars, Facts &facts) {
+  Kernels kernels(map, reals, scalars, facts);
   for (FunctionDecl const *function : definitions)
     if (block_of(function) && map.token(block_of(function)->getBeginLoc()))
       facts.kernel_functions.insert({FunctionName::qualified(function), FunctionName::qualified(function, true)});

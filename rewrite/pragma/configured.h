@@ -3,8 +3,8 @@
 #pragma once
 
 #include "rewrite/facts/facts.h"
-#include "rewrite/model/integer_state.h"
 #include "rewrite/model/reals.h"
+#include "rewrite/model/scalar_state.h"
 #include "rewrite/pragma/pragma_handler.h"
 #include "rewrite/source/clang.h"
 #include "rewrite/source/source_map.h"
@@ -18,7 +18,7 @@ void index_configured_externals(Request const &request, clang::ASTContext &conte
 
 // Attaches the request's kernels to those of the definitions that they name.
 void attach_configured_kernels(Request const &request, std::vector<clang::FunctionDecl const *> const &definitions,
-                               SourceMap const &map, Reals const &reals, IntegerState const &integers, Facts &facts);
+                               SourceMap const &map, Reals const &reals, ScalarState const &scalars, Facts &facts);
 
 // The qualified name of the function that it asks for, without types: one of Facts::kernel_functions where the kernel
 // matters to a source at all.

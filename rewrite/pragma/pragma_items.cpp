@@ -145,11 +145,11 @@ private:
 
 class Attacher {
 public:
-  Attacher(SourceMap const &map, Reals const &reals, IntegerState const &integers,
+  Attacher(SourceMap const &map, Reals const &reals, ScalarState const &scalars,
            std::vector<PragmaIndex::Name> const &names, Facts &facts)
       : map_(map),
         reals_(reals),
-        integers_(integers),
+        scalars_(scalars),
         names_(names),
         facts_(facts) {}
 
@@ -246,7 +246,8 @@ private:
     for (ParmVarDecl const *parameter : function->parameters())
       if (parameter->getIdentifier() && !Storage::is_view(parameter->getType()) &&
           (reals_.carries_real(parameter->getType()) ||
-           (parameter->isReferenced() && integers_.holds(parameter->getType()))))
+           (parameter->isReferenced() && scalars_.holds(parameter->getType()) &&
+            !ScalarState::has_value_of_its_own(parameter->getType()))))
         fact.values.push_back({parameter->getName().str(), map_.place(parameter->getLocation())});
     constexpr unsigned in_registers = 6; // at least, of the calling conventions in use
     auto const *method = dyn_cast<CXXMethodDecl>(function);
@@ -283,7 +284,7 @@ private:
       item.seen = true;
       item.type = declaration->getType().getAsString();
       item.carries_real = declaration->getType()->isDependentType() || reals_.mentions_real(declaration->getType());
-      item.holds_integer = holds_integer(declaration->getType());
+      item.holds_scalar = holds_scalar(declaration->getType());
       note_declaration(item, declaration);
     }
     for (ClauseFact &clause : pragma.clauses)
@@ -302,11 +303,13 @@ private:
     return named;
   }
 
-  // The object itself, or what it points or refers to.
-  bool holds_integer(QualType type) const {
-    while (type->isPointerType() || type->isReferenceType() || type->isArrayType())
+  // The object itself, or what it points or refers to. A container of the library has a number of elements, a smart
+  // pointer leads somewhere.
+  bool holds_scalar(QualType type) const {
+    while ((type->isPointerType() && !type->isFunctionPointerType()) || type->isReferenceType() || type->isArrayType())
       type = type->isArrayType() ? type->getAsArrayTypeUnsafe()->getElementType() : type->getPointeeType();
-    return integers_.holds(type);
+    auto const *special = dyn_cast_or_null<ClassTemplateSpecializationDecl>(type->getAsCXXRecordDecl());
+    return scalars_.holds(type) || (special && special->isInStdNamespace());
   }
 
   void refuse_changes(ItemFact const &item, std::string const &name, ValueDecl const *declaration,
@@ -409,14 +412,14 @@ private:
 
   SourceMap const &map_;
   Reals const &reals_;
-  IntegerState const &integers_;
+  ScalarState const &scalars_;
   std::vector<PragmaIndex::Name> const &names_;
   Facts &facts_;
 };
 
 } // namespace
 
-void note_item(Stmt const *statement, ASTContext const &context, Reals const &reals, IntegerState const &integers,
+void note_item(Stmt const *statement, ASTContext const &context, Reals const &reals, ScalarState const &scalars,
                PragmaIndex const &index, Facts &facts) {
   auto const *expression = dyn_cast<Expr>(statement);
   auto const *cast = expression ? dyn_cast<CStyleCastExpr>(expression->IgnoreImplicit()) : nullptr;
@@ -436,7 +439,7 @@ void note_item(Stmt const *statement, ASTContext const &context, Reals const &re
   bool const is_sequence = record && record->hasDefinition() && !element_of(record).isNull();
   item.carries_real = what->isTypeDependent() || (has_extents || is_sequence ? reals.mentions_real(what->getType())
                                                                              : reals.carries_real(what->getType()));
-  item.holds_integer = integers.holds(has_extents ? what->getType()->getPointeeType() : what->getType());
+  item.holds_scalar = scalars.holds(has_extents ? what->getType()->getPointeeType() : what->getType());
   note_layout(clause, item, type_of_item(what), context, reals, facts);
   auto const find = [base](std::string const &name) {
     return base && base->getIdentifier() && base->getName() == name ? base : nullptr;
@@ -445,15 +448,15 @@ void note_item(Stmt const *statement, ASTContext const &context, Reals const &re
 }
 
 void attach_function_pragmas(std::vector<FunctionDecl const *> const &definitions, SourceMap const &map,
-                             Reals const &reals, IntegerState const &integers, PragmaIndex const &index, Facts &facts) {
-  Attacher attacher(map, reals, integers, index.function_names, facts);
+                             Reals const &reals, ScalarState const &scalars, PragmaIndex const &index, Facts &facts) {
+  Attacher attacher(map, reals, scalars, index.function_names, facts);
   for (auto const &[span, start] : index.function_pragmas)
     if (facts.pragmas[span].function.empty()) attacher.attach(span, start, definitions);
 }
 
 void attach_pragma(Span const &span, FunctionDecl const *definition, std::vector<PragmaIndex::Name> const &names,
-                   SourceMap const &map, Reals const &reals, IntegerState const &integers, Facts &facts) {
-  Attacher(map, reals, integers, names, facts).attach_to(span, definition);
+                   SourceMap const &map, Reals const &reals, ScalarState const &scalars, Facts &facts) {
+  Attacher(map, reals, scalars, names, facts).attach_to(span, definition);
 }
 
 Stmt const *block_of(FunctionDecl const *function) {

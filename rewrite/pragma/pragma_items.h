@@ -3,8 +3,8 @@
 #pragma once
 
 #include "rewrite/facts/facts.h"
-#include "rewrite/model/integer_state.h"
 #include "rewrite/model/reals.h"
+#include "rewrite/model/scalar_state.h"
 #include "rewrite/pragma/pragma_handler.h"
 #include "rewrite/source/clang.h"
 #include "rewrite/source/source_map.h"
@@ -15,15 +15,15 @@ namespace symreal::rewrite {
 
 // If the statement of a block is one that a pragma stands for, notes that its item was seen there, and its type.
 void note_item(clang::Stmt const *statement, clang::ASTContext const &context, Reals const &reals,
-               IntegerState const &integers, PragmaIndex const &index, Facts &facts);
+               ScalarState const &scalars, PragmaIndex const &index, Facts &facts);
 
 // Gives each function pragma of this source the definition that follows it, and collects its return statements.
 void attach_function_pragmas(std::vector<clang::FunctionDecl const *> const &definitions, SourceMap const &map,
-                             Reals const &reals, IntegerState const &integers, PragmaIndex const &index, Facts &facts);
+                             Reals const &reals, ScalarState const &scalars, PragmaIndex const &index, Facts &facts);
 
 // The same for one function pragma and the definition that it is about; `names` are those that its items look up.
 void attach_pragma(Span const &span, clang::FunctionDecl const *definition, std::vector<PragmaIndex::Name> const &names,
-                   SourceMap const &map, Reals const &reals, IntegerState const &integers, Facts &facts);
+                   SourceMap const &map, Reals const &reals, ScalarState const &scalars, Facts &facts);
 
 // The block between the braces of a function, or of its function-try-block; null where it has no body.
 clang::Stmt const *block_of(clang::FunctionDecl const *function);

@@ -31,15 +31,15 @@ using namespace clang;
 class Visitor : public ContextWalk {
 
 public:
-  Visitor(ASTContext &context, SourceMap const &map, Reals const &reals, IntegerState const &integers,
+  Visitor(ASTContext &context, SourceMap const &map, Reals const &reals, ScalarState const &scalars,
           Surroundings const &surroundings, PragmaIndex const &index, bool children_first, Facts &facts)
       : ContextWalk(map, reals),
         context_(context),
-        integers_(integers),
+        scalars_(scalars),
         index_(index),
         children_first_(children_first),
         facts_(facts),
-        collect_(context, map, reals, integers, surroundings, facts) {}
+        collect_(context, map, reals, scalars, surroundings, facts) {}
 
   std::vector<FunctionDecl const *> definitions;
 
@@ -132,6 +132,7 @@ public:
       collect_.error_read(cast->getSubExpr());
       collect_.characters(cast->getSubExpr());
     }
+    if (cast->getCastKind() == CK_PointerToBoolean) collect_.pointer_test(cast->getSubExpr());
     collect_.pointer_cast(cast);
     return true;
   }
@@ -252,7 +253,7 @@ public:
     return true;
   }
   bool VisitCompoundStmt(CompoundStmt *block) override {
-    for (Stmt const *statement : block->body()) note_item(statement, context_, reals_, integers_, index_, facts_);
+    for (Stmt const *statement : block->body()) note_item(statement, context_, reals_, scalars_, index_, facts_);
     return true;
   }
 
@@ -303,6 +304,10 @@ public:
         collect_.assignment(binary);
         collect_.error_assigned(binary);
       }
+      if (binary->isComparisonOp() && !binary->isTypeDependent()) {
+        collect_.pointer_test(binary->getLHS());
+        collect_.pointer_test(binary->getRHS());
+      }
       collect_.dependent_operands(binary);
     }
     return !binary->isLogicalOp() || (decide(binary->getLHS()) && decide(binary->getRHS()));
@@ -337,7 +342,7 @@ private:
   }
 
   ASTContext const &context_;
-  IntegerState const &integers_;
+  ScalarState const &scalars_;
   PragmaIndex const &index_;
   bool const children_first_;
   Facts &facts_;
@@ -352,16 +357,16 @@ void collect_tree(ASTContext &context, SourceMap const &map, PragmaIndex const &
   Reals reals(map);
   collect_externals(context, map, index, facts, reals);
   collect_symbolic_ints(context, map, facts, reals);
-  IntegerState const integers(context, map);
-  Surroundings const surroundings(context, map, reals, integers, facts);
-  Visitor visitor(context, map, reals, integers, surroundings, index, request.children_first, facts);
+  ScalarState const scalars(context, map);
+  Surroundings const surroundings(context, map, reals, scalars, facts);
+  Visitor visitor(context, map, reals, scalars, surroundings, index, request.children_first, facts);
   visitor.TraverseDecl(context.getTranslationUnitDecl());
   visitor.finish();
-  collect_instances(context, map, reals, integers, surroundings, facts);
+  collect_instances(context, map, reals, scalars, surroundings, facts);
   collect_operand_order(context, map, reals, facts);
   collect_layouts(context, map, reals, facts);
-  attach_function_pragmas(visitor.definitions, map, reals, integers, index, facts);
-  attach_configured_kernels(request, visitor.definitions, map, reals, integers, facts);
+  attach_function_pragmas(visitor.definitions, map, reals, scalars, index, facts);
+  attach_configured_kernels(request, visitor.definitions, map, reals, scalars, facts);
   note_file_statics(context, map, facts);
   collect_c_declarations(context, map, facts);
   collect_c_jumps(context, map, facts);

@@ -42,7 +42,7 @@ void detail::end_object(std::size_t const *extents, std::size_t rank) noexcept {
 }
 
 void detail::constant_counts(Extents const &shape) noexcept {
-  for (IntegerObject const *variable = shape.begin_variables(); variable != shape.end_variables(); ++variable)
+  for (ScalarObject const *variable = shape.begin_variables(); variable != shape.end_variables(); ++variable)
     constant_bytes(variable->address, variable->size);
 }
 

@@ -109,11 +109,11 @@ public:
     ++object_.count;
   }
 
-  void integer(IntegerObject integer) override {
+  void scalar(ScalarObject scalar) override {
     Pause const pause;
     std::string name = object_.label;
     for (Level const &level : shape_) name += "." + level.members.back().name;
-    if (kind_ == Kind::input || kind_ == Kind::parameter) State::current().member(integer, name, object_.place);
+    if (kind_ == Kind::input || kind_ == Kind::parameter) State::current().member(scalar, name, object_.place);
   }
 
   // Of the original, whose annotations tell bytes.
@@ -146,7 +146,7 @@ public:
     member.extents = extents;
     std::size_t const count = object_.count - level.count_before;
     if (number_count(extents, member.members) != count) member = {member.name, {count}};
-    if (count == 0) level.members.pop_back(); // an integer, or nothing
+    if (count == 0) level.members.pop_back(); // a scalar, or nothing
   }
   // The elements of an array of structures are of one shape, or the object is one long row.
   void end_members() override {

@@ -42,7 +42,8 @@ void symreal_reads(void const *begin, std::size_t size, int is_number, char cons
       symreal::detail::note_read(reinterpret_cast<RealNumber const *>(static_cast<char const *>(begin) + at), name,
                                  place);
   else if (size <= sizeof(std::uint64_t))
-    symreal::detail::note_integer_read({begin, static_cast<unsigned char>(size), false}, name, place);
+    symreal::detail::note_scalar_read({begin, static_cast<unsigned char>(size), symreal::ScalarObject::Kind::natural},
+                                      name, place);
 }
 
 void symreal_writes(void const *begin, std::size_t size, int is_number, char const *name, char const *place) noexcept {
@@ -50,7 +51,8 @@ void symreal_writes(void const *begin, std::size_t size, int is_number, char con
   if (is_number || size > sizeof(std::uint64_t))
     symreal::detail::note_written(begin, size, name, place);
   else
-    symreal::detail::note_integer_written({begin, static_cast<unsigned char>(size), false}, name, place);
+    symreal::detail::note_scalar_written(
+        {begin, static_cast<unsigned char>(size), symreal::ScalarObject::Kind::natural}, name, place);
 }
 
 // Of what is copied as bytes, whole words are taken for numbers.

@@ -40,7 +40,7 @@ void constant_bytes(void const *object, std::size_t size) noexcept;
 // Counts are fixed in the result, so a variable that is one need not be declared constant as well.
 void constant_counts(Extents const &shape) noexcept;
 void note_read(RealNumber const *number, char const *name, char const *place) noexcept;
-void note_integer_read(IntegerObject integer, char const *name, char const *place) noexcept;
+void note_scalar_read(ScalarObject scalar, char const *name, char const *place) noexcept;
 using Visit = void (*)(void const *object, Numbers &numbers);
 template <class T> void visit(void const *object, Numbers &numbers) { numbers.visit(*static_cast<T const *>(object)); }
 // What these bytes, and the numbers that the object owns when the kernel ends, hold then does not matter.
@@ -203,7 +203,7 @@ template <Kind kind, class T> void declare_object(T const &object) {
     detail::constant_bytes(&object, sizeof object);
     struct {
       void operator()(RealNumber const *number) const { detail::constant_bytes(number, sizeof *number); }
-      void operator()(IntegerObject integer) const { detail::constant_bytes(integer.address, integer.size); }
+      void operator()(ScalarObject scalar) const { detail::constant_bytes(scalar.address, scalar.size); }
     } declare;
     Numbers(declare).visit(object);
   }
@@ -274,7 +274,7 @@ public:
       struct {
         char const *name, *place;
         void operator()(RealNumber const *number) const { detail::note_read(number, name, place); }
-        void operator()(IntegerObject integer) const { detail::note_integer_read(integer, name, place); }
+        void operator()(ScalarObject scalar) const { detail::note_scalar_read(scalar, name, place); }
       } judge{name, place};
       Numbers(judge).visit(object);
     }

@@ -24,11 +24,11 @@ public:
   template <class T> void add(T &&count) {
     push_back(static_cast<std::size_t>(count));
     if constexpr (std::is_lvalue_reference_v<T> && detail::is_integer<std::remove_cvref_t<T>>)
-      add_variable(IntegerObject::of(count));
+      add_variable(ScalarObject::of(count));
   }
   // The variables among the counts.
-  IntegerObject const *begin_variables() const noexcept;
-  IntegerObject const *end_variables() const noexcept;
+  ScalarObject const *begin_variables() const noexcept;
+  ScalarObject const *end_variables() const noexcept;
 
   // Calls `visit` with the indices of each element, row by row.
   template <class Visit> void each_index(Visit visit) const {
@@ -36,7 +36,7 @@ public:
   }
 
 private:
-  void add_variable(IntegerObject variable) noexcept;
+  void add_variable(ScalarObject variable) noexcept;
   void each(void *context, void (*visit)(void *context, std::size_t const *index)) const;
 
   struct Parts;

@@ -41,6 +41,7 @@
 #define SYMREAL_REAL_INT(...) __VA_ARGS__
 #define SYMREAL_REAL_TABLE(name, place, ...) __VA_ARGS__
 #define SYMREAL_REAL_READ(name, place, ...) __VA_ARGS__
+#define SYMREAL_REAL_DECIDES(name, place, ...) __VA_ARGS__
 #define SYMREAL_REAL_WRITTEN(name, place, ...) __VA_ARGS__
 #define SYMREAL_REAL_CHANGED(name, place, ...) __VA_ARGS__
 #define SYMREAL_REAL_FIRST(name, place, ...) __VA_ARGS__
@@ -145,6 +146,7 @@
 #define SYMREAL_REAL_INT(...) ::symreal::SymrealInt<__VA_ARGS__>
 #define SYMREAL_REAL_TABLE(name, place, ...) (::symreal::symreal_table(__VA_ARGS__, name, place))
 #define SYMREAL_REAL_READ(name, place, ...) (::symreal::symreal_read(__VA_ARGS__, name, place))
+#define SYMREAL_REAL_DECIDES(name, place, ...) (::symreal::symreal_decides(__VA_ARGS__, name, place))
 #define SYMREAL_REAL_WRITTEN(name, place, ...) (::symreal::symreal_written(__VA_ARGS__, name, place))
 #define SYMREAL_REAL_CHANGED(name, place, ...) (::symreal::symreal_changed(__VA_ARGS__, name, place))
 #define SYMREAL_REAL_FIRST(name, place, ...) (::symreal::symreal_range_begin(__VA_ARGS__, name, place))
@@ -211,6 +213,7 @@ public:                                                                         
 #define SYMREAL_REAL_INT(...) __VA_ARGS__
 #define SYMREAL_REAL_TABLE(name, place, ...) (__VA_ARGS__)
 #define SYMREAL_REAL_READ(name, place, ...) (__VA_ARGS__)
+#define SYMREAL_REAL_DECIDES(name, place, ...) (__VA_ARGS__)
 #define SYMREAL_REAL_WRITTEN(name, place, ...) (__VA_ARGS__)
 #define SYMREAL_REAL_CHANGED(name, place, ...) (__VA_ARGS__)
 #define SYMREAL_REAL_FIRST(name, place, ...) (__VA_ARGS__)

@@ -37,41 +37,70 @@ template <class T> constexpr bool integer_type() {
   return false;
 }
 template <class T> inline constexpr bool is_integer = integer_type<T>();
+// Numbers that stay as they are. A double is one of code that is not rewritten.
+template <class T> inline constexpr bool is_narrow_or_wide =
+    std::is_floating_point_v<T> && !std::is_same_v<std::remove_cv_t<T>, double>;
+template <class T> inline constexpr bool is_function_pointer =
+    (std::is_pointer_v<T> && std::is_function_v<std::remove_pointer_t<T>>) || std::is_member_pointer_v<T>;
+template <class T> inline constexpr bool is_scalar = is_integer<T> || is_narrow_or_wide<T> || is_function_pointer<T>;
+// An object of a library whose value is none of numbers and elements: text, std::variant, std::any, std::function,
+// std::atomic, std::bitset, std::vector<bool>, std::chrono::duration.
+template <class T> constexpr bool has_value_of_its_own() {
+  return requires(T const &object) { object.c_str(); } ||
+         requires(T const &object) { object.valueless_by_exception(); } ||
+         requires(T const &object) { object.target_type(); } ||
+         requires(T const &object) { object.has_value(), object.type(); } ||
+         requires(T const &object) { object.load(), object.is_lock_free(); } ||
+         requires(T const &object) { object.to_ullong(); } || requires(T const &object) {
+           typename T::period;
+           object.count();
+         } || requires(T &object) { object.flip(); };
+}
 // Text is data of another kind.
 template <class T> inline constexpr bool is_text =
     std::is_same_v<T, char> || std::is_same_v<T, wchar_t> || std::is_same_v<T, char16_t> || std::is_same_v<T, char32_t>;
 
 } // namespace detail
 
-// An integer, a truth value or an enumerator in memory.
-struct IntegerObject {
-  void const *address;
-  unsigned char size; // in bytes, at most 8
-  bool is_signed;
+// A value in memory that is not a REAL: an integer, a truth value, an enumerator, a float or long double, a pointer to
+// a function; or an object of a library that has a value of its own, such as whether an optional is there. Text and
+// pointers to objects are judged only where they decide something.
+struct ScalarObject {
+  enum class Kind : unsigned char { natural, integer, floating, pointer, object, text, target };
 
-  template <class T> static IntegerObject of(T const &object) {
-    bool is_signed = false;
-    if constexpr (std::is_enum_v<T>)
-      is_signed = std::is_signed_v<std::underlying_type_t<T>>;
+  void const *address;
+  unsigned char size; // in bytes, at most 8 of an integer; 1 of an object, for all of it
+  Kind kind;
+
+  template <class T> static ScalarObject of(T const &object) {
+    auto const *address = const_cast<std::remove_cv_t<T> const *>(&object);
+    if constexpr (detail::is_narrow_or_wide<T>) {
+      constexpr std::size_t extended = 10; // bytes of the sixteen of a long double
+      return {address,
+              sizeof object == 16 && std::is_same_v<std::remove_cv_t<T>, long double> ? extended : sizeof object,
+              Kind::floating};
+    } else if constexpr (std::is_enum_v<T>)
+      return {address, sizeof object, std::is_signed_v<std::underlying_type_t<T>> ? Kind::integer : Kind::natural};
+    else if constexpr (detail::is_integer<T>)
+      return {address, sizeof object, std::is_signed_v<T> ? Kind::integer : Kind::natural};
     else
-      is_signed = std::is_signed_v<T>;
-    return {const_cast<std::remove_cv_t<T> const *>(&object), sizeof object, is_signed};
+      return {address, sizeof object, Kind::pointer};
   }
 };
 
-// Visits the numbers and integers in an object and in the storage that it owns. Pointers that own nothing are not
+// Visits the numbers and scalars in an object and in the storage that it owns. Pointers that own nothing are not
 // followed.
 //
 // A class of the rewritten sources tells its members itself: the rewriter gives it a function `symreal_members`.
 class Numbers {
 public:
-  // `found` is called with the address of each number and, if it takes them, with each integer. It must outlive this
+  // `found` is called with the address of each number and, if it takes them, with each scalar. It must outlive this
   // object.
   template <class Found> explicit Numbers(Found &found)
       : context_(&found),
         found_([](void *context, RealNumber const *number) { (*static_cast<Found *>(context))(number); }) {
-    if constexpr (std::is_invocable_v<Found &, IntegerObject>)
-      found_integer_ = [](void *context, IntegerObject integer) { (*static_cast<Found *>(context))(integer); };
+    if constexpr (std::is_invocable_v<Found &, ScalarObject>)
+      found_scalar_ = [](void *context, ScalarObject scalar) { (*static_cast<Found *>(context))(scalar); };
   }
 
   template <class T> static constexpr bool may_hold = detail::is_class<T> || std::is_union_v<T> || std::is_array_v<T>;
@@ -81,7 +110,7 @@ public:
 
 private:
   template <class T> static constexpr bool holds_elements() {
-    return (detail::is_class<T> || !std::is_floating_point_v<T>) && !detail::is_text<T>;
+    return !std::is_same_v<T, double> && !detail::is_text<T>;
   }
 
   template <class T> void one(T const &object) {
@@ -89,14 +118,18 @@ private:
       found_(context_, &object);
     } else if constexpr (detail::is_symbolic_int<T>) {
       words(object);
-    } else if constexpr (detail::is_integer<T>) {
-      if (found_integer_) found_integer_(context_, IntegerObject::of(object));
+    } else if constexpr (detail::is_scalar<T>) {
+      if (found_scalar_) found_scalar_(context_, ScalarObject::of(object));
+    } else if constexpr (std::is_pointer_v<T>) {
+      target(object);
     } else if constexpr (!may_hold<T> || !requires { sizeof(T); }) { // sizeof: what a pointer owns may be unknown here
     } else if constexpr (std::is_array_v<T>) {
       if constexpr (!detail::is_text<std::remove_cv_t<std::remove_extent_t<T>>>)
         for (auto const &part : object) one(part);
     } else if constexpr (requires(Numbers &numbers) { object.symreal_members(numbers); }) {
       object.symreal_members(*this);
+    } else if constexpr (detail::has_value_of_its_own<T>()) {
+      whole(object);
     } else if constexpr (detail::is_complex<T>::value) {
       words(object); // the standard lays a complex number out as an array of two
     } else if constexpr (detail::has_strides<T>()) {
@@ -119,6 +152,10 @@ private:
           typename T::deleter_type;
           *object;
         } || requires { object.has_value(), *object; }) {
+      if constexpr (requires { object.has_value(); })
+        whole(object);
+      else
+        target(object);
       if (object) one(*object);
     } else if constexpr (requires { object.coeffs(); }) { // Eigen's Quaternion
       one(object.coeffs());
@@ -143,9 +180,18 @@ private:
     for (std::size_t k = 0; k < sizeof object / sizeof(RealNumber); ++k) found_(context_, numbers + k);
   }
 
+  template <class T> void whole(T const &object) {
+    constexpr auto kind = requires { object.c_str(); } ? ScalarObject::Kind::text : ScalarObject::Kind::object;
+    if (found_scalar_) found_scalar_(context_, {&object, 1, kind});
+  }
+
+  template <class T> void target(T const &pointer) {
+    if (found_scalar_) found_scalar_(context_, {&pointer, sizeof(void *), ScalarObject::Kind::target});
+  }
+
   void *context_;
   void (*found_)(void *, RealNumber const *);
-  void (*found_integer_)(void *, IntegerObject) = nullptr;
+  void (*found_scalar_)(void *, ScalarObject) = nullptr;
 };
 
 } // namespace symreal

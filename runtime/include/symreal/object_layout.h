@@ -4,6 +4,8 @@
 //   shape  := { "[" count "]" } what
 //   what   := "d"                           a number
 //           | ("i" | "u") size              an integer with or without sign; sizes in bytes
+//           | ("f" | "p" | "t" | "o") size  a float or long double, a pointer to a function or to an object, an object
+//                                           of a library
 //           | "{" { member } "}" size
 //           | "@" k "," size ":" shape      the k-th of the types that stand beside the text: a container of such
 //   member := name "+" offset ":" shape ";"

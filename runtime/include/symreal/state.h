@@ -2,8 +2,8 @@
 // rewriter wraps such uses; while a kernel is recorded each address is judged once.
 //
 // An address is the kernel's own if it lies on the stack below the frame in which the kernel began or in a heap block
-// that was allocated since, or if the kernel wrote it before reading it. Any other number or integer that it reads is
-// baked in, unless it is annotated; any other number that it leaves with a node in it, and any other integer that it
+// that was allocated since, or if the kernel wrote it before reading it. Any other number or scalar that it reads is
+// baked in, unless it is annotated; any other number that it leaves with a node in it, and any other scalar that it
 // changes, is state that is no output.
 #pragma once
 
@@ -41,7 +41,10 @@ inline bool is_own(void const *address) noexcept {
 enum class Scope { any, function, scratch, around, parameter };
 void note_static(void const *object, std::size_t size, Scope scope, char const *name, char const *place) noexcept;
 void note_local(void const *object, std::size_t size, Scope scope, char const *name, char const *place) noexcept;
-void note_integer_written(IntegerObject integer, char const *name, char const *place) noexcept;
+// A pointer to an object: state where it leads nowhere, or to constant memory. What lies behind any other is looked at
+// itself.
+void note_pointer_read(void const *pointer, char const *name, char const *place) noexcept;
+void note_scalar_written(ScalarObject scalar, char const *name, char const *place) noexcept;
 void note_written(void const *begin, std::size_t size, char const *name, char const *place) noexcept;
 // The object outlives this statement: if it still exists when the kernel ends, its numbers are looked at again.
 void note_changed(void const *object, Visit visit, char const *name, char const *place) noexcept;
@@ -70,8 +73,9 @@ struct ReadParts {
   void operator()(RealNumber const *number) const noexcept {
     if (!is_own(number)) note_read(number, name, place);
   }
-  void operator()(IntegerObject integer) const noexcept {
-    if (!is_own(integer.address)) note_integer_read(integer, name, place);
+  void operator()(ScalarObject scalar) const noexcept {
+    bool const is_judged = scalar.kind != ScalarObject::Kind::text && scalar.kind != ScalarObject::Kind::target;
+    if (is_judged && !is_own(scalar.address)) note_scalar_read(scalar, name, place);
   }
 };
 struct WrittenParts {
@@ -79,8 +83,8 @@ struct WrittenParts {
   void operator()(RealNumber const *number) const noexcept {
     if (!is_own(number)) note_written(number, sizeof *number, name, place);
   }
-  void operator()(IntegerObject integer) const noexcept {
-    if (!is_own(integer.address)) note_integer_written(integer, name, place);
+  void operator()(ScalarObject scalar) const noexcept {
+    if (!is_own(scalar.address)) note_scalar_written(scalar, name, place);
   }
 };
 
@@ -88,8 +92,10 @@ template <class T> void read_object(T &object, char const *name, char const *pla
   using Plain = std::remove_cv_t<T>;
   if constexpr (std::is_same_v<Plain, RealNumber>) {
     ReadParts{name, place}(const_cast<Plain const *>(&object));
-  } else if constexpr (is_integer<Plain>) {
-    ReadParts{name, place}(IntegerObject::of(object));
+  } else if constexpr (is_scalar<Plain>) {
+    ReadParts{name, place}(ScalarObject::of(object));
+  } else if constexpr (std::is_pointer_v<Plain>) {
+    if (!is_own(bytes_of(&object))) note_pointer_read(bytes_of(&object), name, place);
   } else if constexpr (Numbers::may_hold<Plain>) {
     ReadParts parts{name, place};
     Numbers(parts).visit(object);
@@ -98,14 +104,36 @@ template <class T> void read_object(T &object, char const *name, char const *pla
   }
 }
 
+// The first number or scalar that an object holds.
+struct FirstPart {
+  void const *address = nullptr;
+  void operator()(RealNumber const *number) noexcept { address = address ? address : number; }
+  void operator()(ScalarObject scalar) noexcept { address = address ? address : scalar.address; }
+};
+
+// What decides is the object itself: the text that it is, the object that a pointer leads to, how many elements there
+// are. Elements that are annotated vouch for their number.
+template <class T> void decided_by(T &object, char const *name, char const *place) noexcept {
+  using Plain = std::remove_cv_t<T>;
+  if (is_own(bytes_of(&object))) return;
+  if constexpr (std::is_pointer_v<Plain> || requires { typename Plain::deleter_type; }) {
+    note_scalar_read({bytes_of(&object), sizeof(void *), ScalarObject::Kind::target}, name, place);
+  } else {
+    FirstPart first;
+    if constexpr (!has_value_of_its_own<Plain>() && !std::is_array_v<Plain>) Numbers(first).visit(object);
+    void const *address = first.address ? first.address : bytes_of(&object);
+    note_scalar_read({address, 1, ScalarObject::Kind::object}, name, place);
+  }
+}
+
 template <class T> void write_object(T &object, char const *name, char const *place) noexcept {
   using Plain = std::remove_cv_t<T>;
   if constexpr (std::is_same_v<Plain, RealNumber>) {
     WrittenParts{name, place}(const_cast<Plain *>(&object));
-  } else if constexpr (is_integer<Plain>) {
-    WrittenParts{name, place}(IntegerObject::of(object));
-  } else if constexpr (std::is_pointer_v<Plain> || std::is_member_pointer_v<Plain>) { // a function or an object
-    WrittenParts{name, place}({bytes_of(&object), sizeof(void *), false});
+  } else if constexpr (is_scalar<Plain>) {
+    WrittenParts{name, place}(ScalarObject::of(object));
+  } else if constexpr (std::is_pointer_v<Plain>) {
+    WrittenParts{name, place}({bytes_of(&object), sizeof(void *), ScalarObject::Kind::pointer});
   } else if constexpr (Numbers::may_hold<T>) {
     WrittenParts parts{name, place};
     Numbers(parts).visit(object);
@@ -144,11 +172,11 @@ template <class T> constexpr T &symreal_scratch_state(T &object, char const *nam
   return object;
 }
 
-// A local of the function around a block kernel. An integer among them was looked at by the rewriter: it is read.
+// A local of the function around a block kernel. A scalar among them was looked at by the rewriter: it is read.
 template <class T> void symreal_around(T const &object, char const *name, char const *place) noexcept {
   if (!detail::recording) return;
   detail::note_local(detail::bytes_of(&object), sizeof object, detail::Scope::around, name, place);
-  if constexpr (detail::is_integer<T>) detail::note_integer_read(IntegerObject::of(object), name, place);
+  if constexpr (detail::is_scalar<T>) detail::note_scalar_read(ScalarObject::of(object), name, place);
 }
 
 // A parameter of the kernel, by value.
@@ -161,6 +189,12 @@ template <class T> void symreal_parameter(T const &object, char const *name, cha
 // The value of the object is used. What holds no number, and what a macro makes of the same words elsewhere, passes.
 template <class T> constexpr T &&symreal_read(T &&object, char const *name, char const *place) noexcept {
   if (!__builtin_is_constant_evaluated() && detail::recording) detail::read_object(object, name, place);
+  return static_cast<T &&>(object);
+}
+
+// What the kernel does next depends on it.
+template <class T> constexpr T &&symreal_decides(T &&object, char const *name, char const *place) noexcept {
+  if (!__builtin_is_constant_evaluated() && detail::recording) detail::decided_by(object, name, place);
   return static_cast<T &&>(object);
 }
 

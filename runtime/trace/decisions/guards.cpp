@@ -23,11 +23,15 @@ void Guards::begin() {
 }
 
 void Guards::add(SymbolicBool condition, bool outcome, Reason reason) {
+  memory::OwnWork const own;
   add(outcome ? condition : !condition, describe(condition.condition()) + std::string(outcome ? "" : guard_is_false),
       reason);
 }
 
-void Guards::add(SymbolicBool condition, std::string text) { add(condition, std::move(text), Reason::policy); }
+void Guards::add(SymbolicBool condition, std::string text) {
+  memory::OwnWork const own;
+  add(condition, std::move(text), Reason::policy);
+}
 
 void Guards::add(SymbolicBool condition, std::string text, Reason reason) {
   RealNumber const path = current_path(), arm = current_arm();

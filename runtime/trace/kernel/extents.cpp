@@ -6,7 +6,7 @@ namespace symreal {
 
 struct Extents::Parts {
   std::vector<std::size_t> extents;
-  std::vector<IntegerObject> variables; // that are among them
+  std::vector<ScalarObject> variables; // that are among them
 };
 
 Extents::Extents() : parts_(new Parts) {}
@@ -19,9 +19,9 @@ void Extents::append(Extents const &inner) noexcept {
 std::size_t const *Extents::data() const noexcept { return parts_->extents.data(); }
 std::size_t Extents::size() const noexcept { return parts_->extents.size(); }
 
-void Extents::add_variable(IntegerObject variable) noexcept { parts_->variables.push_back(variable); }
-IntegerObject const *Extents::begin_variables() const noexcept { return parts_->variables.data(); }
-IntegerObject const *Extents::end_variables() const noexcept { return begin_variables() + parts_->variables.size(); }
+void Extents::add_variable(ScalarObject variable) noexcept { parts_->variables.push_back(variable); }
+ScalarObject const *Extents::begin_variables() const noexcept { return parts_->variables.data(); }
+ScalarObject const *Extents::end_variables() const noexcept { return begin_variables() + parts_->variables.size(); }
 
 void Extents::each(void *context, void (*visit)(void *context, std::size_t const *index)) const {
   std::vector<std::size_t> const &shape = parts_->extents;

@@ -26,8 +26,8 @@ public:
   virtual void begin(std::string const &name, void const *frame) = 0;
   virtual void begin_object(Kind kind, std::string const &label, Place const &place) = 0;
   virtual void element(void *number, bool is_temporary) = 0;
-  // An integer of a structure that is annotated.
-  virtual void integer(IntegerObject) {}
+  // A scalar of a structure that is annotated.
+  virtual void scalar(ScalarObject) {}
   // Of a structure the elements are those of its members.
   virtual void begin_members() {}
   virtual void begin_member(std::string const &) {}

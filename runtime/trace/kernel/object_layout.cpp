@@ -25,13 +25,12 @@ public:
     switch (*text) {
     case '[': return visit_array(text, object, extents);
     case 'd': visitor_.number(object); return text + 1;
-    case 'i':
-    case 'u': {
-      std::size_t bytes = 0;
-      char const *end = number(text + 1, bytes);
-      visitor_.integer({const_cast<char const *>(object), static_cast<unsigned char>(bytes), *text == 'i'});
-      return end;
-    }
+    case 'i': return visit_scalar(text, object, ScalarObject::Kind::integer);
+    case 'u': return visit_scalar(text, object, ScalarObject::Kind::natural);
+    case 'f': return visit_scalar(text, object, ScalarObject::Kind::floating);
+    case 'p': return visit_scalar(text, object, ScalarObject::Kind::pointer);
+    case 't': return visit_scalar(text, object, ScalarObject::Kind::target);
+    case 'o': return visit_scalar(text, object, ScalarObject::Kind::object);
     case '{': return visit_members(text + 1, object);
     case '@': return visit_container(text + 1, object, extents);
     }
@@ -59,6 +58,13 @@ public:
   }
 
 private:
+  char const *visit_scalar(char const *text, char const volatile *object, ScalarObject::Kind kind) {
+    std::size_t bytes = 0;
+    char const *end = number(text + 1, bytes);
+    visitor_.scalar({const_cast<char const *>(object), static_cast<unsigned char>(bytes), kind});
+    return end;
+  }
+
   static char const *number(char const *text, std::size_t &value) {
     char *end = nullptr;
     value = std::strtoul(text, &end, 10);
@@ -125,7 +131,7 @@ class ToSink final : public LayoutVisitor {
 public:
   ToSink(Sink &sink, bool is_temporary) : sink_(sink), is_temporary_(is_temporary) {}
   void number(void const volatile *address) override { sink_.element(const_cast<void *>(address), is_temporary_); }
-  void integer(IntegerObject integer) override { sink_.integer(integer); }
+  void scalar(ScalarObject scalar) override { sink_.scalar(scalar); }
   void container(void const volatile *object, std::size_t size) override {
     sink_.holder(const_cast<void const *>(object), size);
   }

@@ -12,7 +12,7 @@ class LayoutVisitor {
 public:
   virtual ~LayoutVisitor() = default;
   virtual void number(void const volatile *address) = 0;
-  virtual void integer(IntegerObject) {}
+  virtual void scalar(ScalarObject) {}
   virtual void container(void const volatile *, std::size_t) {}
   virtual void begin_members() {}
   virtual void begin_member(std::string const &) {}

@@ -104,24 +104,30 @@ void report(Diagnostic const &diagnostic) {
 }
 
 void report_here(DiagnosticId id, std::string const &message) {
+  memory::OwnWork const own;
   log().wrong = true;
   event({"located", code(id), message, hexadecimal(call_stack())});
   if (record_directory().empty()) print(std::cerr, {id, {}, message});
 }
 
 void report_interrupted(DiagnosticId id, std::string const &message, std::uintptr_t delayed) {
+  memory::OwnWork const own;
   log().wrong = true;
   if (log().interrupted[id].add(message, interrupted_stack(delayed)) && record_directory().empty())
     print(std::cerr, {id, {}, message});
 }
 
 void report_decision(std::string const &condition) {
+  memory::OwnWork const own;
   if (log().decisions.add(condition, call_stack()) && record_directory().empty())
     std::cerr << "symreal: a decision on " << condition << "; symreal generate tells where\n";
   log().wrong = true;
 }
 
-void report_carried(std::string const &condition) { log().carried.add(condition, call_stack()); }
+void report_carried(std::string const &condition) {
+  memory::OwnWork const own;
+  log().carried.add(condition, call_stack());
+}
 
 void report_settled(std::string const &condition) {
   memory::OwnWork const own;

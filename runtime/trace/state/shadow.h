@@ -26,6 +26,7 @@ constexpr Marks named = 512;    // the first word of a static object whose name 
 constexpr Marks changed = 1024; // ... of an object that is looked at again when the kernel ends
 constexpr Marks is_judged = own | input | output | noted; // what a read of it means is known
 constexpr Marks may_be_read = is_judged | constant;
+constexpr Marks vouches = input | constant | output | scratch; // for the number of elements around it
 constexpr Marks may_be_left = output | scratch | freed;
 } // namespace mark
 

@@ -50,11 +50,14 @@ Site State::site_of(void const *address, char const *name, char const *place) co
   return offset < object.size ? object.site : Site{name, place};
 }
 
+bool State::is_constant(void const *address) const {
+  return std::ranges::any_of(constant_memory_, [address](MemoryRange const &range) { return range.contains(address); });
+}
+
 // Does what lies there outlive the kernel, so that others may change or read it?
 bool State::outlives(void const *address) {
   if ((shadow_.at(address) & mark::own) != 0) return false;
-  bool const constant = std::any_of(constant_memory_.begin(), constant_memory_.end(),
-                                    [address](MemoryRange const &range) { return range.contains(address); });
+  bool const constant = is_constant(address);
   bool const unknown = !heap_is_known_ && site_of(address, "", "").name.empty();
   if (constant || unknown) shadow_.add(address, 1, mark::own);
   overlooked_ = overlooked_ || (unknown && !constant);
@@ -111,23 +114,30 @@ void State::add_read(RealNumber const *number, double value, Site const &site) {
   note({.kind = StateNote::Kind::read, .object = number, .site = site, .value = value});
 }
 
-void State::read(IntegerObject integer, char const *name, char const *place) {
-  if (integers_.is_noted(integer.address) || !outlives(integer.address)) return;
-  Site const site = site_of(integer.address, name, place);
+void State::read(ScalarObject scalar, char const *name, char const *place) {
+  if (scalars_.is_noted(scalar.address) || !outlives(scalar.address)) return;
+  Site const site = site_of(scalar.address, name, place);
   (void)read_at(site);
-  integers_.note(integer, site, Integers::First::read);
-  note({.kind = StateNote::Kind::read_integer, .object = integer.address, .site = site, .integer = integer});
+  scalars_.note(scalar, site, Scalars::First::read);
+  note({.kind = StateNote::Kind::read_scalar, .object = scalar.address, .site = site, .scalar = scalar});
 }
 
-void State::written(IntegerObject integer, char const *name, char const *place) {
-  if (!integers_.is_noted(integer.address) && outlives(integer.address))
-    integers_.note(integer, site_of(integer.address, name, place), Integers::First::written);
-  integers_.change(integer.address);
-  if (keeps_journal_ && integers_.is_noted(integer.address))
-    note({.kind = StateNote::Kind::written_integer,
-          .object = integer.address,
-          .site = site_of(integer.address, name, place),
-          .integer = integer});
+void State::read_pointer(void const *pointer, char const *name, char const *place) {
+  void const *target = nullptr;
+  std::memcpy(&target, pointer, sizeof target);
+  if (!target || is_constant(target))
+    read(ScalarObject{pointer, sizeof target, ScalarObject::Kind::target}, name, place);
+}
+
+void State::written(ScalarObject scalar, char const *name, char const *place) {
+  if (!scalars_.is_noted(scalar.address) && outlives(scalar.address))
+    scalars_.note(scalar, site_of(scalar.address, name, place), Scalars::First::written);
+  scalars_.change(scalar.address);
+  if (keeps_journal_ && scalars_.is_noted(scalar.address))
+    note({.kind = StateNote::Kind::written_scalar,
+          .object = scalar.address,
+          .site = site_of(scalar.address, name, place),
+          .scalar = scalar});
 }
 
 void State::check_bits(TornNumbers::Bits bits, char const *name, char const *place) {
@@ -193,7 +203,7 @@ void State::constant(void const *begin, std::size_t size) {
   auto const at = reinterpret_cast<std::uintptr_t>(begin);
   std::uintptr_t const first = (at + 7) / 8 * 8, last = (at + size) / 8 * 8;
   if (first < last) shadow_.add(static_cast<char const *>(begin) + (first - at), last - first, mark::constant);
-  if (first != at || last != at + size) integers_.annotate(begin, size);
+  if (first != at || last != at + size) scalars_.annotate(begin, size);
 }
 
 void State::input(RealNumber const *number, std::string const &label, Place const &place) {
@@ -201,12 +211,12 @@ void State::input(RealNumber const *number, std::string const &label, Place cons
   inputs_.push_back({number, number->to_bits(), &*labels_.insert(label).first, place});
 }
 
-void State::member(IntegerObject integer, std::string const &label, Place const &place) {
-  if (!members_.insert(integer.address).second) return;
+void State::member(ScalarObject scalar, std::string const &label, Place const &place) {
+  if (!members_.insert(scalar.address).second) return;
   // Where the kernel reads it, it is its own: an argument by value.
-  if (detail::on_own_stack(integer.address) || is_private(site_of(integer.address, "", ""))) {
+  if (detail::on_own_stack(scalar.address) || is_private(site_of(scalar.address, "", ""))) {
     Frozen &copy = copies_.try_emplace(label, Frozen{label, place, {}}).first->second;
-    copy.values.push_back(Integers::value_of(integer));
+    if (std::optional<double> const value = Scalars::value_of(scalar)) copy.values.push_back(*value);
     copy.is_member = true;
   }
 }
@@ -248,7 +258,7 @@ void State::moved(void *block, std::size_t size, void *to, std::size_t new_size)
   marks.resize((new_size + 7) / 8, mark::own);
   shadow_.set(block, size, mark::freed);
   shadow_.paste(to, marks);
-  integers_.move(block, size, to);
+  scalars_.move(block, size, to);
 }
 
 // A number that holds a node is an ordinary one again.
@@ -271,7 +281,7 @@ void State::leave(memory::Known object, std::vector<memory::HeapBlock> const &bl
       shadow_.add(number, sizeof *number, mark::scratch);
       make_plain(number);
     }
-    integers_.forget(one.begin, one.size);
+    scalars_.forget(one.begin, one.size);
   }
 }
 
@@ -289,7 +299,7 @@ void State::mark_scratch() {
         state.shadow_.add(number, sizeof *number, mark::scratch);
         state.make_plain(number);
       }
-      void operator()(IntegerObject integer) const { state.integers_.forget(integer); }
+      void operator()(ScalarObject scalar) const { state.scalars_.forget(scalar); }
     } left{*this};
     Numbers numbers(left);
     one.visit(one.object, numbers);
@@ -313,22 +323,25 @@ void State::judge_inputs() {
   }
 }
 
-// An integer that was read keeps the value that it had then; one that has changed is lost. A static one of a function
+// A scalar that was read keeps the value that it had then; one that has changed is lost. A static one of a function
 // that this path writes before it reads it may be read on another, which is the original's where a guard fails.
-void State::judge_integers(bool has_guards) {
-  for (Integers::Noted const &one : integers_.noted()) {
-    Marks const marks = shadow_.at(one.integer.address);
+void State::judge_scalars(bool has_guards) {
+  for (Scalars::Noted const &one : scalars_.noted()) {
+    Marks const marks = shadow_.at(one.scalar.address);
     if ((marks & mark::freed) != 0) continue;
-    bool const is_constant = (marks & mark::constant) != 0 || integers_.is_annotated(one.integer);
+    bool const is_object = one.scalar.kind == ScalarObject::Kind::object; // which its elements vouch for
+    bool const is_constant = (marks & (is_object ? mark::vouches : mark::constant)) != 0 ||
+                             scalars_.is_annotated(one.scalar) || (is_object && one.is_scratch);
     bool const private_scratch = one.site.scope == detail::Scope::scratch ||
                                  (!one.is_read && one.site.scope == detail::Scope::function && !has_guards);
     if (one.is_lost() && private_scratch)
       event({"scratch", std::string(one.site.name)});
     else if (one.is_lost() && !is_private(one.site))
       report_lost(one.site);
-    else if (one.is_read && !is_constant)
-      (members_.contains(one.integer.address) ? reads_[one.site].members : reads_[one.site].integers)
-          .push_back(one.value());
+    else if (one.is_read && !is_constant) {
+      Read &read = reads_[one.site];
+      (members_.contains(one.scalar.address) ? read.members : read.scalars).push_back(one.value());
+    }
   }
 }
 
@@ -337,6 +350,12 @@ void State::warn_overlooked() const {
           {},
           "Symreal did not look at what the kernel reads through pointers and from members: the program has an "
           "allocator of its own"});
+}
+
+// Which function a pointer leads to, and what an object of a library holds, are not told.
+static void add_known(std::vector<double> &values, std::vector<std::optional<double>> const &scalars) {
+  for (std::optional<double> const &scalar : scalars)
+    if (scalar) values.push_back(*scalar);
 }
 
 // What was read keeps the value that it had then, unless it has changed.
@@ -356,16 +375,18 @@ void State::judge_reads(std::vector<Frozen> &frozen) {
         ((marks & mark::output) != 0 && !is_private(site) ? kept : state.values).push_back(read.values[k]);
       if (changed_since) make_plain(number);
     }
-    state.values.insert(state.values.end(), read.integers.begin(), read.integers.end());
+    bool const any_frozen = !state.values.empty();
+    add_known(state.values, read.scalars);
     if (!kept.empty())
       report({DiagnosticId::output_keeps_value, state.place,
               "a result depends on what output '" + state.name + "' held before (" + shortest(kept[0]) +
                   (kept.size() > 1 ? ", ...)" : ")")});
     Frozen members = state;
-    members.values = std::move(read.members);
+    members.values.clear();
+    add_known(members.values, read.members);
     members.is_member = true;
-    if (!members.values.empty()) frozen.push_back(std::move(members));
-    if (!state.values.empty()) frozen.push_back(std::move(state));
+    if (!read.members.empty()) frozen.push_back(std::move(members));
+    if (any_frozen || !read.scalars.empty()) frozen.push_back(std::move(state));
   }
   for (auto &[label, copy] : copies_) frozen.push_back(std::move(copy));
 }
@@ -406,7 +427,7 @@ std::vector<Frozen> State::end(Place const &kernel, bool has_guards) {
   judge_initialised(kernel); // while the objects still hold nodes
   mark_scratch();
   judge_inputs();
-  judge_integers(has_guards && !is_dropped("beyond_guards"));
+  judge_scalars(has_guards && !is_dropped("beyond_guards"));
   std::vector<Frozen> frozen;
   judge_reads(frozen);
   for (auto &[function, values] : outside_)

@@ -6,7 +6,7 @@
 #include "memory/memory_image.h"
 #include "memory/own_memory.h"
 #include "trace/nodes/torn_numbers.h"
-#include "trace/state/integers.h"
+#include "trace/state/scalars.h"
 #include "trace/state/shadow.h"
 
 #include <symreal/state.h>
@@ -23,11 +23,11 @@ namespace symreal::trace {
 
 // What one process has learned of the state, for another that goes on for both (state_journal.cpp).
 struct StateNote {
-  enum class Kind { named, read, read_integer, written, written_integer, changed, taken_back, kept } kind;
+  enum class Kind { named, read, read_scalar, written, written_scalar, changed, taken_back, kept } kind;
   void const *object;
   std::size_t size = 0;
   Site site = {};
-  IntegerObject integer = {};
+  ScalarObject scalar = {};
   detail::Visit visit = nullptr;
   double value = 0;
 };
@@ -53,16 +53,17 @@ public:
   void local(void const *object, std::size_t size, detail::Scope scope, char const *name, char const *place);
   bool is_around(void const *address) const { return site_of(address, "", "").scope == detail::Scope::around; }
   void read(RealNumber const *number, char const *name, char const *place);
-  void read(IntegerObject integer, char const *name, char const *place);
-  void written(IntegerObject integer, char const *name, char const *place);
+  void read(ScalarObject scalar, char const *name, char const *place);
+  void read_pointer(void const *pointer, char const *name, char const *place);
+  void written(ScalarObject scalar, char const *name, char const *place);
   void written(void const *begin, std::size_t size, char const *name, char const *place);
   void changed(void const *object, detail::Visit visit, char const *name, char const *place);
   void check_bits(TornNumbers::Bits bits, char const *name, char const *place);
   void const *other_range_end(void const *end, bool is_last, char const *place);
   void constant(void const *begin, std::size_t size);
   void constant_with_owned(void const *begin, std::size_t size); // and the blocks of the heap behind it
-  // An integer of a structure that is annotated: it is baked in, which is known.
-  void member(IntegerObject integer, std::string const &label, Place const &place);
+  // A scalar of a structure that is annotated: it is baked in, which is known.
+  void member(ScalarObject scalar, std::string const &label, Place const &place);
   void input(RealNumber const *number, std::string const &label, Place const &place);
   // Whether the kernel wrote it, as far as is known, or it is an input. If not, it holds what it held before.
   bool output(RealNumber const *number);
@@ -109,9 +110,9 @@ private:
   struct Read {
     std::vector<RealNumber const *> numbers;
     std::vector<double> values;
-    std::vector<double> integers;      // that are frozen, known when the kernel ends
-    std::vector<double> members;       // those of them that belong to annotated structures
-    std::vector<std::uintptr_t> stack; // of the first
+    std::vector<std::optional<double>> scalars; // that are frozen, known when the kernel ends
+    std::vector<std::optional<double>> members; // those of them that belong to annotated structures
+    std::vector<std::uintptr_t> stack;          // of the first
   };
   struct Written {
     void const *begin;
@@ -145,6 +146,7 @@ private:
     char const *place;
   };
 
+  bool is_constant(void const *address) const;
   bool outlives(void const *address);
   bool learn(StateNote const &note);
   void note(StateNote const &note) {
@@ -176,7 +178,7 @@ private:
   static bool is_private(Site const &site) {
     return site.scope == detail::Scope::around || site.scope == detail::Scope::parameter;
   }
-  void judge_integers(bool has_guards);
+  void judge_scalars(bool has_guards);
   static Place place_of(Site const &site);
   // state_clauses.cpp
   void tell_clauses(std::vector<Frozen> const &frozen, Place const &kernel) const;
@@ -187,13 +189,13 @@ private:
   std::vector<MemoryRange> constant_memory_;          // of the program and its libraries
   std::map<void const *, Static, std::less<>> names_; // by address
   std::map<Site, Read> reads_;
-  Integers integers_;
+  Scalars scalars_;
   std::vector<Written> written_;
   std::vector<Input> inputs_;
   std::vector<RealNumber const *> outputs_;
   std::optional<memory::MemoryImage> image_; // from when the kernel began
   std::set<std::string> labels_;             // of inputs
-  std::set<void const *> members_;           // integers of annotated structures
+  std::set<void const *> members_;           // scalars of annotated structures
   std::map<std::string, Frozen> copies_;     // those that lie in the kernel's own arguments, by name
   std::vector<Changed> changed_;
   std::vector<Scratch> scratch_;

@@ -29,12 +29,12 @@ bool State::learn(StateNote const &one) {
     shadow_.add(number, sizeof *number, mark::noted);
     add_read(number, one.value, one.site);
     return true;
-  case StateNote::Kind::read_integer: {
-    auto const &noted = integers_.noted();
-    auto const known = std::ranges::find(noted, one.object, [](auto const &each) { return each.integer.address; });
+  case StateNote::Kind::read_scalar: {
+    auto const &noted = scalars_.noted();
+    auto const known = std::ranges::find(noted, one.object, [](auto const &each) { return each.scalar.address; });
     if (known != noted.end()) return known->is_read; // else it was written here before, and there it was not
     (void)read_at(one.site);
-    integers_.note(one.integer, one.site, Integers::First::read);
+    scalars_.note(one.scalar, one.site, Scalars::First::read);
     break;
   }
   case StateNote::Kind::written:
@@ -42,9 +42,9 @@ bool State::learn(StateNote const &one) {
     shadow_.add(one.object, one.size, mark::noted | mark::written);
     written_.push_back({one.object, one.size, one.site});
     break;
-  case StateNote::Kind::written_integer:
-    if (!integers_.is_noted(one.object)) integers_.note(one.integer, one.site, Integers::First::written);
-    integers_.change(one.object);
+  case StateNote::Kind::written_scalar:
+    if (!scalars_.is_noted(one.object)) scalars_.note(one.scalar, one.site, Scalars::First::written);
+    scalars_.change(one.object);
     break;
   case StateNote::Kind::changed:
     if ((shadow_.at(one.object) & mark::changed) != 0) return true;

@@ -46,7 +46,7 @@ std::vector<memory::Known> State::known_changes() {
   for (Written const &one : written_) add(one.begin, one.size);
   for (auto const &[site, read] : reads_)
     for (RealNumber const *number : read.numbers) add(number, sizeof *number);
-  for (Integers::Noted const &one : integers_.noted()) add(one.integer.address, one.integer.size);
+  for (Scalars::Noted const &one : scalars_.noted()) add(one.scalar.address, one.scalar.size);
   for (memory::Known const &one : handed_over_) add(one.begin, one.size);
   for (auto const &[object, named] : names_)
     if (is_private(named.site)) add(object, named.size);

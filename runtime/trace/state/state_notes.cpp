@@ -34,14 +34,19 @@ void note_written(void const *begin, std::size_t size, char const *name, char co
   State::current().written(begin, size, name, place);
 }
 
-void note_integer_read(IntegerObject integer, char const *name, char const *place) noexcept {
+void note_scalar_read(ScalarObject scalar, char const *name, char const *place) noexcept {
   Pause const pause;
-  State::current().read(integer, name, place);
+  State::current().read(scalar, name, place);
 }
 
-void note_integer_written(IntegerObject integer, char const *name, char const *place) noexcept {
+void note_pointer_read(void const *pointer, char const *name, char const *place) noexcept {
   Pause const pause;
-  State::current().written(integer, name, place);
+  State::current().read_pointer(pointer, name, place);
+}
+
+void note_scalar_written(ScalarObject scalar, char const *name, char const *place) noexcept {
+  Pause const pause;
+  State::current().written(scalar, name, place);
 }
 
 void given_from_outside(char const *function, double value) noexcept {

@@ -1,13 +1,15 @@
-// The integers among the hidden state of a recording. Generated code does not compute with them: what the kernel read
-// of them is baked in, and what it changed is lost.
+// The scalars among the hidden state of a recording (symreal/numbers.h). Generated code does not compute with them:
+// what the kernel read of them is baked in, and what it changed is lost.
 //
 // Several may share a word of memory, so what is known about each is kept here rather than in the Shadow.
 #pragma once
 
 #include <symreal/state.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string_view>
 #include <unordered_map>
 #include <vector>
@@ -21,38 +23,39 @@ struct Site {
   auto operator<=>(Site const &) const = default;
 };
 
-class Integers {
+class Scalars {
 public:
+  using Bits = std::array<std::uint64_t, 2>;
   struct Noted {
-    IntegerObject integer;
+    ScalarObject scalar;
     Site site;
-    std::uint64_t before; // its bits when it was noted
-    bool is_read;         // before the kernel wrote it
+    Bits before;  // when it was noted
+    bool is_read; // before the kernel wrote it
     bool is_written = false;
     bool is_scratch = false;
 
-    double value() const; // that it had when it was noted
-    bool is_lost() const { return (is_written || bits(integer) != before) && !is_scratch; }
+    std::optional<double> value() const; // that it had when it was noted, if a number says it
+    bool is_lost() const { return (is_written || bits(scalar) != before) && !is_scratch; }
   };
   enum class First { read, written };
 
-  static double value_of(IntegerObject integer) { return Noted{integer, {}, bits(integer), false}.value(); }
+  static std::optional<double> value_of(ScalarObject scalar) { return Noted{scalar, {}, bits(scalar), false}.value(); }
   bool is_noted(void const *address) const { return index_.contains(address); }
-  void note(IntegerObject integer, Site const &site, First first);
+  void note(ScalarObject scalar, Site const &site, First first);
   void change(void const *address);
   // Bytes that share a word with others; whole words are marked in the Shadow.
   void annotate(void const *begin, std::size_t size);
-  bool is_annotated(IntegerObject integer) const;
+  bool is_annotated(ScalarObject scalar) const;
   // What is left in these bytes does not matter.
   void forget(void const *begin, std::size_t size);
-  void forget(IntegerObject integer);
+  void forget(ScalarObject scalar);
   void move(void const *block, std::size_t size, void const *to);
 
   // In the order in which the kernel met them.
   std::vector<Noted> const &noted() const { return noted_; }
 
 private:
-  static std::uint64_t bits(IntegerObject integer);
+  static Bits bits(ScalarObject scalar);
 
   std::vector<Noted> noted_;
   std::unordered_map<void const *, std::size_t> index_;              // by address

@@ -1,4 +1,4 @@
-#include "rewrite/model/integer_state.h"
+#include "rewrite/model/scalar_state.h"
 
 #include "rewrite/model/library.h"
 #include "rewrite/source/walk.h"
@@ -64,7 +64,7 @@ private:
 
 bool is_container(ClassTemplateSpecializationDecl const *record) {
   return record->isInStdNamespace() && record->getIdentifier() &&
-         library::has("std", record->getName(), library::OWNS_INTEGERS);
+         library::has("std", record->getName(), library::OWNS_SCALARS);
 }
 
 bool is_text(QualType type) {
@@ -74,22 +74,48 @@ bool is_text(QualType type) {
 
 } // namespace
 
-IntegerState::IntegerState(ASTContext &context, SourceMap const &map) : map_(map) {
+ScalarState::ScalarState(ASTContext &context, SourceMap const &map) : map_(map) {
   Touched(touched_).TraverseDecl(context.getTranslationUnitDecl());
 }
 
-bool IntegerState::is_integer(QualType type) {
+bool ScalarState::is_integer(QualType type) {
   return !type.isNull() && !type->isDependentType() && type.getNonReferenceType()->isIntegralOrEnumerationType() &&
          !type->isBitIntType();
 }
 
-bool IntegerState::holds(QualType type, llvm::SmallPtrSetImpl<Type const *> &seen) const {
+bool ScalarState::is_floating(QualType type) {
+  if (type.isNull() || type->isDependentType()) return false;
+  type = type.getNonReferenceType();
+  return type->isSpecificBuiltinType(BuiltinType::Float) || type->isSpecificBuiltinType(BuiltinType::LongDouble);
+}
+
+bool ScalarState::is_function_pointer(QualType type) {
+  if (type.isNull() || type->isDependentType()) return false;
+  type = type.getNonReferenceType();
+  return type->isFunctionPointerType() || type->isMemberPointerType();
+}
+
+bool ScalarState::has_value_of_its_own(QualType type) {
+  CXXRecordDecl const *record = type.getNonReferenceType()->getAsCXXRecordDecl();
+  if (!record || !record->isInStdNamespace() || !record->getIdentifier()) return false;
+  if (library::has("std", record->getName(), library::VALUE)) return true;
+  auto const *special = dyn_cast<ClassTemplateSpecializationDecl>(record);
+  return special && special->getName() == "vector" && special->getTemplateArgs()[0].getAsType()->isBooleanType();
+}
+
+bool ScalarState::is_opaque(QualType type) {
+  return has_value_of_its_own(type) &&
+         !library::has("std", type.getNonReferenceType()->getAsCXXRecordDecl()->getName(), library::OWNS_SCALARS);
+}
+
+bool ScalarState::holds(QualType type, llvm::SmallPtrSetImpl<Type const *> &seen) const {
   if (type.isNull() || type->isDependentType() || type->isReferenceType()) return false;
   type = type.getCanonicalType().getUnqualifiedType();
-  if (is_integer(type)) return true;
+  if (is_scalar(type)) return true;
   if (!seen.insert(type.getTypePtr()).second) return false;
   if (auto const *array = type->getAsArrayTypeUnsafe())
     return !is_text(array->getElementType()) && holds(array->getElementType(), seen);
+  if (has_value_of_its_own(type)) return true;
   auto const *record = type->getAsRecordDecl();
   if (!record) return false;
   if (auto const *special = dyn_cast<ClassTemplateSpecializationDecl>(record); special && is_container(special)) {
@@ -109,21 +135,21 @@ bool IntegerState::holds(QualType type, llvm::SmallPtrSetImpl<Type const *> &see
   return false;
 }
 
-bool IntegerState::holds(QualType type) const {
+bool ScalarState::holds(QualType type) const {
   llvm::SmallPtrSet<Type const *, 16> seen;
   return holds(type, seen);
 }
 
-bool IntegerState::is_fixed(VarDecl const *variable) const {
+bool ScalarState::is_fixed(VarDecl const *variable) const {
   VarDecl const *here = visible_here_only(variable);
   return here && !touched_.contains(here);
 }
 
-bool IntegerState::has_address(FieldDecl const *field) {
+bool ScalarState::has_address(FieldDecl const *field) {
   return !field->isBitField() && !field->hasAttr<PackedAttr>() && !field->getParent()->hasAttr<PackedAttr>();
 }
 
-bool IntegerState::has_address(Expr const *expression) {
+bool ScalarState::has_address(Expr const *expression) {
   if (expression->getObjectKind() != OK_Ordinary) return false;
   auto const *member = dyn_cast<MemberExpr>(expression->IgnoreParens());
   auto const *field = member ? dyn_cast<FieldDecl>(member->getMemberDecl()) : nullptr;
