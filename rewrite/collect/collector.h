@@ -145,7 +145,8 @@ public:
   // Hidden state (state.cpp, state_calls.cpp).
   void state(clang::VarDecl const *variable, clang::Expr const *reference, bool is_dependent);
   void read(clang::Expr const *value);
-  void pointer_test(clang::Expr const *pointer);
+  // The class of an object is asked for: typeid(*p), dynamic_cast<T *>(p).
+  void class_asked(clang::Expr const *object) { decides_by_pointer(object); }
   void assignment(clang::BinaryOperator const *assignment);
   void step(clang::UnaryOperator const *step);
   void dependent_operands(clang::BinaryOperator const *operation);
@@ -221,6 +222,7 @@ private:
   void scalar(clang::Expr const *expression, Use use);
   void decides(clang::Expr const *expression);
   void dispatch(clang::CXXMemberCallExpr const *call);
+  void decides_by_pointer(clang::Expr const *object);
   // A pointer gets a new value.
   void pointer(clang::Expr const *expression);
   bool holds_state(clang::QualType type) const { return reals_.carries_real(type) || scalars_.holds(type); }

@@ -58,16 +58,9 @@ void Collector::scalar(Expr const *expression, Use use) {
          "cannot tell whether '" + name + "' is hidden state");
 }
 
-// A pointer to constants, which need not be the same in the next call.
-static bool leads_to_constants(QualType type) {
-  return type->isObjectPointerType() && type->getPointeeType().isConstQualified() &&
-         !is_character(type->getPointeeType());
-}
-
-// Whether the pointer leads somewhere, or where, decides.
-void Collector::pointer_test(Expr const *pointer) {
-  pointer = pointer->IgnoreParenImpCasts();
-  if (pointer->isGLValue() && pointer->getType()->isObjectPointerType()) scalar(pointer, Use::read);
+// It need not lead to the same constants in the next call, or nowhere. Text is looked at where it is read.
+static bool is_object_pointer(QualType type) {
+  return type->isObjectPointerType() && !is_character(type->getPointeeType());
 }
 
 static bool is_pointer(Expr const *expression) {
@@ -104,7 +97,7 @@ void Collector::read(Expr const *value) {
     if (reals_.is_real(value) && may_outlive(value)) note(value, Use::read);
   } else if (value->isGLValue() && ScalarState::is_scalar(value->getType()))
     scalar(value, Use::read);
-  else if (value->isGLValue() && leads_to_constants(value->getType()))
+  else if (value->isGLValue() && is_object_pointer(value->getType()))
     scalar(value, Use::read);
   else
     object(value, Use::read);
@@ -149,8 +142,8 @@ bool names_object(Expr const *expression) {
   if (auto const *reference = dyn_cast<DeclRefExpr>(expression))
     return isa<VarDecl>(reference->getDecl()) && reference->getDecl()->getType()->isReferenceType();
   if (auto const *unary = dyn_cast<UnaryOperator>(expression)) return unary->getOpcode() == UO_Deref;
-  return isa<MemberExpr>(expression) || isa<CXXDependentScopeMemberExpr>(expression) ||
-         isa<ArraySubscriptExpr>(expression);
+  return isa<MemberExpr>(expression) || isa<DependentScopeDeclRefExpr>(expression) ||
+         isa<CXXDependentScopeMemberExpr>(expression) || isa<ArraySubscriptExpr>(expression);
 }
 
 } // namespace

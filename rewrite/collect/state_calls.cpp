@@ -20,17 +20,17 @@ enum class Effect { reads, overwrites, changes, nothing };
 
 Effect effect(CXXMethodDecl const *method) {
   static llvm::StringMap<Effect> const known = {
-      {"assign", Effect::overwrites},       {"fill", Effect::overwrites},       {"clear", Effect::overwrites},
-      {"setZero", Effect::overwrites},      {"setOnes", Effect::overwrites},    {"setConstant", Effect::overwrites},
-      {"setIdentity", Effect::overwrites},  {"setRandom", Effect::overwrites},  {"setUnit", Effect::overwrites},
-      {"setLinSpaced", Effect::overwrites}, {"noalias", Effect::overwrites},    {"push_back", Effect::changes},
-      {"emplace_back", Effect::changes},    {"pop_back", Effect::changes},      {"push_front", Effect::changes},
-      {"emplace_front", Effect::changes},   {"pop_front", Effect::changes},     {"resize", Effect::changes},
-      {"reserve", Effect::changes},         {"insert", Effect::changes},        {"emplace", Effect::changes},
-      {"erase", Effect::changes},           {"shrink_to_fit", Effect::changes}, {"size", Effect::nothing},
-      {"empty", Effect::nothing},           {"rows", Effect::nothing},          {"cols", Effect::nothing},
-      {"capacity", Effect::nothing},        {"max_size", Effect::nothing},      {"innerStride", Effect::nothing},
-      {"outerStride", Effect::nothing},
+      {"assign", Effect::overwrites},      {"fill", Effect::overwrites},         {"clear", Effect::overwrites},
+      {"reset", Effect::overwrites},       {"setZero", Effect::overwrites},      {"setOnes", Effect::overwrites},
+      {"setConstant", Effect::overwrites}, {"setIdentity", Effect::overwrites},  {"setRandom", Effect::overwrites},
+      {"setUnit", Effect::overwrites},     {"setLinSpaced", Effect::overwrites}, {"noalias", Effect::overwrites},
+      {"push_back", Effect::changes},      {"emplace_back", Effect::changes},    {"pop_back", Effect::changes},
+      {"push_front", Effect::changes},     {"emplace_front", Effect::changes},   {"pop_front", Effect::changes},
+      {"resize", Effect::changes},         {"reserve", Effect::changes},         {"insert", Effect::changes},
+      {"emplace", Effect::changes},        {"erase", Effect::changes},           {"shrink_to_fit", Effect::changes},
+      {"size", Effect::nothing},           {"empty", Effect::nothing},           {"rows", Effect::nothing},
+      {"cols", Effect::nothing},           {"capacity", Effect::nothing},        {"max_size", Effect::nothing},
+      {"innerStride", Effect::nothing},    {"outerStride", Effect::nothing},
   };
   auto const found = known.find(name_of(method));
   return found == known.end() ? Effect::reads : found->second;
@@ -93,7 +93,8 @@ void Collector::object(Expr const *expression, Use use) {
   if (!type->isRecordType() && !type->isArrayType()) return;
   // Text is looked at where it is read, and an argument such as a function is the caller's choice, as a count is.
   if (is_string(type) || (is_parameter(expression) && ScalarState::is_opaque(type))) return;
-  if (holds_state(type) && may_outlive(expression)) note(expression, use);
+  bool const is_pointer = use == Use::read && ScalarState::is_smart_pointer(type);
+  if ((is_pointer || holds_state(type)) && may_outlive(expression)) note(expression, use);
 }
 
 // The text, the pointer to an object or the container decides what the kernel does. As an argument it is the caller's
@@ -113,13 +114,19 @@ void Collector::dispatch(CXXMemberCallExpr const *call) {
   auto const *callee = dyn_cast<MemberExpr>(call->getCallee()->IgnoreParens());
   if (!method || !callee || !method->isVirtual() || callee->hasQualifier()) return;
   if (method->hasAttr<FinalAttr>() || method->getParent()->isEffectivelyFinal()) return;
-  Expr const *object = spelled_expression(callee->getBase());
+  decides_by_pointer(callee->getBase());
+}
+
+// Through which pointer the object is reached, if it is.
+void Collector::decides_by_pointer(Expr const *object) {
+  if (object->isTypeDependent()) return;
+  object = spelled_expression(object);
   if (auto const *star = dyn_cast<UnaryOperator>(object); star && star->getOpcode() == UO_Deref)
     object = spelled_expression(star->getSubExpr());
   else if (auto const *step = dyn_cast<CXXOperatorCallExpr>(object);
            step && (step->getOperator() == OO_Arrow || step->getOperator() == OO_Star))
     object = spelled_expression(step->getArg(0));
-  else if (!callee->isArrow())
+  else if (!object->getType()->isPointerType())
     return;
   decides(object);
 }
@@ -165,6 +172,7 @@ void Collector::library_object(CallExpr const *call, FunctionDecl const *functio
   auto const *method = dyn_cast<CXXMethodDecl>(function);
   if (!method || method->isStatic()) return;
   Effect const what = effect(method);
+  if (compares_keys(method)) decides(object_argument);
   if (what == Effect::nothing) {
     if (asks_count(method)) decides(object_argument);
     return;

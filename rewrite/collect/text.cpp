@@ -241,6 +241,9 @@ void Collector::characters(Expr const *value) {
   if (!isa<ArraySubscriptExpr>(value) && !(target && target->getOpcode() == UO_Deref)) return;
   if (auto const *element = dyn_cast<ArraySubscriptExpr>(value))
     if (isa<StringLiteral>(element->getBase()->IgnoreParenImpCasts())) return;
+  Expr const *pointer =
+      (target ? target->getSubExpr() : cast<ArraySubscriptExpr>(value)->getBase())->IgnoreParenImpCasts();
+  if (pointer->isGLValue() && pointer->getType()->isPointerType()) scalar(pointer, Use::read);
   reads_text({}, value);
 }
 

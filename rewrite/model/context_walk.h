@@ -106,7 +106,9 @@ public:
     return Walk::TraverseCXXNoexceptExpr(expression);
   }
   bool TraverseCXXTypeidExpr(clang::CXXTypeidExpr *expression) override {
-    Within const unevaluated(no_state_, true);
+    bool const is_evaluated = !expression->isTypeOperand() && !expression->isTypeDependent() &&
+                              !expression->getExprOperand()->isTypeDependent() && expression->isPotentiallyEvaluated();
+    Within const unevaluated(no_state_, !is_evaluated);
     return Walk::TraverseCXXTypeidExpr(expression);
   }
 

@@ -19,9 +19,10 @@ enum Function : unsigned {
   COMPARES = 1 << 9,
   ERROR_NUMBER = 1 << 10,
   ENVIRONMENT = 1 << 11,
+  ONLY_READS = 1 << 12,
 };
 enum Method : unsigned { READS_ITS_TEXT = 1, COMPARES_KEYS = 2, VIEWS = 4 };
-enum Class : unsigned { OWNS_ELEMENTS = 1, OWNS_SCALARS = 2, VIEW = 4, VALUE = 8 };
+enum Class : unsigned { OWNS_ELEMENTS = 1, OWNS_SCALARS = 2, VIEW = 4, VALUE = 8, POINTER = 16 };
 
 // Has the row of this name the trait? There may be no row.
 bool has(llvm::StringRef function, Function trait);

@@ -22,6 +22,8 @@ DeclRefExpr const *part_of(Expr const *expression) {
       expression = decay->getSubExpr();
     else if (auto const *index = dyn_cast<ArraySubscriptExpr>(expression))
       expression = index->getBase();
+    else if (auto const *sum = dyn_cast<BinaryOperator>(expression); sum && sum->getOpcode() == BO_Add)
+      expression = sum->getLHS(); // the end of a range
     else if (auto const *member = dyn_cast<MemberExpr>(expression); member && !member->isArrow())
       expression = member->getBase();
     else
@@ -47,6 +49,20 @@ public:
       looked_at_.insert(part_of(loop->getRangeInit()));
     return true;
   }
+  // std::count(a, a + n, v), and std::find(a, a + n, v) - a: through what is found nothing is written.
+  bool VisitCallExpr(CallExpr *call) override {
+    if (!call->getType()->isPointerType()) only_reads(call);
+    return true;
+  }
+  bool VisitBinaryOperator(BinaryOperator *binary) override {
+    if (binary->getOpcode() != BO_Sub && !binary->isComparisonOp()) return true;
+    for (Expr const *side : {binary->getLHS(), binary->getRHS()})
+      if (auto const *call = dyn_cast<CallExpr>(side->IgnoreParenImpCasts()))
+        only_reads(call);
+      else if (side->getType()->isPointerType())
+        looked_at_.insert(part_of(side));
+    return true;
+  }
   bool VisitDeclRefExpr(DeclRefExpr *reference) override {
     if (VarDecl const *variable = visible_here_only(reference->getDecl()); variable && !looked_at_.contains(reference))
       touched_.insert(variable);
@@ -58,6 +74,15 @@ public:
   }
 
 private:
+  void only_reads(CallExpr const *call) {
+    FunctionDecl const *function = call->getDirectCallee();
+    if (!function || !function->isInStdNamespace() || !function->getIdentifier() ||
+        !library::has(function->getName(), library::ONLY_READS))
+      return;
+    for (Expr const *argument : call->arguments())
+      if (argument->getType()->isPointerType()) looked_at_.insert(part_of(argument));
+  }
+
   llvm::DenseSet<VarDecl const *> &touched_;
   llvm::SmallPtrSet<DeclRefExpr const *, 32> looked_at_;
 };
@@ -95,12 +120,26 @@ bool ScalarState::is_function_pointer(QualType type) {
   return type->isFunctionPointerType() || type->isMemberPointerType();
 }
 
-bool ScalarState::has_value_of_its_own(QualType type) {
+// A class of the standard library, in a namespace within std too.
+static CXXRecordDecl const *standard_class(QualType type) {
   CXXRecordDecl const *record = type.getNonReferenceType()->getAsCXXRecordDecl();
-  if (!record || !record->isInStdNamespace() || !record->getIdentifier()) return false;
+  if (!record || !record->getIdentifier()) return nullptr;
+  for (DeclContext const *scope = record->getDeclContext(); scope->isNamespace(); scope = scope->getParent())
+    if (scope->isStdNamespace()) return record;
+  return nullptr;
+}
+
+bool ScalarState::has_value_of_its_own(QualType type) {
+  CXXRecordDecl const *record = standard_class(type);
+  if (!record) return false;
   if (library::has("std", record->getName(), library::VALUE)) return true;
   auto const *special = dyn_cast<ClassTemplateSpecializationDecl>(record);
   return special && special->getName() == "vector" && special->getTemplateArgs()[0].getAsType()->isBooleanType();
+}
+
+bool ScalarState::is_smart_pointer(QualType type) {
+  CXXRecordDecl const *record = standard_class(type);
+  return record && library::has("std", record->getName(), library::POINTER);
 }
 
 bool ScalarState::is_opaque(QualType type) {
@@ -142,6 +181,7 @@ bool ScalarState::holds(QualType type) const {
 
 bool ScalarState::is_fixed(VarDecl const *variable) const {
   VarDecl const *here = visible_here_only(variable);
+  if (variable->getType()->isReferenceType()) return false; // the object that it names may change
   return here && !touched_.contains(here);
 }
 

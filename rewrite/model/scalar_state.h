@@ -22,6 +22,7 @@ public:
   }
   // The objects of the class are scalars: std::string, std::variant.
   static bool has_value_of_its_own(clang::QualType type);
+  static bool is_smart_pointer(clang::QualType type);
   // They are, and nothing else is known of what they hold.
   static bool is_opaque(clang::QualType type);
 

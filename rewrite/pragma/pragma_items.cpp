@@ -303,13 +303,12 @@ private:
     return named;
   }
 
-  // The object itself, or what it points or refers to. A container of the library has a number of elements, a smart
-  // pointer leads somewhere.
+  // The object itself, or what it points or refers to. A container has a number of elements, a smart pointer leads
+  // somewhere.
   bool holds_scalar(QualType type) const {
     while ((type->isPointerType() && !type->isFunctionPointerType()) || type->isReferenceType() || type->isArrayType())
       type = type->isArrayType() ? type->getAsArrayTypeUnsafe()->getElementType() : type->getPointeeType();
-    auto const *special = dyn_cast_or_null<ClassTemplateSpecializationDecl>(type->getAsCXXRecordDecl());
-    return scalars_.holds(type) || (special && special->isInStdNamespace());
+    return type->isRecordType() || scalars_.holds(type);
   }
 
   void refuse_changes(ItemFact const &item, std::string const &name, ValueDecl const *declaration,

@@ -52,7 +52,7 @@ private:
   void choose_statement(clang::IfStmt const *choice);
   void choose_value(clang::ConditionalOperator const *choice);
   bool becomes_number(clang::ConditionalOperator const *choice) const;
-  bool is_symbolic_integer(clang::Expr const *arm) const;
+  bool is_symbolic_integer(clang::Expr const *arm, bool becomes_number) const;
   bool is_lvalue_used(clang::ConditionalOperator const *choice) const;
   bool stands_in_argument() const;
 

@@ -176,11 +176,13 @@ bool DecisionCollector::becomes_number(ConditionalOperator const *choice) const 
 }
 
 // The same conversion may stand in a macro's argument, which is expanded into the condition and into the arms.
-bool DecisionCollector::is_symbolic_integer(Expr const *arm) const {
+// `becomes_number`: the choice of which it is an arm does.
+bool DecisionCollector::is_symbolic_integer(Expr const *arm, bool becomes_number) const {
   if (!arm->getType()->isIntegerType() || arm->isTypeDependent()) return false;
   if (auto const *inner = dyn_cast<ConditionalOperator>(Reals::spelled_integer(arm))) { // as choose_value has it
-    bool const yes = is_symbolic_integer(inner->getTrueExpr()), no = is_symbolic_integer(inner->getFalseExpr());
-    return yes != no || (yes && conditions_.classify(inner->getCond()).is_real);
+    bool const yes = is_symbolic_integer(inner->getTrueExpr(), becomes_number);
+    bool const no = is_symbolic_integer(inner->getFalseExpr(), becomes_number);
+    return yes != no || ((yes || becomes_number) && conditions_.classify(inner->getCond()).is_real);
   }
   return reals_.integer_depends(arm, [this](CastExpr const *cast) {
     auto const *written = dyn_cast<ExplicitCastExpr>(cast);
@@ -209,14 +211,16 @@ void DecisionCollector::choose_value(ConditionalOperator const *choice) {
   std::optional<Site> const at = site(choice->getQuestionLoc(), choice->getCond());
   if (!at) return;
   bool const in_macro = !map_.sources().getSLocEntry(at->frame).isFile();
-  bool const yes = is_symbolic_integer(choice->getTrueExpr()), no = is_symbolic_integer(choice->getFalseExpr());
+  bool const becomes = becomes_number(choice);
+  bool const yes = is_symbolic_integer(choice->getTrueExpr(), becomes);
+  bool const no = is_symbolic_integer(choice->getFalseExpr(), becomes);
   if (!condition.is_real && yes == no) {
     // The macro's text may be changed for other uses.
     if (in_macro && is_lvalue_used(choice) && !choice->isTypeDependent())
       refuse(*at, {choice->getQuestionLoc(), {ReasonId::choice_of_objects}});
     return;
   }
-  if (!becomes_number(choice) && !yes && !no)
+  if (!becomes && !yes && !no)
     return refuse(*at, {choice->getQuestionLoc(), {ReasonId::choice_of_type, choice->getType().getAsString()}});
   if (is_lvalue_used(choice)) return refuse(*at, {choice->getQuestionLoc(), {ReasonId::choice_as_object}});
   std::optional<Span> const span = condition_span(*at, condition);

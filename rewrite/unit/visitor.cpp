@@ -58,6 +58,11 @@ public:
   bool VisitCXXTypeidExpr(CXXTypeidExpr *expression) override {
     if (!expression->isTypeOperand()) collect_.looked_at(expression->getExprOperand());
     if (!passive_) collect_.type_asked(expression);
+    if (!passive_ && !no_state_ && !expression->isTypeOperand()) collect_.class_asked(expression->getExprOperand());
+    return true;
+  }
+  bool VisitCXXDynamicCastExpr(CXXDynamicCastExpr *cast) override {
+    if (!passive_ && !no_state_ && !cast->isTypeDependent()) collect_.class_asked(cast->getSubExpr());
     return true;
   }
   bool TraverseConceptExprRequirement(concepts::ExprRequirement *requirement) override {
@@ -132,7 +137,6 @@ public:
       collect_.error_read(cast->getSubExpr());
       collect_.characters(cast->getSubExpr());
     }
-    if (cast->getCastKind() == CK_PointerToBoolean) collect_.pointer_test(cast->getSubExpr());
     collect_.pointer_cast(cast);
     return true;
   }
@@ -303,10 +307,6 @@ public:
       if (binary->isAssignmentOp()) {
         collect_.assignment(binary);
         collect_.error_assigned(binary);
-      }
-      if (binary->isComparisonOp() && !binary->isTypeDependent()) {
-        collect_.pointer_test(binary->getLHS());
-        collect_.pointer_test(binary->getRHS());
       }
       collect_.dependent_operands(binary);
     }

@@ -7,11 +7,13 @@
 #include <any>
 #include <atomic>
 #include <bitset>
+#include <chrono>
 #include <cstdio>
 #include <cstring>
 #include <functional>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <variant>
 #include <vector>
@@ -65,7 +67,30 @@ static Law *plain = &twice;
 static std::vector<double> extras;
 static std::vector<float> floats = {1};
 
+static std::set<int> tenths = {1};
+static std::set<std::string> names = {"a"};
+static std::shared_ptr<int> owned;
+// CHECK-DAG: hidden_scalars.cpp:[[#@LINE+1]]:27: error: kernel 'scaled' reads 'watched', which is neither input nor parameter [SYM017]
+static std::weak_ptr<int> watched;
+// CHECK-DAG: hidden_scalars.cpp:[[#@LINE+1]]:34: error: kernel 'scaled' reads 'step', which is neither input nor parameter [SYM017]
+static std::chrono::milliseconds step{3};
+static float single = 1;
+static float const &other_name = single;
+template <class T> struct Of {
+  static T value;
+};
+template <class T> T Of<T>::value = 2;
+// CHECK-DAG: hidden_scalars.cpp:[[#@LINE+1]]:42: error: kernel 'scaled' reads 'Of<T>::value' (2), which is neither input nor parameter [SYM017]
+template <class T> T value_of() { return Of<T>::value; }
+struct Link {
+  Link *next;
+};
+static Link last = {nullptr}, *first = &last;
+static Law *asked = &twice;
+
 void change() {
+  tenths.insert(2), names.insert("b"), owned = std::make_shared<int>(3), watched = owned, step *= 2, single = 4;
+  Of<float>::value = 5, first = nullptr, asked = nullptr;
   gain = 3, wide = 4, function = nullptr, method = nullptr, closure = nullptr, limit = 3, shape = Same(), whatever = 3;
   flag = false, bits.set(2), name = "fast", std::strcpy(text, "fast"), word = "fast", entry = table + 1, maybe = &twice;
   law = std::make_unique<Law>(), plain = law.get(), extras.push_back(1), floats[0] = 2;
@@ -74,7 +99,7 @@ void change() {
 #ifdef NAMED
 #pragma symreal function input(x) output(return)                                                                       \
     constant(gain, wide, function, method, closure, limit, shape, whatever, flag, bits, name, text, word, entry,       \
-             maybe, law, plain, extras, floats)
+             maybe, law, plain, extras, floats, tenths, names, owned, watched, step, other_name, last, asked)
 #else
 #pragma symreal function input(x) output(return)
 #endif
@@ -95,6 +120,23 @@ double scaled(double x) {
   // CHECK-DAG: hidden_scalars.cpp:[[#@LINE+2]]:30: error: kernel 'scaled' reads 'plain', which is neither input nor parameter [SYM017]
   // CHECK-DAG: hidden_scalars.cpp:[[#@LINE+1]]:82: error: kernel 'scaled' reads 'floats' (1), which is neither input nor parameter [SYM017]
   y += *entry + law->of(x) + plain->of(x) + static_cast<double>(extras.size()) + floats[0];
+  // CHECK-DAG: hidden_scalars.cpp:[[#@LINE+1]]:28: error: kernel 'scaled' reads 'tenths', which is neither input nor parameter [SYM017]
+  y += static_cast<double>(tenths.count(2));
+  // CHECK-DAG: hidden_scalars.cpp:[[#@LINE+1]]:28: error: kernel 'scaled' reads 'names', which is neither input nor parameter [SYM017]
+  y += static_cast<double>(names.count("b"));
+  // CHECK-DAG: hidden_scalars.cpp:[[#@LINE+1]]:7: error: kernel 'scaled' reads 'owned', which is neither input nor parameter [SYM017]
+  if (owned) y += 1;
+  if (watched.expired()) y += 2;
+  y += static_cast<double>(step.count());
+#ifndef NAMED // a pragma cannot name it
+  y += value_of<float>();
+#endif
+  // CHECK-DAG: hidden_scalars.cpp:[[#@LINE+1]]:8: error: kernel 'scaled' reads 'other_name' (1), which is neither input nor parameter [SYM017]
+  y += other_name;
+  // CHECK-DAG: hidden_scalars.cpp:[[#@LINE+1]]:55: error: kernel 'scaled' reads 'one->next', which is neither input nor parameter [SYM017]
+  for (Link const *one = first; one != nullptr; one = one->next) y += 1;
+  // CHECK-DAG: hidden_scalars.cpp:[[#@LINE+1]]:29: error: kernel 'scaled' reads 'asked', which is neither input nor parameter [SYM017]
+  if (dynamic_cast<Twice *>(asked)) y += 2;
   // CHECK-DAG: hidden_scalars.cpp:[[#@LINE+1]]:10: error: kernel 'scaled' reads 'maybe', which is neither input nor parameter [SYM017]
   return maybe ? y + 1 : y;
 }

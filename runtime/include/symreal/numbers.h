@@ -44,18 +44,21 @@ template <class T> inline constexpr bool is_function_pointer =
     (std::is_pointer_v<T> && std::is_function_v<std::remove_pointer_t<T>>) || std::is_member_pointer_v<T>;
 template <class T> inline constexpr bool is_scalar = is_integer<T> || is_narrow_or_wide<T> || is_function_pointer<T>;
 // An object of a library whose value is none of numbers and elements: text, std::variant, std::any, std::function,
-// std::atomic, std::bitset, std::vector<bool>, std::chrono::duration.
+// std::atomic, std::bitset, std::vector<bool>, std::weak_ptr, std::chrono::duration.
 template <class T> constexpr bool has_value_of_its_own() {
   return requires(T const &object) { object.c_str(); } ||
          requires(T const &object) { object.valueless_by_exception(); } ||
          requires(T const &object) { object.target_type(); } ||
          requires(T const &object) { object.has_value(), object.type(); } ||
          requires(T const &object) { object.load(), object.is_lock_free(); } ||
-         requires(T const &object) { object.to_ullong(); } || requires(T const &object) {
+         requires(T const &object) { object.expired(); } || requires(T const &object) { object.to_ullong(); } ||
+         requires(T const &object) {
            typename T::period;
            object.count();
          } || requires(T &object) { object.flip(); };
 }
+template <class T> inline constexpr bool is_smart_pointer =
+    requires { typename T::deleter_type; } || requires(T const &object) { object.use_count(), *object; };
 // Text is data of another kind.
 template <class T> inline constexpr bool is_text =
     std::is_same_v<T, char> || std::is_same_v<T, wchar_t> || std::is_same_v<T, char16_t> || std::is_same_v<T, char32_t>;

@@ -96,6 +96,10 @@ template <class T> void read_object(T &object, char const *name, char const *pla
     ReadParts{name, place}(ScalarObject::of(object));
   } else if constexpr (std::is_pointer_v<Plain>) {
     if (!is_own(bytes_of(&object))) note_pointer_read(bytes_of(&object), name, place);
+  } else if constexpr (is_smart_pointer<Plain>) {
+    if (!is_own(bytes_of(&object))) note_pointer_read(bytes_of(&object), name, place);
+    auto read = [=](RealNumber const *number) { ReadParts{name, place}(number); };
+    Numbers(read).visit(object);
   } else if constexpr (Numbers::may_hold<Plain>) {
     ReadParts parts{name, place};
     Numbers(parts).visit(object);
@@ -104,11 +108,12 @@ template <class T> void read_object(T &object, char const *name, char const *pla
   }
 }
 
-// The first number or scalar that an object holds.
+// The first number or, if it has none, the first scalar that an object holds.
 struct FirstPart {
-  void const *address = nullptr;
-  void operator()(RealNumber const *number) noexcept { address = address ? address : number; }
-  void operator()(ScalarObject scalar) noexcept { address = address ? address : scalar.address; }
+  void const *number = nullptr, *scalar = nullptr;
+  void operator()(RealNumber const *found) noexcept { number = number ? number : found; }
+  void operator()(ScalarObject found) noexcept { scalar = scalar ? scalar : found.address; }
+  void const *address() const noexcept { return number ? number : scalar; }
 };
 
 // What decides is the object itself: the text that it is, the object that a pointer leads to, how many elements there
@@ -116,13 +121,13 @@ struct FirstPart {
 template <class T> void decided_by(T &object, char const *name, char const *place) noexcept {
   using Plain = std::remove_cv_t<T>;
   if (is_own(bytes_of(&object))) return;
-  if constexpr (std::is_pointer_v<Plain> || requires { typename Plain::deleter_type; }) {
+  if constexpr (std::is_pointer_v<Plain> || is_smart_pointer<Plain>) {
     note_scalar_read({bytes_of(&object), sizeof(void *), ScalarObject::Kind::target}, name, place);
   } else {
     FirstPart first;
     if constexpr (!has_value_of_its_own<Plain>() && !std::is_array_v<Plain>) Numbers(first).visit(object);
-    void const *address = first.address ? first.address : bytes_of(&object);
-    note_scalar_read({address, 1, ScalarObject::Kind::object}, name, place);
+    void const *part = first.address();
+    note_scalar_read({part ? part : bytes_of(&object), 1, ScalarObject::Kind::object}, name, place);
   }
 }
 
