@@ -140,6 +140,9 @@ bool Collector::begins_range(Arguments arguments, std::size_t first) const {
 }
 
 void Collector::range(Arguments arguments, std::size_t first, Use begin, Use end) {
+  auto const *reference = dyn_cast_or_null<DeclRefExpr>(Storage::base(arguments[first]));
+  auto const *variable = reference ? dyn_cast<VarDecl>(reference->getDecl()) : nullptr;
+  if (variable && scalars_.is_fixed(variable) && !reals_.carries_real(variable->getType())) return;
   note(arguments[first]->IgnoreImpCasts(), begin);
   note(arguments[first + 1]->IgnoreImpCasts(), end, arguments[first]->IgnoreImpCasts());
 }

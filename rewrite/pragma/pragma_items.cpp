@@ -247,7 +247,7 @@ private:
       if (parameter->getIdentifier() && !Storage::is_view(parameter->getType()) &&
           (reals_.carries_real(parameter->getType()) ||
            (parameter->isReferenced() && scalars_.holds(parameter->getType()) &&
-            !ScalarState::has_value_of_its_own(parameter->getType()))))
+            !ScalarState::is_opaque(parameter->getType()) && !ScalarState::is_function_pointer(parameter->getType()))))
         fact.values.push_back({parameter->getName().str(), map_.place(parameter->getLocation())});
     constexpr unsigned in_registers = 6; // at least, of the calling conventions in use
     auto const *method = dyn_cast<CXXMethodDecl>(function);

@@ -1,6 +1,7 @@
 #include "rewrite/unit/callables.h"
 
 #include "rewrite/model/plain_declaration.h"
+#include "rewrite/model/scalar_state.h"
 #include "rewrite/source/source_map.h"
 #include "rewrite/source/walk.h"
 #include "rewrite/unit/collect_source.h"
@@ -189,7 +190,7 @@ private:
     else if (type->isArithmeticType() || type->isEnumeralType()) {
       to.kind = Kind::integer;
       to.is_integral = type->isIntegerType() && !type->isEnumeralType() && !type->isBooleanType();
-      to.holds_integer = type->isIntegralOrEnumerationType();
+      to.holds_scalar = ScalarState::is_scalar(type);
     } else if (type->isPointerType()) {
       point(to, type->getPointeeType());
       if (auto const *decayed = from->getType()->getAs<DecayedType>()) {

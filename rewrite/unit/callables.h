@@ -44,10 +44,10 @@ struct CallParameter {
   };
   std::vector<Member> other_members;
   bool default_constructible = true;
-  bool is_changed = false;    // passed by a reference to what is not const
-  bool is_integral = false;   // integer: an integer type, rather than a truth value, an enumeration or a float
-  bool holds_integer = false; // integer: what a pragma's `constant` takes
-  std::string moved;          // an rvalue reference: what it is cast to
+  bool is_changed = false;   // passed by a reference to what is not const
+  bool is_integral = false;  // integer: an integer type, rather than a truth value, an enumeration or a float
+  bool holds_scalar = false; // integer: what a pragma's `constant` takes
+  std::string moved;         // an rvalue reference: what it is cast to
 };
 
 struct Callable {

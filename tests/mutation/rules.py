@@ -75,6 +75,10 @@ RULES = [
     # State.
     Rule("read", "notes numbers and integers that are read", "read.cpp", "bad_input/hidden_", refused="SYM017"),
     Rule("range", "notes ranges that a library reads", "range.cpp", "bad_input/hidden_heap", refused="SYM017"),
+    Rule("decides", "notes text, pointers and numbers of elements that decide", "decides.cpp", "bad_input/hidden_scalars",
+         refused="SYM017"),
+    Rule("fill", "notes ranges that a library writes without reading them", "fill.cpp", "bad_input/integers_read_by_libraries",
+         refused="SYM053"),
     Rule("state", "notes uses of static objects", "state.cpp", "bad_input/undeclared_global", refused="SYM017"),
     Rule("local_state", "knows statics of one function that are written before they are read", "local_state.cpp",
          "tool/scratch_of_one_path"),

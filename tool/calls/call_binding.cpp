@@ -442,7 +442,7 @@ private:
           of && (of->kind == Kind::integer || of->kind == Kind::other ||
                  (of->kind == Kind::pointer && is_whole(item) && item.has_value() && sections(item).empty()));
       if (is_value && item.kind != "output") {
-        if (of->holds_integer && of->kind == Kind::integer && !is_extent(of->name))
+        if (of->holds_scalar && of->kind == Kind::integer && !is_extent(of->name))
           clause("constant", text.place, {text});
         continue;
       }
