@@ -128,26 +128,11 @@ void Collector::converting_construction(CXXConstructExpr const *construction) {
   if (argument->getType()->isArithmeticType() && reals_.stays_double(argument)) wrap(argument, Use::literal);
 }
 
-// cbrt(10): the function of the C library is called by a template. Whether a compiler sees through it, and computes the
-// value itself, rounded in a way of its own, must not depend on how far a symbolic program is optimised.
-void Collector::integer_of_math(FunctionDecl const *function, unsigned index, Expr const *argument) {
-  FunctionTemplateDecl const *primary = function->getPrimaryTemplate();
-  if (!primary || argument->isTypeDependent() || !Reals::is_double(function->getReturnType())) return;
-  FunctionDecl const *pattern = primary->getTemplatedDecl();
-  if (index >= pattern->getNumParams() || !pattern->getParamDecl(index)->getType()->isDependentType()) return;
-  if (Reals::is_integer(argument->getType()) && argument->IgnoreParenImpCasts()->isEvaluatable(context_))
-    wrap(argument, Use::conversion, "double");
-}
-
 void Collector::arguments(SourceLocation call, FunctionDecl const *function, Arguments arguments, bool overloaded) {
   auto const count = static_cast<unsigned>(arguments.size());
   bool const math = reals_.is_math(function);
   bool const outside = !reals_.in_roots(function) && !runtime_overloads(function, map_.sources());
-  bool const of_constants = math && llvm::all_of(arguments, [this](Expr const *argument) {
-                              return !argument->isTypeDependent() && reals_.stays_double(argument);
-                            });
   for (unsigned i = 0; i < count; ++i) {
-    if (of_constants) integer_of_math(function, i, arguments[i]);
     if (math || arguments[i]->isTypeDependent()) continue;
     if (is_plain_double(arguments[i])) literal_argument(function, i, arguments[i], overloaded, count);
     if (auto const *list = dyn_cast<CXXStdInitializerListExpr>(written(arguments[i]))) {

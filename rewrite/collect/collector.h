@@ -184,7 +184,6 @@ private:
 
   using Arguments = llvm::ArrayRef<clang::Expr const *>;
   // `call`: where the call is written.
-  void integer_of_math(clang::FunctionDecl const *function, unsigned index, clang::Expr const *argument);
   void arguments(clang::SourceLocation call, clang::FunctionDecl const *function, Arguments arguments, bool overloaded);
   void literal_argument(clang::FunctionDecl const *function, unsigned index, clang::Expr const *argument,
                         bool overloaded, unsigned count, Use use = Use::literal);
