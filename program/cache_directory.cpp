@@ -8,12 +8,14 @@
 #include <llvm/Support/CachePruning.h>
 #include <llvm/Support/Path.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <fcntl.h>
 #include <filesystem>
 #include <fmt/format.h>
 #include <sys/stat.h>
 #include <unistd.h>
+#include <utility>
 
 namespace symreal::program {
 namespace {
@@ -30,34 +32,67 @@ std::string hash_of(std::string_view key, std::string_view text) {
   return content_id(std::string(key) + '\0' + std::string(text));
 }
 
+// A precompiled header has tens of megabytes, which are read piece by piece into the same memory.
+constexpr std::size_t piece_size = std::size_t{1} << 20;
+
 struct Read {
   bool exists = true;
-  std::optional<std::string> text; // of a file that can be taken
+  bool is_whole = false; // it is of this user, and all of it was read
 };
 
-// Opens nothing else than a file of this user, and waits for nothing.
-Read read_entry(std::string const &path) {
+// Opens nothing else than a file of this user, and waits for nothing. `use`: is called with each piece.
+template <class Use> Read read_entry(std::string const &path, Use use) {
   int const descriptor = open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
-  if (descriptor < 0) return {errno != ENOENT && errno != ENOTDIR, {}};
+  if (descriptor < 0) return {errno != ENOENT && errno != ENOTDIR, false};
   struct stat status{};
   bool good = fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode) && status.st_uid == geteuid();
-  std::string text(good ? static_cast<std::size_t>(status.st_size) : 0, '\0');
-  for (std::size_t at = 0; good && at < text.size();) {
-    ssize_t const got = read(descriptor, text.data() + at, text.size() - at);
-    good = got > 0 || (got < 0 && errno == EINTR);
-    if (got > 0) at += static_cast<std::size_t>(got);
+  std::size_t left = good ? static_cast<std::size_t>(status.st_size) : 0;
+  std::string piece;
+  while (good && left > 0) {
+    piece.resize(std::min(left, piece_size));
+    for (std::size_t at = 0; good && at < piece.size();) {
+      ssize_t const got = read(descriptor, piece.data() + at, piece.size() - at);
+      good = got > 0 || (got < 0 && errno == EINTR);
+      if (got > 0) at += static_cast<std::size_t>(got);
+    }
+    left -= piece.size();
+    if (good) use(std::string_view(piece));
   }
   close(descriptor);
-  return {true, good ? std::optional(std::move(text)) : std::nullopt};
+  return {true, good};
 }
 
-bool write_entry(std::string const &path, std::string_view start, std::string_view text) {
-  int const descriptor = open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
-  if (descriptor < 0) return false;
-  bool const good =
-      write_whole(descriptor, start.data(), start.size()) && write_whole(descriptor, text.data(), text.size());
-  return close(descriptor) == 0 && good;
-}
+// What the contents of a file are known by.
+class FileId {
+public:
+  void add(std::string_view piece) { of_pieces_ += content_id(piece); }
+  std::string result() const { return content_id(of_pieces_); }
+
+private:
+  std::string of_pieces_;
+};
+
+// A file that is made, and must not be there before.
+class NewFile {
+public:
+  explicit NewFile(std::string const &path)
+      : descriptor_(open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600)),
+        good_(descriptor_ >= 0) {}
+  ~NewFile() { end(); }
+  NewFile(NewFile const &) = delete;
+  NewFile &operator=(NewFile const &) = delete;
+
+  void add(std::string_view text) { good_ = good_ && write_whole(descriptor_, text.data(), text.size()); }
+  // Whether all of it was written.
+  bool end() {
+    if (descriptor_ >= 0) good_ = close(std::exchange(descriptor_, -1)) == 0 && good_;
+    return good_;
+  }
+
+private:
+  int descriptor_;
+  bool good_;
+};
 
 } // namespace
 
@@ -69,75 +104,101 @@ void CacheDirectory::tell_damaged(std::string const &entry) const {
   if (damaged_) damaged_(entry);
 }
 
-// A cache that cannot be written is none.
-bool CacheDirectory::add(std::string const &entry, std::string_view start, std::string_view text) {
+std::string CacheDirectory::temporary() {
   std::error_code error;
   fs::create_directories(path_, error);
-  std::string const temporary = fmt::format("{}.{}.{}", entry, getpid(), added_++);
-  if (!error && !write_entry(temporary, start, text)) error = std::make_error_code(std::errc::io_error);
-  if (fs::is_directory(fs::symlink_status(entry, error))) rmdir(entry.c_str());
+  return entry(fmt::format("new.{}.{}", getpid(), added_++), "");
+}
+
+// A cache that cannot be written is none.
+bool CacheDirectory::place(std::string const &temporary, bool is_written, std::string const &entry) {
+  std::error_code error;
+  if (is_written && fs::is_directory(fs::symlink_status(entry, error))) rmdir(entry.c_str());
   error.clear();
-  fs::rename(temporary, entry, error);
-  if (error) unlink(temporary.c_str());
-  return !error;
+  if (is_written) fs::rename(temporary, entry, error);
+  bool const is_placed = is_written && !error;
+  if (!is_placed) unlink(temporary.c_str());
+  return is_placed;
 }
 
 std::optional<std::string> CacheDirectory::find(std::string const &key) {
   if (!exists()) return {};
   std::string const path = entry(key, text_kind);
-  auto [is_there, text] = read_entry(path);
-  if (!is_there) return {};
+  std::string text;
+  Read const read = read_entry(path, [&](std::string_view piece) { text += piece; });
+  if (!read.exists) return {};
   std::size_t const size = hash_of({}, {}).size();
-  bool const is_whole = text && text->size() >= size;
+  bool const is_whole = read.is_whole && text.size() >= size;
   if (!is_whole ||
-      (hash_of(key, std::string_view(*text).substr(size)) != text->substr(0, size) && !is_dropped("SYM189"))) {
+      (hash_of(key, std::string_view(text).substr(size)) != text.substr(0, size) && !is_dropped("SYM189"))) {
     tell_damaged(path);
     return {};
   }
   mark_used(path);
-  return text->erase(0, size);
+  return text.erase(0, size);
 }
 
 void CacheDirectory::keep(std::string const &key, std::string const &text) {
-  if (exists()) add(entry(key, text_kind), hash_of(key, text), text);
+  if (!exists()) return;
+  std::string const made = temporary();
+  NewFile file(made);
+  file.add(hash_of(key, text));
+  file.add(text);
+  place(made, file.end(), entry(key, text_kind));
 }
 
-// The hash of a file is the name of its entry, and a text under the key says it.
-std::optional<CacheDirectory::Found> CacheDirectory::find_file(std::string const &key) {
-  std::optional<std::string> const hash = find(key);
-  if (!hash) return {};
-  std::string const path = entry(*hash, file_kind);
-  auto [is_there, bytes] = read_entry(path);
-  if (!is_there) return {};
-  if (!bytes || (content_id(*bytes) != *hash && !is_dropped("SYM189"))) {
+// The id of a file is the name of its entry, and a text under the key says it.
+template <class Use> std::optional<std::string> CacheDirectory::find_file(std::string const &key, Use use) {
+  std::optional<std::string> const id = find(key);
+  if (!id) return {};
+  std::string const path = entry(*id, file_kind);
+  FileId now;
+  Read const read = read_entry(path, [&](std::string_view piece) {
+    now.add(piece);
+    use(piece);
+  });
+  if (!read.exists) return {};
+  if (!read.is_whole || (now.result() != *id && !is_dropped("SYM189"))) {
     tell_damaged(path);
     return {};
   }
   mark_used(path);
-  return Found{path, std::move(*bytes)};
+  return path;
 }
 
 bool CacheDirectory::take_file(std::string const &key, std::string const &to) {
-  std::optional<Found> const found = find_file(key);
-  if (!found) return false;
-  unlink(to.c_str());
-  return write_entry(to, {}, found->bytes);
+  std::optional<NewFile> file;
+  auto const found = find_file(key, [&](std::string_view piece) {
+    if (!file) {
+      unlink(to.c_str());
+      file.emplace(to);
+    }
+    file->add(piece);
+  });
+  bool const is_taken = found && file && file->end();
+  if (file && !is_taken) unlink(to.c_str());
+  return is_taken;
 }
 
 bool CacheDirectory::link_file(std::string const &key, std::string const &to) {
-  std::optional<Found> const found = find_file(key);
+  std::optional<std::string> const found = find_file(key, [](std::string_view) {});
   if (!found) return false;
   std::error_code error;
-  fs::create_hard_link(found->path, to, error);
-  return !error || write_entry(to, {}, found->bytes); // as on another disk
+  fs::create_hard_link(*found, to, error);
+  if (error) fs::create_symlink(fs::absolute(*found), to, error); // as on another disk
+  return !error;
 }
 
 void CacheDirectory::keep_file(std::string const &key, std::string const &file) {
   if (!exists()) return;
-  std::optional<std::string> const bytes = read_entry(file).text;
-  if (!bytes) return;
-  std::string const hash = content_id(*bytes);
-  if (add(entry(hash, file_kind), {}, *bytes)) keep(key, hash);
+  std::string const made = temporary();
+  NewFile copy(made);
+  FileId id;
+  Read const read = read_entry(file, [&](std::string_view piece) {
+    id.add(piece);
+    copy.add(piece);
+  });
+  if (place(made, copy.end() && read.is_whole, entry(id.result(), file_kind))) keep(key, id.result());
 }
 
 CacheDirectory::~CacheDirectory() {

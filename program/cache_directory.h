@@ -38,18 +38,17 @@ public:
 
   // Copies the file that is kept under the key; false: there is none.
   bool take_file(std::string const &key, std::string const &to);
-  // The same for what is read only: it need not be copied.
+  // The same for what is only read, and need not be there as long as `to` is: it is not copied.
   bool link_file(std::string const &key, std::string const &to);
   void keep_file(std::string const &key, std::string const &file);
 
 private:
   std::string entry(std::string const &key, char const *kind) const;
   void tell_damaged(std::string const &entry) const;
-  bool add(std::string const &entry, std::string_view start, std::string_view text);
-  struct Found {
-    std::string path, bytes;
-  };
-  std::optional<Found> find_file(std::string const &key);
+  std::string temporary(); // a path at which an entry can be written
+  bool place(std::string const &temporary, bool is_written, std::string const &entry);
+  // Of a file that is kept under the key and has the content that it had: its path. `use`: is called with each piece.
+  template <class Use> std::optional<std::string> find_file(std::string const &key, Use use);
 
   std::string path_;
   std::function<void(std::string const &)> damaged_;

@@ -6,9 +6,7 @@
 #include "support/installation.h"
 #include "support/version.h"
 
-#include <llvm/ADT/StringExtras.h>
 #include <llvm/Support/Program.h>
-#include <llvm/Support/SHA256.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -36,15 +34,15 @@ public:
   explicit Key(std::string_view workspace) : workspace_(workspace) {}
   void add(std::string_view text) {
     for (std::size_t at; (at = text.find(workspace_)) != text.npos; text.remove_prefix(at + workspace_.size()))
-      hash_.update(llvm::StringRef(text).take_front(at));
-    hash_.update(llvm::StringRef(text));
-    hash_.update(llvm::StringRef("\0", 1));
+      all_ += text.substr(0, at);
+    all_ += text;
+    all_ += '\0';
   }
-  std::string result() { return llvm::toHex(hash_.final(), /*LowerCase=*/true); }
+  std::string result() const { return content_id(all_); }
 
 private:
   std::string_view workspace_;
-  llvm::SHA256 hash_;
+  std::string all_;
 };
 
 // The compiler itself, by path, size and time.
