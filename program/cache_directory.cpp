@@ -208,7 +208,7 @@ CacheDirectory::~CacheDirectory() {
   fs::file_status const stamp = fs::symlink_status(path_ + "/llvmcache.timestamp", error);
   if (fs::exists(stamp) && !fs::is_regular_file(stamp)) return;
   llvm::CachePruningPolicy policy;
-  policy.Interval = std::chrono::seconds(0);
+  policy.Interval = std::chrono::minutes(1); // a run looks at each entry, which takes it longer than a link does
   policy.Expiration = std::chrono::hours(24 * 30);
   policy.MaxSizePercentageOfAvailableSpace = 10;
   policy.MaxSizeBytes = most_bytes_;

@@ -18,8 +18,8 @@ namespace symreal::program {
 class CacheDirectory : public rewrite::KeptTexts {
 public:
   // The directory is made when it is needed; empty: there is none, and nothing is kept or found.
-  // In the end, if something was added, what was not used for long is removed, until the rest has at most so many
-  // bytes.
+  // In the end, if something was added and no run has done so in the last minute, what was not used for long is
+  // removed, until the rest has at most so many bytes.
   // `damaged` is called with the path of what is damaged, by several threads.
   explicit CacheDirectory(std::string path, std::function<void(std::string const &)> damaged = {},
                           std::uint64_t most_bytes = std::uint64_t{1} << 30)

@@ -2,6 +2,7 @@
 
 #include "program/bounded_compilation.h"
 #include "program/compiler_errors.h"
+#include "program/linking.h"
 #include "program/read_files.h"
 #include "program/runtime_header.h"
 #include "rewrite/request/driver_options.h"
@@ -220,19 +221,6 @@ Words link_command(BuildRequest const &request, Variant variant, Words const &ob
   return words;
 }
 
-// gold links in a third of the time. What it cannot link, the compiler's own linker links, or tells why not.
-Captured link(Command const &command) {
-  bool const is_chosen =
-      std::ranges::any_of(command.arguments, [](auto const &word) { return word.starts_with("-fuse-ld="); });
-  static bool const has_gold = bool(llvm::sys::findProgramByName("ld.gold"));
-  if (has_gold && !is_chosen) {
-    Command quick = command;
-    quick.arguments.emplace_back("-fuse-ld=gold");
-    if (Captured linked = capture(quick); linked.outcome.success()) return linked;
-  }
-  return capture(command);
-}
-
 template <class Run> std::vector<Captured> run_all(std::vector<Command> const &commands, Run run) {
   std::vector<Captured> results(commands.size());
   Progress progress("objects", commands.size());
@@ -365,7 +353,8 @@ std::vector<std::string> build_variants(BuildRequest const &request, std::span<V
                                        : compiler_failure(compilations[i].arguments, compiled[i], annotated,
                                                           "as the original with its annotations"));
   }
-  std::vector<Captured> linked = run_all(links, [&](std::size_t k) { return link(links[k]); });
+  Linking linking(request.cache->directory(), workspace.path(), files, linker_flags(request).empty());
+  std::vector<Captured> linked = run_all(links, [&](std::size_t k) { return linking.link(links[k]); });
   for (std::size_t i = 0; i < linked.size(); ++i)
     if (!linked[i].outcome.success()) throw DiagnosticError(linker_failure(links[i].arguments, linked[i], rewritten));
   return executables;
