@@ -22,7 +22,7 @@ public:
   // removed, until the rest has at most so many bytes.
   // `damaged` is called with the path of what is damaged, by several threads.
   explicit CacheDirectory(std::string path, std::function<void(std::string const &)> damaged = {},
-                          std::uint64_t most_bytes = std::uint64_t{1} << 30)
+                          std::uint64_t most_bytes = std::uint64_t{2} << 30)
       : path_(std::move(path)),
         damaged_(std::move(damaged)),
         most_bytes_(most_bytes) {}

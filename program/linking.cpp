@@ -20,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 using Words = std::vector<std::string>;
 
-constexpr std::uintmax_t most_kept = std::uintmax_t{4} << 20; // bytes of a program
+constexpr std::uintmax_t most_kept = std::uintmax_t{8} << 20; // bytes of a program
 
 // A file by path, size and time.
 std::string stamp(std::string const &path) {

@@ -191,9 +191,15 @@ void ObjectCache::keep(Search const &search, std::string const &workspace) {
 Captured ObjectCache::compile(Command const &compilation, std::string const &workspace, FilesNow &files,
                               Quicker const &quicker) {
   Search search = search_by_words(compilation, workspace, files);
-  std::optional<Command> const quick = search.taken ? std::nullopt : quicker(compilation);
-  Command const &command = quick ? *quick : compilation;
-  if (quick) search = search_by_words(command, workspace, files);
+  std::optional<Quick> quick = search.taken ? std::nullopt : quicker(compilation);
+  if (quick) {
+    Search quick_search = search_by_words(quick->command, workspace, files);
+    if (quick_search.taken || quick->ready())
+      search = std::move(quick_search);
+    else
+      quick.reset();
+  }
+  Command const &command = quick ? quick->command : compilation;
   search_by_text(search, command, workspace);
   if (search.taken) return ++reused_, Captured{{Ending::exited, 0, 0}, {}};
   ++compiled_;
@@ -205,12 +211,10 @@ Captured ObjectCache::compile(Command const &compilation, std::string const &wor
   return result;
 }
 
-std::optional<ObjectCache::Kept> ObjectCache::take(Command const &compilation, std::string const &workspace,
-                                                   FilesNow &files) {
+std::optional<ObjectCache::Kept> ObjectCache::known(Command const &compilation, std::string const &workspace,
+                                                    FilesNow &files) {
   if (!directory_->exists()) return {};
-  std::optional<Kept> before = kept(key_of_words(compilation, workspace), workspace, files);
-  std::string const &object = compilation.arguments[position_after(compilation.arguments, "-o")];
-  return before && directory_->link_file(before->second, object) ? std::move(before) : std::nullopt;
+  return kept(key_of_words(compilation, workspace), workspace, files);
 }
 
 std::optional<ObjectCache::Kept> ObjectCache::make(Command const &compilation, std::string const &workspace,

@@ -30,15 +30,21 @@ public:
 
   // Runs a compilation, "... -c SOURCE -o OBJECT", or copies the object that it gave before. Several at a time.
   // `files`: of this build, in which they do not change. `quicker`: the same compilation from a precompiled header,
-  // which is asked for unless the object is there.
-  using Quicker = std::function<std::optional<Command>(Command const &)>;
+  // which is asked for unless the object is there, and made ready unless that one's is.
+  struct Quick {
+    Command command;
+    std::function<bool()> ready; // false: it cannot be
+  };
+  using Quicker = std::function<std::optional<Quick>(Command const &)>;
   Captured compile(Command const &compilation, std::string const &workspace, FilesNow &files, Quicker const &quicker);
 
   // What a compilation that was kept has read, and the key of what it gave.
   using Kept = std::pair<CompiledFrom, std::string>;
   // The same for what is not an object of the program, does not count as one, and is only read. Nothing: it was not
   // compiled before, as far as words and files tell.
-  std::optional<Kept> take(Command const &compilation, std::string const &workspace, FilesNow &files);
+  std::optional<Kept> known(Command const &compilation, std::string const &workspace, FilesNow &files);
+  // Lays what is kept under the key there; false: it is no longer there, or is damaged.
+  bool lay(std::string const &key, std::string const &to) { return directory_->link_file(key, to); }
   // Nothing: the compilation fails, or what it has read cannot be told.
   std::optional<Kept> make(Command const &compilation, std::string const &workspace, FilesNow &files);
 

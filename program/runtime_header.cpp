@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fmt/format.h>
+#include <utility>
 
 namespace symreal::program {
 namespace {
@@ -85,7 +86,8 @@ void RuntimeHeader::make(One &one, Command const &compilation, std::string const
   if (error) return;
   Command const precompilation = header_compilation(compilation, directory + "/header.h.gch");
   ++one.asked;
-  auto kept = one.asked == 1 ? objects_.take(precompilation, workspace_, files) : std::nullopt;
+  auto kept = one.asked == 1 ? objects_.known(precompilation, workspace_, files) : std::nullopt;
+  one.is_laid = false;
   if (!kept) {
     std::string const count_key = content_id("asked for " + key);
     std::string const before = directory_.find(count_key).value_or("");
@@ -95,16 +97,30 @@ void RuntimeHeader::make(One &one, Command const &compilation, std::string const
       kept = objects_.make(precompilation, workspace_, files);
     else
       directory_.keep(count_key, before + "+");
+    one.is_laid = kept.has_value();
   }
   if (!kept) return;
   // Under a path that says what it is made from: so the words of what reads it do.
-  std::filesystem::rename(directory, all + kept->second, error);
+  std::string const place = all + kept->second, path = place + "/header.h";
+  std::filesystem::create_directories(place, error);
+  if (!error && one.is_laid) std::filesystem::rename(directory + "/header.h.gch", path + ".gch", error);
   if (error) return;
-  std::string const path = all + kept->second + "/header.h";
   // gcc reads the text where it cannot take what lies beside it.
   write_if_changed(path, "#include <" + header + ">\n");
   one.path = path;
+  one.object = kept->second;
   one.in_vain = std::move(kept->first.names);
+}
+
+// Where what was kept is damaged, it is made again.
+bool RuntimeHeader::lay(One &one, Command const &compilation, std::string const &key, FilesNow &files) {
+  std::scoped_lock const lock(one.mutex);
+  if (one.path.empty()) return false;
+  if (!one.is_laid) one.is_laid = objects_.lay(one.object, one.path + ".gch");
+  if (one.is_laid) return true;
+  std::string const path = std::exchange(one.path, "");
+  make(one, compilation, key, files);
+  return one.is_laid && one.path == path;
 }
 
 // Whether one of the directories has what the header asks for.
@@ -116,7 +132,7 @@ bool RuntimeHeader::may_read(One const &one, Words const &directories, std::stri
   });
 }
 
-std::optional<Command> RuntimeHeader::use(Command const &compilation, FilesNow &files) {
+std::optional<ObjectCache::Quick> RuntimeHeader::use(Command const &compilation, FilesNow &files) {
   std::size_t const header = header_position(compilation.arguments);
   if (header == 0 || !directory_.exists()) return {};
   Words last;
@@ -141,7 +157,7 @@ std::optional<Command> RuntimeHeader::use(Command const &compilation, FilesNow &
   Command with = compilation;
   with.arguments[header] = is_clang(compilation) ? one.path + ".gch" : one.path;
   if (is_clang(compilation)) with.arguments[header - 1] = "-include-pch";
-  return with;
+  return ObjectCache::Quick{with, [this, &one, common, key, &files] { return lay(one, common, key, files); }};
 }
 
 } // namespace symreal::program

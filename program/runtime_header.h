@@ -24,8 +24,9 @@ public:
         directory_(directory),
         workspace_(std::move(workspace)) {}
 
-  // The compilation with the precompiled header instead of the text; nothing where there is none. Several threads.
-  std::optional<Command> use(Command const &compilation, FilesNow &files);
+  // The compilation with the precompiled header instead of the text; nothing where there is none. Several threads. The
+  // header itself, which is large, is not looked at before it is needed.
+  std::optional<ObjectCache::Quick> use(Command const &compilation, FilesNow &files);
 
 private:
   struct One {
@@ -33,9 +34,12 @@ private:
     std::size_t asked = 0;
     bool tried = false;
     std::string path;                 // of the text beside which the precompiled header lies; empty: there is none
+    std::string object;               // what it is kept under
+    bool is_laid = false;             // it lies there
     std::vector<std::string> in_vain; // names that it asks for and some directory has not
   };
   void make(One &one, Command const &compilation, std::string const &key, FilesNow &files);
+  bool lay(One &one, Command const &compilation, std::string const &key, FilesNow &files);
   static bool may_read(One const &one, std::vector<std::string> const &directories, std::string const &base,
                        FilesNow &files);
 

@@ -10,7 +10,7 @@ namespace symreal::tool {
 namespace {
 
 void show(char const *what, program::CacheContents const &contents, std::string const &directory) {
-  std::cout << fmt::format("{}{} objects, {:.1f} MB, in {}\n", what, contents.files,
+  std::cout << fmt::format("{}{} objects and programs, {:.1f} MB, in {}\n", what, contents.files,
                            static_cast<double>(contents.bytes) / 1e6, directory);
 }
 
