@@ -18,6 +18,8 @@ import in_one_process
 import maple_reader
 
 HERE = os.path.dirname(os.path.abspath(__file__))
+# A run of a second or two has its machine code made in one stage and its garbage collected by one thread.
+JAVAC = ["javac", "-J-Xshare:auto", "-J-XX:TieredStopAtLevel=1", "-J-XX:+UseSerialGC"]
 
 
 def build(language, base, library):
@@ -30,7 +32,7 @@ def build(language, base, library):
     linked = [f"{library}.a"] if library else []
     run = {
         "javascript": [["node", f"{name}_main.mjs"]],
-        "java": [["javac", "-Xlint:all", "-Werror", "-d", f"{name}.classes", f"{name}.java", f"{name}_main.java"],
+        "java": [[*JAVAC, "-Xlint:all", "-Werror", "-d", f"{name}.classes", f"{name}.java", f"{name}_main.java"],
                  ["java", "-Xshare:auto", "-cp", f"{name}.classes", f"{name}_main"]],
         "go": [["go", "build", "-o", f"{name}.run_go", f"{name}.go", f"{name}_main.go"], [f"./{name}.run_go"]],
         "rust": [["rustc", "--edition", "2021", "-D", "warnings", "-C", "opt-level=1", f"{name}_main.rs", "-o",
