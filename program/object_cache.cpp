@@ -10,10 +10,12 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <ctime>
 #include <filesystem>
 #include <fmt/format.h>
 #include <optional>
 #include <sys/stat.h>
+#include <utility>
 
 namespace symreal::program {
 namespace {
@@ -93,15 +95,31 @@ std::string key_of_words(Command const &compilation, std::string const &workspac
   return key.result();
 }
 
-// What preprocessing tells.
-struct Preprocessed {
+bool has_embedded_file(std::string const &text) { return text.find(".incbin") != text.npos; }
+
+// What a compilation reads, and the key of what it gives.
+struct Inputs {
   std::string key;
   std::optional<CompiledFrom> from;
 };
 
-// Nothing where the compilation cannot be told by its words and text, or does not begin well.
-std::optional<Preprocessed> preprocess(Command const &compilation, std::string const &object,
-                                       std::string const &workspace) {
+// The files that a rule names.
+Words files_read(std::string const &rule) {
+  Words files = read_make_rule(text_of_file(rule).value_or(""));
+  std::erase_if(files, [](std::string const &file) { return file.ends_with(".gch"); }); // a word says what it is
+  return files;
+}
+
+std::string key_of(Command const &compilation, CompiledFrom const &from, std::string const &workspace) {
+  Key key(workspace);
+  add_compilation(key, compilation);
+  key.add(to_bytes(from, ""));
+  return key.result();
+}
+
+// As preprocessing tells it. Nothing where the compilation cannot be told by its words and text, or does not begin
+// well.
+std::optional<Inputs> preprocess(Command const &compilation, std::string const &object, std::string const &workspace) {
   Command preprocessing = compilation;
   preprocessing.processor_limit = {};
   Words &words = preprocessing.arguments;
@@ -116,10 +134,9 @@ std::optional<Preprocessed> preprocess(Command const &compilation, std::string c
   Key key(workspace);
   add_compilation(key, compilation);
   std::string const preprocessed = read_file(text);
-  if (preprocessed.find(".incbin") != preprocessed.npos) return {};
+  if (has_embedded_file(preprocessed)) return {};
   key.add(preprocessed);
-  std::vector<std::string> files = read_make_rule(read_file(rule));
-  std::erase_if(files, [](std::string const &file) { return file.ends_with(".gch"); }); // a word says what it is
+  Words const files = files_read(rule);
   for (std::string const &file : files) {
     std::string const path = (fs::path(compilation.directory) / file).string();
     if (!fs::is_regular_file(path)) return {};
@@ -129,7 +146,37 @@ std::optional<Preprocessed> preprocess(Command const &compilation, std::string c
   }
   fs::remove(text);
   fs::remove(rule);
-  return Preprocessed{key.result(), compiled_from(compilation, files, run.output, workspace)};
+  std::optional<CompiledFrom> from = compiled_from(compilation, files, run.output, workspace);
+  std::string const by_files = from ? key_of(compilation, *from, workspace) : key.result();
+  return Inputs{by_files, std::move(from)};
+}
+
+// Was it changed at this time or later, as far as the clocks agree? The files of the workspace are the tool's own.
+bool is_changed_since(std::string const &path, timespec const &begun, std::string const &workspace) {
+  std::error_code error;
+  struct stat status = {};
+  if (stat(path.c_str(), &status) != 0) return true;
+  timespec const &changed = status.st_ctim;
+  bool const is_earlier = std::pair(changed.tv_sec, changed.tv_nsec) < std::pair(begun.tv_sec, begun.tv_nsec);
+  return !is_earlier && !fs::canonical(path, error).string().starts_with(workspace);
+}
+
+// As a compilation told it that began then. Nothing where it cannot be kept.
+std::optional<Inputs> told(Command const &compilation, std::string const &rule, std::string const &messages,
+                           timespec const &begun, std::string const &workspace) {
+  Words const files = files_read(rule);
+  bool is_kept = !files.empty();
+  for (std::string const &file : files) {
+    std::string const path = (fs::path(compilation.directory) / file).string();
+    note_compiled(path, workspace);
+    if (!fs::is_regular_file(path) || has_embedded_file(text_of_file(path).value_or("")) ||
+        is_changed_since(path, begun, workspace))
+      is_kept = false;
+  }
+  if (!is_kept) return {};
+  std::optional<CompiledFrom> from = compiled_from(compilation, files, messages, workspace);
+  std::string const by_files = from ? key_of(compilation, *from, workspace) : "";
+  return Inputs{by_files, std::move(from)};
 }
 
 // A compilation of which nothing is kept.
@@ -145,26 +192,29 @@ Captured compiled_with_notes(Command compilation, std::string const &object, std
 
 } // namespace
 
-std::optional<ObjectCache::Kept> ObjectCache::kept(std::string const &by_words, std::string const &workspace,
-                                                   FilesNow &files) {
-  std::optional<std::string> const bytes = directory_->find(by_words);
+std::optional<ObjectCache::Kept> ObjectCache::kept(std::optional<std::string> const &bytes,
+                                                   std::string const &workspace, FilesNow &files) {
   std::optional<Kept> before = bytes ? compiled_from_bytes(*bytes) : std::nullopt;
   return before && before->first.still_holds(files, workspace) ? std::move(before) : std::nullopt;
 }
 
 struct ObjectCache::Search {
   std::string object, by_words; // the latter is empty where nothing may be kept
-  std::optional<Preprocessed> found;
+  bool is_first = false;        // nothing was kept under the words
+  std::optional<Inputs> found;
   bool taken = false;
 };
 
 ObjectCache::Search ObjectCache::search_by_words(Command const &compilation, std::string const &workspace,
                                                  FilesNow &files) {
   Words const &words = compilation.arguments;
-  Search search{words[position_after(words, "-o")], {}, {}};
+  Search search;
+  search.object = words[position_after(words, "-o")];
   if (!directory_->exists() || std::any_of(words.begin(), words.end(), reads_more)) return search;
   search.by_words = key_of_words(compilation, workspace);
-  auto const before = kept(search.by_words, workspace, files);
+  std::optional<std::string> const bytes = directory_->find(search.by_words);
+  search.is_first = !bytes;
+  auto const before = kept(bytes, workspace, files);
   search.taken = before && directory_->take_file(before->second, search.object);
   if (search.taken)
     for (auto const &[path, id] : before->first.files)
@@ -181,11 +231,14 @@ void ObjectCache::search_by_text(Search &search, Command const &compilation, std
 
 void ObjectCache::keep(Search const &search, std::string const &workspace) {
   if (!search.found) return;
-  if (!search.taken) directory_->keep_file(search.found->key, search.object);
+  std::string const &key = search.found->key;
+  // Where it cannot be told what the texts include, the next run looks at the text.
+  if (search.is_first && !search.found->from) return directory_->keep(search.by_words, "by its text");
+  if (!search.taken) directory_->keep_file(key, search.object);
   // A file that was changed meanwhile, by an editor, was compiled before or after that.
   FilesNow now;
   if (search.found->from && search.found->from->still_holds(now, workspace))
-    directory_->keep(search.by_words, to_bytes(*search.found->from, search.found->key));
+    directory_->keep(search.by_words, to_bytes(*search.found->from, key));
 }
 
 Captured ObjectCache::compile(Command const &compilation, std::string const &workspace, FilesNow &files,
@@ -200,21 +253,39 @@ Captured ObjectCache::compile(Command const &compilation, std::string const &wor
       quick.reset();
   }
   Command const &command = quick ? quick->command : compilation;
-  search_by_text(search, command, workspace);
+  bool const tells_itself = search.is_first && !search.taken;
+  if (!tells_itself) search_by_text(search, command, workspace);
   if (search.taken) return ++reused_, Captured{{Ending::exited, 0, 0}, {}};
   ++compiled_;
-  Captured result = search.found ? capture(command) : compiled_with_notes(command, search.object, workspace);
+  Captured result = tells_itself   ? compile_first(search, command, workspace)
+                    : search.found ? capture(command)
+                                   : compiled_with_notes(command, search.object, workspace);
   if (result.outcome.success())
     keep(search, workspace);
-  else if (quick && result.outcome.ending != Ending::over_limit)
+  else if ((quick || tells_itself) && result.outcome.ending != Ending::over_limit)
     return capture(compilation); // whose messages are those of the text
+  return result;
+}
+
+// No object that is kept was made with these words, so there is none to be found by what preprocessing tells: the
+// compiler tells what it reads while it makes one.
+Captured ObjectCache::compile_first(Search &search, Command const &compilation, std::string const &workspace) {
+  timespec begun = {};
+  clock_gettime(CLOCK_REALTIME_COARSE, &begun); // the clock of files
+  std::string const rule = search.object + ".d";
+  Command telling = compilation;
+  telling.arguments.insert(telling.arguments.end(), {"-MD", "-MF", rule, "-v"});
+  Captured result = capture(telling);
+  if (!result.outcome.success()) return result;
+  search.found = told(compilation, rule, result.output, begun, workspace);
+  result.output.clear();
   return result;
 }
 
 std::optional<ObjectCache::Kept> ObjectCache::known(Command const &compilation, std::string const &workspace,
                                                     FilesNow &files) {
   if (!directory_->exists()) return {};
-  return kept(key_of_words(compilation, workspace), workspace, files);
+  return kept(directory_->find(key_of_words(compilation, workspace)), workspace, files);
 }
 
 std::optional<ObjectCache::Kept> ObjectCache::make(Command const &compilation, std::string const &workspace,
@@ -223,7 +294,7 @@ std::optional<ObjectCache::Kept> ObjectCache::make(Command const &compilation, s
   search_by_text(search, compilation, workspace);
   if (!search.taken && !capture(compilation).outcome.success()) return {};
   if (!search.taken) keep(search, workspace);
-  return kept(search.by_words, workspace, files);
+  return kept(directory_->find(search.by_words), workspace, files);
 }
 
 std::size_t position_after(Words const &words, std::string_view option) {

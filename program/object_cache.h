@@ -1,12 +1,14 @@
 // Objects that were compiled before, in earlier runs as well.
 //
-// A compilation gives the same object when its compiler, its words, the files that it reads and its preprocessed text
-// are the same: that is the key of an object. (The files count besides the text, since debug information has columns,
-// which preprocessing does not keep.) The files of a run stand in a workspace of its own; its path does not count.
+// A compilation gives the same object when its compiler, its words, the files that it reads and those that it looks for
+// in vain are the same: that is the key of an object. Where the latter cannot be told, as where a macro names what is
+// included, the preprocessed text stands for them. (The files count besides the text, since debug information has
+// columns, which preprocessing does not keep.) The files of a run stand in a workspace of its own; its path does not
+// count.
 //
-// Preprocessing is a tenth of compiling, but that of hundreds of headers. So what it has read is kept too, under the
+// Preprocessing is a tenth of compiling, but that of hundreds of headers. So what was read is kept too, under the
 // compiler, the words and the environment (compiled_from.h): while all of that is as it was, the object is the one of
-// that time. Where it cannot be told, as where a macro names what is included, each run preprocesses.
+// that time. What is compiled with new words is not preprocessed apart: the compiler tells what it reads.
 //
 // Of a precompiled header (runtime_header.h), neither text nor files are read: its path, a word, says what it is.
 #pragma once
@@ -56,10 +58,11 @@ public:
 private:
   struct Search;
   Search search_by_words(Command const &compilation, std::string const &workspace, FilesNow &files);
+  Captured compile_first(Search &search, Command const &compilation, std::string const &workspace);
   void search_by_text(Search &search, Command const &compilation, std::string const &workspace);
   void keep(Search const &search, std::string const &workspace);
   // What is kept under the key of its words, if that still holds.
-  std::optional<Kept> kept(std::string const &by_words, std::string const &workspace, FilesNow &files);
+  std::optional<Kept> kept(std::optional<std::string> const &bytes, std::string const &workspace, FilesNow &files);
 
   std::shared_ptr<CacheDirectory> directory_;
   std::atomic<std::size_t> compiled_ = 0, reused_ = 0;

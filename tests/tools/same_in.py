@@ -54,10 +54,19 @@ def build(language, base, library):
 
 
 def build_c(base, library):
+    """The same for C. Other languages may have had it built before."""
     where, name = os.path.split(os.path.abspath(base))
-    subprocess.run(["gcc", "-std=c99", "-O1", "-ffp-contract=off", "-fno-builtin", f"{name}.c", f"{name}_main.c",
-                    *([f"{library}.a"] if library else []), "-lm", "-o", f"{name}.run_c"], cwd=where, check=True)
-    return lambda inputs: subprocess.run([f"./{name}.run_c"] + inputs, cwd=where, capture_output=True, text=True)
+    program, sources = f"{name}.run_c", [f"{name}.c", f"{name}.h", f"{name}_main.c", *([f"{library}.a"] if library else [])]
+    command = ["gcc", "-std=c99", "-O1", "-ffp-contract=off", "-fno-builtin", *(source for source in sources if not source.endswith(".h")), "-lm", "-o", program]
+    built = os.path.join(where, program + ".command")
+
+    def time(file):
+        return os.stat(os.path.join(where, file)).st_mtime_ns
+
+    if not os.path.exists(built) or open(built).read() != " ".join(command) or any(time(source) >= time(program) for source in sources):
+        subprocess.run(command, cwd=where, check=True)
+        open(built, "w").write(" ".join(command))
+    return lambda inputs: subprocess.run([f"./{program}"] + inputs, cwd=where, capture_output=True, text=True)
 
 
 def ordered(x, is_float):
