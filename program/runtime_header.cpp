@@ -26,16 +26,20 @@ std::size_t header_position(Words const &words) {
   return is_ours && std::ranges::count_if(rewrite::driver_options(words), includes) == 1 ? at : 0;
 }
 
-bool is_searched_last(rewrite::DriverOption const &option) {
-  return option.about == rewrite::About::directories && option.name == "-idirafter";
+// A directory of the user's. Only gcc takes a precompiled header that was made without it where it is searched before
+// the system's.
+bool is_searched_for(rewrite::DriverOption const &option, bool by_clang) {
+  bool const is_last = option.name == "-idirafter", is_before = option.name == "-I" || option.name == "-isystem";
+  return option.about == rewrite::About::directories && option.value != runtime_include() &&
+         (is_last || (is_before && !by_clang));
 }
 
-// The words without the directories that are searched behind the system's, which go to `last`.
-Words without_last(Words const &words, Words &last) {
+// The words without the directories in which the header need not be looked for, which go to `searched`.
+Words without_directories(Words const &words, bool by_clang, Words &searched) {
   Words kept;
   for (rewrite::DriverOption const &option : rewrite::driver_options(words))
-    if (is_searched_last(option))
-      last.push_back(option.value);
+    if (is_searched_for(option, by_clang))
+      searched.push_back(option.value);
     else
       rewrite::append(kept, option, words);
   return kept;
@@ -109,7 +113,8 @@ void RuntimeHeader::make(One &one, Command const &compilation, std::string const
   write_if_changed(path, "#include <" + header + ">\n");
   one.path = path;
   one.object = kept->second;
-  one.in_vain = std::move(kept->first.names);
+  one.names = std::move(kept->first.names);
+  one.names.push_back(header);
 }
 
 // Where what was kept is damaged, it is made again.
@@ -127,7 +132,7 @@ bool RuntimeHeader::lay(One &one, Command const &compilation, std::string const 
 bool RuntimeHeader::may_read(One const &one, Words const &directories, std::string const &base, FilesNow &files) {
   return std::ranges::any_of(directories, [&](std::string const &directory) {
     std::filesystem::path const path = std::filesystem::path(base) / directory;
-    return std::ranges::any_of(one.in_vain,
+    return std::ranges::any_of(one.names,
                                [&](std::string const &name) { return files.exists((path / name).string()); });
   });
 }
@@ -135,9 +140,9 @@ bool RuntimeHeader::may_read(One const &one, Words const &directories, std::stri
 std::optional<ObjectCache::Quick> RuntimeHeader::use(Command const &compilation, FilesNow &files) {
   std::size_t const header = header_position(compilation.arguments);
   if (header == 0 || !directory_.exists()) return {};
-  Words last;
+  Words searched;
   Command common = compilation;
-  common.arguments = without_last(compilation.arguments, last);
+  common.arguments = without_directories(compilation.arguments, is_clang(compilation), searched);
   if (!is_clang(compilation)) common.arguments = without_macros(common.arguments);
   if (!depends_on_directory(common.arguments)) common.directory = "/";
   Command const precompilation = header_compilation(common, "");
@@ -153,7 +158,7 @@ std::optional<ObjectCache::Quick> RuntimeHeader::use(Command const &compilation,
   std::unique_lock const mine(one.mutex, std::try_to_lock); // whoever comes while it is made does without
   if (!mine) return {};
   if (one.path.empty() && !one.tried) make(one, common, key, files);
-  if (one.path.empty() || may_read(one, last, compilation.directory, files)) return {};
+  if (one.path.empty() || may_read(one, searched, compilation.directory, files)) return {};
   Command with = compilation;
   with.arguments[header] = is_clang(compilation) ? one.path + ".gch" : one.path;
   if (is_clang(compilation)) with.arguments[header - 1] = "-include-pch";

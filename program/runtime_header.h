@@ -2,9 +2,10 @@
 //
 // It is as large as a small program. gcc and clang take a precompiled header in its place if it was made by the same
 // compiler with the same words: so there is one for each of these. Directories that are searched behind the system's do
-// not count, unless one of them has a header by a name that the precompiled one asks for; nor, for gcc, do the
-// program's macros. It is kept like an object (object_cache.h), made from what it is made from. Making it costs as much
-// as three sources gain; it is made for the third that asks for it, in this run or an earlier one.
+// not count, unless one of them has a header by a name that the precompiled one asks for; nor, for gcc, do other
+// directories of the user's and the program's macros. It is kept like an object (object_cache.h), made from what it is
+// made from. Making it costs as much as three sources gain; it is made for the third that asks for it, in this run or
+// an earlier one.
 #pragma once
 
 #include "program/object_cache.h"
@@ -33,10 +34,10 @@ private:
     std::mutex mutex;
     std::size_t asked = 0;
     bool tried = false;
-    std::string path;                 // of the text beside which the precompiled header lies; empty: there is none
-    std::string object;               // what it is kept under
-    bool is_laid = false;             // it lies there
-    std::vector<std::string> in_vain; // names that it asks for and some directory has not
+    std::string path;               // of the text beside which the precompiled header lies; empty: there is none
+    std::string object;             // what it is kept under
+    bool is_laid = false;           // it lies there
+    std::vector<std::string> names; // that it asks for; some directory of the system's has not got them
   };
   void make(One &one, Command const &compilation, std::string const &key, FilesNow &files);
   bool lay(One &one, Command const &compilation, std::string const &key, FilesNow &files);

@@ -2,7 +2,6 @@
 # %rewrite prints rewritten text, %dump that with what else there is (also the facts), %decide what becomes of facts, %same compares object code,
 # %source the repository, %venv the programs of tests/requirements.txt, %inputs the example programs, %runtime_include the public headers, %runtime the directory of the runtime,
 # %tools helper scripts, %version the tool's version, %cxx %cc %clang compilers.
-import atexit
 import os
 import platform
 import shutil
@@ -73,13 +72,12 @@ config.substitutions += [
 ]
 # Objects are kept from test to test, but never those of another build of the tool.
 config.environment["XDG_CACHE_HOME"] = os.path.join(config.test_exec_root, "cache")
-# A run of the tool makes and removes hundreds of small files, which takes less time in memory than on a disk.
+# A run of the tool makes and removes hundreds of small files, which takes less time in memory than on a disk. lit makes the directory.
 memory = "/dev/shm"
 if os.access(memory, os.W_OK):
     room = os.statvfs(memory)
     if room.f_bavail * room.f_frsize > 4 << 30 and not room.f_flag & os.ST_NOEXEC:
-        config.environment["TMPDIR"] = tempfile.mkdtemp(prefix="lit-tmp-", dir=memory)
-        atexit.register(shutil.rmtree, config.environment["TMPDIR"], ignore_errors=True)
+        tempfile.tempdir = memory
 # A busy machine makes a run long, and tests compare what it prints.
 config.environment["SYMREAL_PROGRESS"] = "0"
 config.environment["SYMREAL_UNDER_TEST"] = os.path.join(config.binary_dir, "tool", "symreal")
