@@ -62,6 +62,7 @@ public:
   void instantiated_call(clang::CallExpr const *call);
   void instantiated_construction(clang::CXXConstructExpr const *construction);
   void instantiated_value(clang::Expr const *value);
+  void instantiated_read(clang::Expr const *value);
 
   // Everything else (expressions.cpp).
   // Most implicit casts read a variable or take an address.

@@ -60,6 +60,10 @@ public:
     collect_.pointer_cast(cast);
     return true;
   }
+  bool VisitImplicitCastExpr(ImplicitCastExpr *cast) override {
+    if (cast->getCastKind() == CK_LValueToRValue && is_here(cast)) collect_.instantiated_read(cast->getSubExpr());
+    return true;
+  }
   bool VisitMemberExpr(MemberExpr *member) override {
     if (is_here(member)) collect_.union_member(member);
     return true;

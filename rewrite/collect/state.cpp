@@ -142,8 +142,8 @@ bool names_object(Expr const *expression) {
   if (auto const *reference = dyn_cast<DeclRefExpr>(expression))
     return isa<VarDecl>(reference->getDecl()) && reference->getDecl()->getType()->isReferenceType();
   if (auto const *unary = dyn_cast<UnaryOperator>(expression)) return unary->getOpcode() == UO_Deref;
-  return isa<MemberExpr>(expression) || isa<DependentScopeDeclRefExpr>(expression) ||
-         isa<CXXDependentScopeMemberExpr>(expression) || isa<ArraySubscriptExpr>(expression);
+  return isa<MemberExpr>(expression) || isa<CXXDependentScopeMemberExpr>(expression) ||
+         isa<ArraySubscriptExpr>(expression);
 }
 
 } // namespace
@@ -158,6 +158,22 @@ void Collector::dependent_operands(BinaryOperator const *operation) {
   if (names_object(right)) note(right, Use::read);
   if (operation->getOpcode() == BO_Assign ? names_object(left) || isa<CallExpr>(left) : names_object(left))
     note(left, operation->getOpcode() == BO_Assign ? Use::written : Use::read);
+}
+
+// In an instantiation, where the template does not say what it is: Limits<T>::low, limit<T>, limit_of<T>(), or the
+// argument of the template itself.
+void Collector::instantiated_read(Expr const *value) {
+  value = value->IgnoreParens();
+  Expr const *named = value;
+  if (auto const *argument = dyn_cast<SubstNonTypeTemplateParmExpr>(value)) named = argument->getReplacement();
+  ValueDecl const *declaration = nullptr;
+  if (auto const *reference = dyn_cast<DeclRefExpr>(named)) declaration = reference->getDecl();
+  if (auto const *member = dyn_cast<MemberExpr>(named)) declaration = member->getMemberDecl();
+  auto const *variable = dyn_cast_or_null<VarDecl>(declaration);
+  auto const *call = dyn_cast<CallExpr>(named);
+  bool const is_given = call && !isa<CXXOperatorCallExpr>(call) && call->getDirectCallee() &&
+                        reals_.in_roots(Reals::pattern(call->getDirectCallee()));
+  if (((variable && variable->hasGlobalStorage()) || is_given) && may_outlive(named)) note(value, Use::read);
 }
 
 void Collector::dependent_value(Expr const *value) {

@@ -15,6 +15,9 @@ void k(double const *x, double *y) {
   y[1] = x[n > 2 ? 1 : (n < -1 ? n & 3 : 2)];
   // CHECK: x[n > 1 ? 0 : n < 0 ? 2 : 1]
   y[2] = x[n > 1 ? 0 : n < 0 ? 2 : 1];
+  int count = 2;
+  // CHECK: (REAL_COND(count < 3) REAL_THEN REAL_COND({{.*}} < 5) REAL_THEN -255 REAL_ELSE 4 REAL_END REAL_ELSE 3 REAL_END)
+  y[2] += 1.0 + (count < 3 ? x[0] < 5 ? -255 : 4 : 3);
 }
 
 int main(void) {
