@@ -48,7 +48,7 @@ static double f(double x)
 int main(void)
 {
     double x = 1.5, y;
-#pragma symreal input(x)
+#pragma symreal input(x) constant(address)
     y = f(x);
 #pragma symreal output(y) generate("y.c")
     printf("%.17g\n", y);

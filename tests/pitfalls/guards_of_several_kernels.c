@@ -1,6 +1,6 @@
 // Guards of one kernel after another: the memory in which the recording keeps them is no memory of the program.
 // RUN: rm -rf %t && mkdir %t && %symreal generate %s -o %t/ --decisions=guard 2>&1 | FileCheck %s --implicit-check-not="error:"
-// RUN: %symreal verify %s %t/many.c %t/one.c --samples=100
+// RUN: %symreal verify %s %t/many.c %t/one.c --samples=100 --min-samples=10
 // CHECK: kernel many
 // CHECK: kernel one
 #include <stdio.h>
@@ -13,7 +13,7 @@ double many(const double *x) {
          table[(int)(0.5 * x[0])] + table[(int)(0.5 * x[1])] + table[(int)(0.5 * x[2])] + table[(int)(0.5 * x[3])];
 }
 
-#pragma symreal function input(x) output(return)
+#pragma symreal function input(x) range(0.0, 1.5) output(return)
 double one(double x) {
   if (x > 2) return x;
   return x < 1 ? 2 * x : 3 * x;

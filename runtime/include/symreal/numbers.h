@@ -37,9 +37,10 @@ template <class T> constexpr bool integer_type() {
   return false;
 }
 template <class T> inline constexpr bool is_integer = integer_type<T>();
-// Numbers that stay as they are. A double is one of code that is not rewritten.
+// Numbers that stay as they are: no REAL, which is a class that says it is a number, and no double, which is one of
+// code that is not rewritten.
 template <class T> inline constexpr bool is_narrow_or_wide =
-    std::is_floating_point_v<T> && !std::is_same_v<std::remove_cv_t<T>, double>;
+    std::is_floating_point_v<T> && !is_class<T> && !std::is_same_v<std::remove_cv_t<T>, double>;
 template <class T> inline constexpr bool is_function_pointer =
     (std::is_pointer_v<T> && std::is_function_v<std::remove_pointer_t<T>>) || std::is_member_pointer_v<T>;
 template <class T> inline constexpr bool is_scalar = is_integer<T> || is_narrow_or_wide<T> || is_function_pointer<T>;
