@@ -220,6 +220,7 @@ private:
   void note(clang::Expr const *expression, Use use, clang::Expr const *named = nullptr, std::string const &words = "");
   bool may_outlive(clang::Expr const *expression) const;
   void scalar(clang::Expr const *expression, Use use);
+  bool is_fixed(clang::Expr const *expression) const;
   void decides(clang::Expr const *expression);
   void dispatch(clang::CXXMemberCallExpr const *call);
   void decides_by_pointer(clang::Expr const *object);

@@ -37,12 +37,17 @@ void Collector::note(Expr const *expression, Use use, Expr const *named, std::st
       {*span, use, words + in_quotes(name) + ", " + in_quotes(to_string(map_.place(named->getBeginLoc())))});
 }
 
+// Is it part of a variable of which no scalar changes?
+bool Collector::is_fixed(Expr const *expression) const {
+  auto const *reference = dyn_cast_or_null<DeclRefExpr>(Storage::base(expression));
+  auto const *variable = reference ? dyn_cast<VarDecl>(reference->getDecl()) : nullptr;
+  return variable && scalars_.is_fixed(variable);
+}
+
 // The value of a scalar is used, or it gets a new one.
 void Collector::scalar(Expr const *expression, Use use) {
   if (expression->isTypeDependent() || !may_outlive(expression)) return;
-  auto const *reference = dyn_cast_or_null<DeclRefExpr>(Storage::base(expression));
-  auto const *variable = reference ? dyn_cast<VarDecl>(reference->getDecl()) : nullptr;
-  if (variable && scalars_.is_fixed(variable)) return;
+  if (is_fixed(expression)) return;
   // A macro of a library, such as errno.
   SourceLocation const begin = expression->getBeginLoc();
   if (begin.isMacroID() && !map_.token(begin)) return;

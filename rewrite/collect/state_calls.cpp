@@ -102,10 +102,7 @@ void Collector::object(Expr const *expression, Use use) {
 void Collector::decides(Expr const *expression) {
   expression = spelled_expression(expression);
   if (expression->isTypeDependent() || !expression->isGLValue() || is_parameter(expression)) return;
-  auto const *reference = dyn_cast_or_null<DeclRefExpr>(Storage::base(expression));
-  auto const *variable = reference ? dyn_cast<VarDecl>(reference->getDecl()) : nullptr;
-  if (variable && scalars_.is_fixed(variable)) return;
-  if (may_outlive(expression)) note(expression, Use::decides);
+  if (!is_fixed(expression) && may_outlive(expression)) note(expression, Use::decides);
 }
 
 // Which function a virtual call reaches.
@@ -140,9 +137,7 @@ bool Collector::begins_range(Arguments arguments, std::size_t first) const {
 }
 
 void Collector::range(Arguments arguments, std::size_t first, Use begin, Use end) {
-  auto const *reference = dyn_cast_or_null<DeclRefExpr>(Storage::base(arguments[first]));
-  auto const *variable = reference ? dyn_cast<VarDecl>(reference->getDecl()) : nullptr;
-  if (variable && scalars_.is_fixed(variable) && !reals_.carries_real(variable->getType())) return;
+  if (is_fixed(arguments[first]) && !reals_.carries_real(Storage::base(arguments[first])->getType())) return;
   note(arguments[first]->IgnoreImpCasts(), begin);
   note(arguments[first + 1]->IgnoreImpCasts(), end, arguments[first]->IgnoreImpCasts());
 }

@@ -1,4 +1,4 @@
-// Where the numbers and scalars of a structure lie, written down for the runtime.
+// The places of the numbers and scalars of a structure, written down for the runtime.
 //
 // A program in C, private members and packed ones can be reached by their offsets alone, so this is the one way into
 // structures for all programs that a kernel is built as: symbolic, replay and original lay them out alike (layouts.h).
