@@ -62,7 +62,7 @@ template <class Use> Read read_entry(std::string const &path, Use use) {
   return {true, good};
 }
 
-// What the contents of a file are known by.
+// The name by which the contents of a file are known.
 class FileId {
 public:
   void add(std::string_view piece) { of_pieces_ += content_id(piece); }

@@ -47,7 +47,8 @@ private:
   void tell_damaged(std::string const &entry) const;
   std::string temporary(); // a path at which an entry can be written
   bool place(std::string const &temporary, bool is_written, std::string const &entry);
-  // Of a file that is kept under the key and has the content that it had: its path. `use`: is called with each piece.
+  // The path of the file that is kept under the key, if it has the content that it had. `use`: is called with each
+  // piece.
   template <class Use> std::optional<std::string> find_file(std::string const &key, Use use);
 
   std::string path_;

@@ -12,7 +12,6 @@
 #include <filesystem>
 #include <fmt/format.h>
 #include <sstream>
-#include <sys/stat.h>
 
 namespace symreal::program {
 namespace {
@@ -21,18 +20,6 @@ namespace fs = std::filesystem;
 using Words = std::vector<std::string>;
 
 constexpr std::uintmax_t most_kept = std::uintmax_t{8} << 20; // bytes of a program
-
-// A file by path, size and time.
-std::string stamp(std::string const &path) {
-  struct stat status = {};
-  if (stat(path.c_str(), &status) != 0) return path;
-  return fmt::format("{}.{} {} {}", status.st_mtim.tv_sec, status.st_mtim.tv_nsec, status.st_size, path);
-}
-
-std::string program_stamp(std::string const &name) {
-  llvm::ErrorOr<std::string> const path = llvm::sys::findProgramByName(name);
-  return stamp(path ? *path : name);
-}
 
 bool has_gold() {
   static bool const has = bool(llvm::sys::findProgramByName("ld.gold"));
@@ -48,7 +35,7 @@ std::string Linking::key(Command const &command) {
   key += program_stamp(command.arguments.front()) + "\n";
   for (std::string const &word : command.arguments)
     if (!word.starts_with(workspace_))
-      key += (fs::is_regular_file(word) ? stamp(word) : word) + "\n";
+      key += (fs::is_regular_file(word) ? file_stamp(word) : word) + "\n";
     else if (fs::is_regular_file(word))
       key += files_.content_id(word) + "\n";
   return content_id(key);
@@ -63,7 +50,7 @@ bool Linking::take(std::string const &key, std::string const &program) {
   std::getline(lines, id);
   while (std::getline(lines, one)) {
     std::size_t const path = one.find(' ', one.find(' ') + 1);
-    if (path == one.npos || stamp(one.substr(path + 1)) != one) return false;
+    if (path == one.npos || file_stamp(one.substr(path + 1)) != one) return false;
   }
   if (!directory_.take_file(id, program)) return false;
   std::error_code error;
@@ -78,7 +65,7 @@ void Linking::keep(std::string const &key, std::string const &program, std::stri
   std::string const id = content_id("program " + key);
   std::string text = id + "\n";
   for (std::string const &path : read)
-    if (!path.starts_with(workspace_)) text += stamp(path) + "\n";
+    if (!path.starts_with(workspace_)) text += file_stamp(path) + "\n";
   directory_.keep_file(id, program);
   directory_.keep(key, text);
 }

@@ -47,14 +47,6 @@ private:
   std::string all_;
 };
 
-// The compiler itself, by path, size and time.
-void add_compiler(Key &key, std::string const &name) {
-  llvm::ErrorOr<std::string> const path = llvm::sys::findProgramByName(name);
-  struct stat status = {};
-  if (!path || stat(path->c_str(), &status) != 0) return key.add(name);
-  key.add(fmt::format("{} {} {}.{}", *path, status.st_size, status.st_mtim.tv_sec, status.st_mtim.tv_nsec));
-}
-
 // gcc takes it for the text beside it.
 bool reads_precompiled(Words const &words) {
   std::size_t const header = position_after(words, "-include");
@@ -65,11 +57,11 @@ bool reads_precompiled(Words const &words) {
 void add_compilation(Key &key, Command const &compilation) {
   key.add(version);
   key.add(compilation.directory.empty() ? fs::current_path().string() : compilation.directory);
-  add_compiler(key, compilation.arguments.front());
+  key.add(program_stamp(compilation.arguments.front()));
   for (std::string const &word : compilation.arguments) {
     key.add(word);
     constexpr std::string_view plugin = "-fpass-plugin="; // a part of the compiler
-    if (word.starts_with(plugin)) add_compiler(key, word.substr(plugin.size()));
+    if (word.starts_with(plugin)) key.add(program_stamp(std::string(word.substr(plugin.size()))));
   }
   for (char const *name : {"COMPILER_PATH", "GCC_EXEC_PREFIX", "SOURCE_DATE_EPOCH", "NIX_CFLAGS_COMPILE", "CPATH",
                            "C_INCLUDE_PATH", "CPLUS_INCLUDE_PATH", "CCC_OVERRIDE_OPTIONS"})
@@ -97,7 +89,7 @@ std::string key_of_words(Command const &compilation, std::string const &workspac
 
 bool has_embedded_file(std::string const &text) { return text.find(".incbin") != text.npos; }
 
-// What a compilation reads, and the key of what it gives.
+// The files that a compilation reads, and the key of its result.
 struct Inputs {
   std::string key;
   std::optional<CompiledFrom> from;
@@ -232,7 +224,7 @@ void ObjectCache::search_by_text(Search &search, Command const &compilation, std
 void ObjectCache::keep(Search const &search, std::string const &workspace) {
   if (!search.found) return;
   std::string const &key = search.found->key;
-  // Where it cannot be told what the texts include, the next run looks at the text.
+  // The next run looks at the text, if it cannot be told what the texts include.
   if (search.is_first && !search.found->from) return directory_->keep(search.by_words, "by its text");
   if (!search.taken) directory_->keep_file(key, search.object);
   // A file that was changed meanwhile, by an editor, was compiled before or after that.
@@ -295,6 +287,17 @@ std::optional<ObjectCache::Kept> ObjectCache::make(Command const &compilation, s
   if (!search.taken && !capture(compilation).outcome.success()) return {};
   if (!search.taken) keep(search, workspace);
   return kept(directory_->find(search.by_words), workspace, files);
+}
+
+std::string file_stamp(std::string const &path) {
+  struct stat status = {};
+  if (stat(path.c_str(), &status) != 0) return path;
+  return fmt::format("{}.{} {} {}", status.st_mtim.tv_sec, status.st_mtim.tv_nsec, status.st_size, path);
+}
+
+std::string program_stamp(std::string const &name) {
+  llvm::ErrorOr<std::string> const path = llvm::sys::findProgramByName(name);
+  return file_stamp(path ? *path : name);
 }
 
 std::size_t position_after(Words const &words, std::string_view option) {

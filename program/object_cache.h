@@ -68,6 +68,10 @@ private:
   std::atomic<std::size_t> compiled_ = 0, reused_ = 0;
 };
 
+// A file, or a program that is found as a shell finds it, by path, size and time.
+std::string file_stamp(std::string const &path);
+std::string program_stamp(std::string const &name);
+
 // Of the words: the position after this one; 0 where it is not among them.
 std::size_t position_after(std::vector<std::string> const &words, std::string_view option);
 

@@ -117,7 +117,7 @@ void RuntimeHeader::make(One &one, Command const &compilation, std::string const
   one.names.push_back(header);
 }
 
-// Where what was kept is damaged, it is made again.
+// A header that was kept and is damaged is made again.
 bool RuntimeHeader::lay(One &one, Command const &compilation, std::string const &key, FilesNow &files) {
   std::scoped_lock const lock(one.mutex);
   if (one.path.empty()) return false;
