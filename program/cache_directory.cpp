@@ -151,7 +151,7 @@ void CacheDirectory::keep(std::string const &key, std::string const &text) {
 template <class Use> std::optional<std::string> CacheDirectory::find_file(std::string const &key, Use use) {
   std::optional<std::string> const id = find(key);
   if (!id) return {};
-  std::string const path = entry(*id, file_kind);
+  std::string path = entry(*id, file_kind);
   FileId now;
   Read const read = read_entry(path, [&](std::string_view piece) {
     now.add(piece);

@@ -60,7 +60,8 @@ public:
   }
 
   bool names(FunctionDecl const *function) const {
-    return (qualified(function) == name_ || qualified(function, true) == name_) && (!types_ || has_types(function));
+    return (qualified(function) == name_ || qualified(function, true) == name_) &&
+           (!types_ || has_types(function, *types_));
   }
   // Without types.
   std::string const &name() const { return name_; }
@@ -76,12 +77,12 @@ public:
   }
 
 private:
-  bool has_types(FunctionDecl const *function) const {
-    if (types_->size() != function->getNumParams()) return false;
+  static bool has_types(FunctionDecl const *function, std::vector<std::string> const &types) {
+    if (types.size() != function->getNumParams()) return false;
     PrintingPolicy const policy(function->getASTContext().getLangOpts());
     for (unsigned i = 0; i < function->getNumParams(); ++i) {
       QualType const type = function->getParamDecl(i)->getType();
-      std::vector<std::string> const wanted = type_words((*types_)[i]);
+      std::vector<std::string> const wanted = type_words(types[i]);
       if (wanted != type_words(type.getAsString(policy)) &&
           wanted != type_words(type.getCanonicalType().getAsString(policy)))
         return false;

@@ -467,11 +467,11 @@ private:
 CallBinding bind_call(CallSpec const &spec, Callable const &function) { return Binder(spec, function).bind(); }
 
 std::string binding_helpers(bool is_c) {
-  std::string const value = "static double symreal_default(void) {\n"
-                            "  static int symreal_last = 0;\n"
-                            "  symreal_last = (symreal_last + 61) % 97;\n"
-                            "  return (symreal_last + 1) / 100.0;\n"
-                            "}\n";
+  std::string value = "static double symreal_default(void) {\n"
+                      "  static int symreal_last = 0;\n"
+                      "  symreal_last = (symreal_last + 61) % 97;\n"
+                      "  return (symreal_last + 1) / 100.0;\n"
+                      "}\n";
   if (is_c) return value;
   return "#include <iterator>\n" + value + R"(namespace {
 template <int symreal_n> struct symreal_rank : symreal_rank<symreal_n - 1> {};
