@@ -114,6 +114,7 @@ std::string statements(Baked const &baked, std::vector<std::string> const &lengt
 std::string value_of(std::string const &element, char kind) {
   switch (kind) {
   case 'd': return fmt::format("symreal_bits({})", element);
+  case 'l': return fmt::format("symreal_wide({})", element);
   case 's': return fmt::format("symreal_text({})", element);
   case 'o': return element;
   case 't': return fmt::format("symreal_text(typeid({}).name())", element);
@@ -128,6 +129,11 @@ constexpr char const *hashes = R"(static __inline__ unsigned long long symreal_b
   unsigned long long symreal_result;
   __builtin_memcpy(&symreal_result, &symreal_number, sizeof symreal_result);
   return symreal_result;
+}
+/* Of both of the doubles that it is the sum of. */
+static __inline__ unsigned long long symreal_wide(long double symreal_number) {
+  double const symreal_high = (double)symreal_number;
+  return symreal_bits(symreal_high) * 1099511628211ull + symreal_bits((double)(symreal_number - symreal_high));
 }
 static __inline__ unsigned long long symreal_text(char const *symreal_string) {
   unsigned long long symreal_hash = 14695981039346656037ull;
@@ -196,7 +202,7 @@ template <int symreal_n> struct symreal_rank : symreal_rank<symreal_n - 1> {};
 template <> struct symreal_rank<0> {};
 inline unsigned long long symreal_scalar(double symreal_number) { return symreal_bits(symreal_number); }
 inline unsigned long long symreal_scalar(float symreal_number) { return symreal_bits(symreal_number); }
-inline unsigned long long symreal_scalar(long double symreal_number) { return symreal_bits(static_cast<double>(symreal_number)); }
+inline unsigned long long symreal_scalar(long double symreal_number) { return symreal_wide(symreal_number); }
 template <class symreal_T> unsigned long long symreal_scalar(symreal_T const &symreal_object) {
   return static_cast<unsigned long long>(symreal_object);
 }
@@ -463,18 +469,26 @@ void add_baked_values(Front const &front, RunOptions const &run, Recorded &recor
   read_values(recorded, path);
 }
 
-std::string baked_checks(Recorded const &recorded, Otherwise const &otherwise) {
+// Pointers first: what another one leads to is not looked at where it is null.
+std::string baked_checks(Recorded const &recorded, Otherwise otherwise) {
   std::string text;
   if (is_dropped("baked")) return text;
-  for (BakedObject const &one : recorded.baked) {
+  bool const is_remembered = otherwise == Otherwise::remember;
+  std::string const still = is_remembered ? "symreal_same && " : "";
+  std::vector<BakedObject> all = recorded.baked;
+  auto const rank = [](BakedObject const &one) {
+    return one.what.shape == "p" ? one.what.expression.size() : std::string::npos;
+  };
+  std::ranges::stable_sort(all, {}, rank);
+  for (BakedObject const &one : all) {
     if (is_dropped("extents") && one.what.shape == "z") continue;
     if (is_dropped("overlaps") && one.what.shape == "o") continue;
-    std::string const other = otherwise(one.what.label);
+    std::string const other = is_remembered ? "symreal_same = 0;" : refusal_of(one.what.label);
     std::vector<std::string> lengths;
     for (std::size_t k = 0; k < one.lengths.size(); ++k) {
       lengths.push_back(std::to_string(one.lengths[k]) + "u");
       if (!is_number(one.what.sections[k].length))
-        text += fmt::format("  if (({}) != {}) {}\n", one.what.sections[k].length, one.lengths[k], other);
+        text += fmt::format("  if ({}({}) != {}) {}\n", still, one.what.sections[k].length, one.lengths[k], other);
     }
     bool const is_single = one.what.sections.empty() && one.what.shape.size() == 1 && !is_walked(one.what.shape[0]);
     if (is_single) {
@@ -483,11 +497,12 @@ std::string baked_checks(Recorded const &recorded, Otherwise const &otherwise) {
       auto const value = static_cast<long long>(one.values.front());
       bool const is_least = value == std::numeric_limits<long long>::min();
       text += kind == 'i' && !is_least
-                  ? fmt::format("  if ((long long){} != {}ll) {}\n", element, value, other)
-                  : fmt::format("  if ({} != {}ull) {}\n", value_of(element, kind), one.values.front(), other);
+                  ? fmt::format("  if ({}(long long){} != {}ll) {}\n", still, element, value, other)
+                  : fmt::format("  if ({}{} != {}ull) {}\n", still, value_of(element, kind), one.values.front(), other);
       continue;
     }
-    text += "  {\n    static unsigned long long const symreal_known[] = {";
+    text += is_remembered ? "  if (symreal_same) {\n" : "  {\n";
+    text += "    static unsigned long long const symreal_known[] = {";
     for (std::size_t k = 0; k < one.values.size(); ++k) text += fmt::format("{}{}ull", k ? ", " : "", one.values[k]);
     text += one.values.empty() ? "0" : "";
     text += "};\n    unsigned long symreal_at = 0;\n    " +

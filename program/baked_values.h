@@ -15,9 +15,9 @@ namespace symreal::program {
 // Nothing is built where there is nothing to compare. Throws no_wrapper for what cannot be compared.
 void add_baked_values(Front const &front, RunOptions const &run, Recorded &recorded);
 
-// For every value, the statement `otherwise` where it is another one; `label` names the object.
-using Otherwise = std::function<std::string(std::string const &label)>;
-std::string baked_checks(Recorded const &recorded, Otherwise const &otherwise);
+// Compares every value. Where it is another one, the call ends with a message, or symreal_same becomes 0.
+enum class Otherwise { refuse, remember };
+std::string baked_checks(Recorded const &recorded, Otherwise otherwise);
 
 // What the checks use, in blocks of lines of C99 or C++11; none where there is nothing to compare.
 std::vector<std::string> baked_helpers(Recorded const &recorded);

@@ -29,10 +29,8 @@ std::string packing(Recorded const &recorded) {
          wrapper_pack(recorded.kernel, "parameter", recorded.graph.parameters, "symreal_parameters");
 }
 
-std::string set_other(std::string const &) { return "symreal_same = 0;"; }
-
 std::string checks(Recorded const &recorded) {
-  std::string text = baked_checks(recorded, set_other);
+  std::string text = baked_checks(recorded, Otherwise::remember);
   for (ExtentCheck const &one : wrapper_extents(recorded.kernel, recorded.graph))
     text += fmt::format("if ({}) symreal_same = 0; ", one.differs);
   return text;
@@ -96,11 +94,10 @@ void insert_in_wrapper_place(rewrite::Result &annotated, rewrite::Kernel const &
 bool is_wrapper_of(std::string const &text, Recorded const &recorded) {
   std::string const unpacking = wrapper_unpack(recorded.kernel, recorded.graph.outputs,
                                                [](std::string const &value) { return "return " + value + ";"; });
-  auto const refuse = [](std::string const &label) { return refusal_of(label); };
   std::string const all = squeezed(text);
   auto const has = [&](std::string const &part) { return all.find(squeezed(part)) != all.npos; };
   return has(packing(recorded)) && has(unpacking) &&
-         (has(baked_checks(recorded, set_other)) || has(baked_checks(recorded, refuse)));
+         (has(baked_checks(recorded, Otherwise::remember)) || has(baked_checks(recorded, Otherwise::refuse)));
 }
 
 std::string build_wrapped(Front const &front, Recorded const &recorded) {

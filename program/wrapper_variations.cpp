@@ -99,9 +99,9 @@ void add_values(BakedObject const &one, std::vector<Variation> &all) {
       all.push_back({fmt::format("where '{}' has another value than in the recorded call", one.what.label), statement});
   };
   add([](std::string const &value, char kind) {
-    return kind == 'd'   ? fmt::format("((unsigned char *)&({0}))[sizeof({0}) - 2] ^= 1;", value)
-           : kind == 'i' ? fmt::format("*(unsigned char *)&({}) ^= 1;", value)
-                         : std::string();
+    return kind == 'd'                  ? fmt::format("((unsigned char *)&({0}))[sizeof({0}) - 2] ^= 1;", value)
+           : kind == 'i' || kind == 'l' ? fmt::format("*(unsigned char *)&({}) ^= 1;", value)
+                                        : std::string();
   });
   add([](std::string const &value, char kind) { return kind == 'p' ? other_pointer(value) : std::string(); });
   for (char const *words : {"", "symreal"})

@@ -1,5 +1,7 @@
 #include "rewrite/model/baked_values.h"
 
+#include "rewrite/model/scalar_state.h"
+
 #include "rewrite/model/object_layout.h"
 #include "rewrite/model/plain_declaration.h"
 #include "rewrite/source/walk.h"
@@ -53,6 +55,20 @@ bool is_opaque(CXXRecordDecl const *record) {
   constexpr llvm::StringLiteral names[] = {"optional", "variant", "any",  "map",        "unordered_map",
                                            "multimap", "set",     "list", "shared_ptr", "unique_ptr"};
   return llvm::any_of(names, [record](llvm::StringRef name) { return is_standard(record, name); });
+}
+
+// Constant numbers, of which the pointer itself says nothing in another program.
+bool leads_to_constants(QualType type) {
+  QualType const to = type->getPointeeType();
+  return !to.isNull() && to.isConstQualified() && to->isArithmeticType() && !to->isAnyCharacterType();
+}
+
+// An object of a class that is not rewritten, of which nothing is known.
+bool is_value_of_library(CXXRecordDecl const *record, ASTContext const &context) {
+  SourceManager const &sources = context.getSourceManager();
+  if (!record->hasDefinition() || !sources.isInSystemHeader(sources.getExpansionLoc(record->getLocation())))
+    return false;
+  return ScalarState::is_copied(record->getDefinition());
 }
 
 bool is_text(QualType type) {
@@ -195,6 +211,7 @@ private:
       return inner.empty() ? "" : "[" + std::to_string(array->getSize().getZExtValue()) + "]" + inner;
     }
     if (is_double(type)) return is_object ? "" : "d";
+    if (type->isSpecificBuiltinType(BuiltinType::LongDouble)) return "l";
     if (type->isRealFloatingType()) return "d";
     if (type->isIntegralOrEnumerationType()) return context_.getTypeSize(type) <= 64 ? "i" : "";
     if (is_function_pointer(type)) return "f";
@@ -276,8 +293,21 @@ std::vector<Baked> baked_values(FunctionDecl const *function, std::vector<BakedI
     });
     if (!one.shape.empty() && !is_known) found.push_back(std::move(one));
   };
+  auto const names_elements = [&items](std::string const &pointer) {
+    return std::any_of(items.begin(), items.end(), [&](BakedItem const &one) {
+      return (one.expression == pointer && !one.sections.empty()) || one.expression == "*" + pointer;
+    });
+  };
   for (BakedItem const &item : items)
-    if (!item.type.isNull())
+    if (!item.type.isNull() && item.is_constant && item.sections.empty() && leads_to_constants(item.type) &&
+        !names_elements(item.expression))
+      add({item.label,
+           item.expression,
+           {},
+           "?it leads to constants: name those as well, as in constant(p[0:n])",
+           false,
+           item.place});
+    else if (!item.type.isNull())
       add({item.label, item.expression, item.sections, shapes.of(item.type, !item.is_constant), !item.is_constant,
            item.place});
   for (ParmVarDecl const *parameter : function->parameters()) {
@@ -290,6 +320,10 @@ std::vector<Baked> baked_values(FunctionDecl const *function, std::vector<BakedI
       return !one.sections.empty() && one.expression == name;
     });
     bool const is_container = !element_in(type.getNonReferenceType()->getAsCXXRecordDecl()).isNull();
+    bool const is_constant = std::any_of(items.begin(), items.end(), [&](BakedItem const &one) {
+      return one.is_constant && !one.sections.empty() && one.expression == name;
+    });
+    if (is_constant && type->isPointerType()) add({name, name, {}, "p", false, place});
     if (is_item && has_sections && is_container && mentioned.sized_by.contains(name))
       add({name, name, {}, "z", false, place});
     if (name.empty() || !parameter->isReferenced() || is_item) continue;
@@ -304,6 +338,8 @@ std::vector<Baked> baked_values(FunctionDecl const *function, std::vector<BakedI
       add({name, name, {}, "z", false, place});
     else if (is_opaque(record))
       add({name, name, {}, "?it is a " + record->getQualifiedNameAsString(), false, place});
+    else if (record && is_value_of_library(record, function->getASTContext()))
+      add({name, name, {}, "?it is a " + record->getQualifiedNameAsString(), false, place});
     else if (!type->isReferenceType() && !type->isRecordType())
       add({name, name, {}, type->isDependentType() ? "" : shapes.of(type, false), false, place});
   }
@@ -317,6 +353,8 @@ std::vector<Baked> baked_values(FunctionDecl const *function, std::vector<BakedI
            place});
   for (VarDecl const *variable : mentioned.called_variables)
     add({variable->getNameAsString(), variable->getQualifiedNameAsString(), {}, "f", false, place});
+  if (function->isVariadic())
+    add({"...", "...", {}, "?the kernel may read any of the variable arguments", false, place});
   if (function->isTemplated()) add({"the arguments of the template", "__PRETTY_FUNCTION__", {}, "s", false, place});
   for (std::string const &comparison : mentioned.comparisons) add({comparison, comparison, {}, "c", false, place});
   for (std::string const &object : mentioned.virtual_on) add({object, object, {}, "t", false, place});

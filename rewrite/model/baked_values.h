@@ -5,6 +5,7 @@
 //           | "i"                          an integer, truth value or enumerator
 //           | "b"                          the same in a bit-field
 //           | "p"                          a pointer: whether it is null
+//           | "l"                          a long double
 //           | "c"                          a comparison of two pointers
 //           | "o"                          how two items lie that may overlap (rewrite/model/overlaps.h)
 //           | "s"                          text that a null character ends

@@ -2,7 +2,7 @@
    RUN: rm -rf %t && mkdir %t && cd %t
    RUN: %symreal generate %s -o k.c --wrapper --decisions=guard
    RUN: FileCheck %s < k_wrapper.c
-   CHECK: if ((long long)(kind) != 3ll) symreal_same = 0;
+   CHECK: if (symreal_same && (long long)(kind) != 3ll) symreal_same = 0;
    CHECK: symreal_text((name)) !=
    DEFINE: %{c} = %cc -std=c99 -Wall -Wextra -pedantic -Werror -Wno-unknown-pragmas
    RUN: cd %t && %{c} k.c k_wrapper.c -lm -o swapped && %{c} %s -lm -o original
@@ -11,7 +11,7 @@
    `verify` changes each of them, and holds the wrapper to what the kernel is.
    RUN: cd %t && %symreal verify %s k.c --samples=50 --min-samples=5 2>&1 | FileCheck %s --check-prefix=VERIFY
    VERIFY: the wrapper was tried as well
-   RUN: cd %t && sed 's/if ((long long)(kind) != 3ll) symreal_same = 0;//' k_wrapper.c > w.c && not diff w.c k_wrapper.c && mv w.c k_wrapper.c
+   RUN: cd %t && sed 's/if (symreal_same && (long long)(kind) != 3ll) symreal_same = 0;//' k_wrapper.c > w.c && not diff w.c k_wrapper.c && mv w.c k_wrapper.c
    RUN: cd %t && not %symreal verify %s k.c --samples=50 --min-samples=5 2>&1 | FileCheck %s --check-prefix=OTHER
    OTHER: k_wrapper.c:1:1: error: this wrapper was generated for another form of kernel 'kern' [SYM090]
 */

@@ -128,9 +128,8 @@ std::string other_calls(program::Recorded const &recorded, std::vector<program::
     text += original ? fmt::format("  if ({}) {}", check.differs, original->statement)
                      : fmt::format("  if ({}) symreal_refuse_extents({});\n", check.differs, in_quotes(check.label));
   if (recorded.baked.empty()) return text;
-  if (!original) return text + program::baked_checks(recorded, program::refusal_of);
-  return text + "  int symreal_same = 1;\n" +
-         program::baked_checks(recorded, [](std::string const &) { return "symreal_same = 0;"; }) +
+  if (!original) return text + program::baked_checks(recorded, program::Otherwise::refuse);
+  return text + "  int symreal_same = 1;\n" + program::baked_checks(recorded, program::Otherwise::remember) +
          fmt::format("  if (!symreal_same) {}", original->statement);
 }
 
@@ -206,8 +205,7 @@ std::string indented(std::string const &text, std::string const &by) {
 
 // The statements before the body in a copy; the body is the fallback.
 std::string try_statements(program::Recorded const &recorded, Graph const &graph, std::string const &prefix) {
-  auto const other = [](std::string const &) { return "symreal_same = 0;"; };
-  std::string checks = program::baked_checks(recorded, other);
+  std::string checks = program::baked_checks(recorded, program::Otherwise::remember);
   for (program::ExtentCheck const &one : program::wrapper_extents(recorded.kernel, graph))
     checks += fmt::format("  if ({}) symreal_same = 0;\n", one.differs);
   std::string const results = unpacking(recorded.kernel, graph);
