@@ -9,7 +9,7 @@ from .expression import ADD
 from .generator import Variable
 from .interface import section
 from .numbers import tame_number
-from .plain import read_by_library
+from .plain import read_by_library, tables
 
 LEFT = {"SYM053", "SYM017", "SYM136"}
 SIZE = 3
@@ -164,6 +164,17 @@ def integers_read(g, made, is_declared):
     g.shown.append(kept)
 
 
+def table_read(g, made, is_declared):
+    """The same of constants."""
+    name, first = g.local("table"), tables(g)[0]
+    made.parameters.append(f"double const *{name}")
+    made.arguments.append(name)
+    made.objects.append(f"double const *{name} = {first};")
+    kept = g.local("read")
+    g.line(f"double {kept} = {name}[{g.whole(0, 2)}];")
+    g.shown.append(kept)
+
+
 def text(g, made, is_declared):
     name = g.local("line")
     made.parameters.append(f"char *{name}")
@@ -208,5 +219,5 @@ def declare_memory(g, made):
     if g.has("library_memory") and g.chance(0.7):
         g.random.choice(kinds)(g, made, True)
     if g.has("undeclared_memory") and g.chance(0.7):
-        g.random.choice([*kinds, integers_read])(g, made, False)
+        g.random.choice([*kinds, integers_read, table_read])(g, made, False)
         g.expected |= LEFT

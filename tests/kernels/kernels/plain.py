@@ -141,7 +141,38 @@ def read_by_library(g, name):
     return f"{copy}[{g.whole(0, 2)}]"
 
 
-KINDS = [mode, mode, enumerator, flag, gain, members, length, depth, word, integers_of_library]
+TABLES = [["0.5", "1.25", "-2.0"], ["0.5", "3.0", "-2.0"], ["-1.75", "0.0", "2.5"]]
+
+
+def tables(g):
+    """Constants that a caller chooses among."""
+    names = [g.outer("table") for _ in TABLES]
+    for name, numbers in zip(names, TABLES):
+        g.define(f"static double const {name}[3] = {{{', '.join(numbers)}}};")
+    return names
+
+
+def table(g, made):
+    """Handed over by a pointer, or by a structure that leads there."""
+    name, first = g.local("table"), tables(g)
+    how = g.among("pointer", "pointer", "structure", "value")
+    if how == "pointer":
+        read = name
+        argument(g, made, f"double const *{name}", name, first, False)
+        made.clauses.append(f"constant({name}[0:3])")
+    else:
+        type, is_value = g.outer("leads"), how == "value"  # where a whole argument counts as read
+        g.define(f"struct {type} {{ {'' if is_value else 'int unused; '}double const *at; }};")
+        made.objects.append(f"struct {type} {name} = {{{'' if is_value else '1, '}{first[0]}}};")
+        made.parameters.append(f"struct {type} {name}" if is_value else f"const struct {type} *{name}")
+        made.arguments.append(name if is_value else f"&{name}")
+        read = f"{name}.at" if is_value else f"{name}->at"
+        made.clauses.append(f"constant({read}, {read}[0:3])")
+        made.plains.append(Plain(f"{name}.at", first))
+    g.declare(Array(read, 3, DOUBLE, -2.0, 3.0, False, False))
+
+
+KINDS = [mode, mode, enumerator, flag, gain, members, length, depth, word, integers_of_library, table, table]
 
 
 def declare_plain(g, made):
