@@ -277,7 +277,8 @@ bool Collector::moved_bytes(CallExpr const *call, FunctionDecl const *function) 
   for (unsigned index : {0u, 1u})
     if (QualType const pointee = Reals::pointee(pointed_into(call->getArg(index)));
         !is_file && how != "compare" && (index == 0 || how.starts_with("move")))
-      any = any || (!pointee.isNull() && reals_.carries_real(pointee));
+      any = any || (!pointee.isNull() && (reals_.carries_real(pointee) ||
+                                          (index == 1 && pointee->isRecordType() && Storage::holds_pointer(pointee))));
   Expr const *callee = call->getCallee()->IgnoreParenImpCasts();
   std::optional<Span> const span = map_.range(callee->getSourceRange());
   if (!any || !span || !map_.in_roots(callee->getBeginLoc())) return false;

@@ -148,8 +148,11 @@ public:
   void read(clang::Expr const *value);
   // The class of an object is asked for: typeid(*p), dynamic_cast<T *>(p).
   void class_asked(clang::Expr const *object) { decides_by_pointer(object); }
+  void reference_member(clang::MemberExpr const *member);
+  void made_in_place(clang::CXXNewExpr const *made);
   void assignment(clang::BinaryOperator const *assignment);
   void step(clang::UnaryOperator const *step);
+  void related_pointers(clang::BinaryOperator const *operation);
   void dependent_operands(clang::BinaryOperator const *operation);
   void dependent_value(clang::Expr const *value);
   void dependent_call(clang::CallExpr const *call);
@@ -228,6 +231,12 @@ private:
   void pointer(clang::Expr const *expression);
   bool holds_state(clang::QualType type) const { return reals_.carries_real(type) || scalars_.holds(type); }
   void object(clang::Expr const *expression, Use use);
+  bool is_value(clang::QualType type) const;
+  void changed_value(clang::Expr const *expression);
+  void leads(clang::Expr const *expression);
+  void target(clang::Expr const *pointer);
+  void looked_into_whole(clang::FunctionDecl const *function, clang::Expr const *argument);
+  void targets(clang::CallExpr const *call, clang::FunctionDecl const *function);
   void library_arguments(clang::FunctionDecl const *function, Arguments arguments);
   void library_object(clang::CallExpr const *call, clang::FunctionDecl const *function, clang::Expr const *object);
   bool begins_range(Arguments arguments, std::size_t first) const;
@@ -274,6 +283,7 @@ private:
   std::vector<Waiting> waiting_;
   // What handlers tell each other.
   llvm::SmallPtrSet<clang::Expr const *, 32> judged_;        // names whose use is noted already
+  llvm::SmallPtrSet<clang::Expr const *, 8> printed_;        // copies that are made for that
   llvm::SmallPtrSet<clang::Expr const *, 8> iterators_;      // calls that give one, through which nothing is read
   llvm::SmallPtrSet<clang::Expr const *, 4> counting_casts_; // to bytes, which nobody looks at
   llvm::SmallPtrSet<clang::VarDecl const *, 4> views_;       // local pointers to integers, where numbers lie

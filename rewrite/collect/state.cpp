@@ -37,8 +37,21 @@ void Collector::note(Expr const *expression, Use use, Expr const *named, std::st
       {*span, use, words + in_quotes(name) + ", " + in_quotes(to_string(map_.place(named->getBeginLoc())))});
 }
 
-// Is it part of a variable of which no scalar changes?
+// Is it part of a variable of which no scalar changes? What a pointer leads to is none.
 bool Collector::is_fixed(Expr const *expression) const {
+  for (Expr const *part = spelled_expression(expression);;) {
+    auto const *member = dyn_cast<MemberExpr>(part);
+    Expr const *whole = member ? member->getBase() : nullptr;
+    if (auto const *index = dyn_cast<ArraySubscriptExpr>(part)) whole = index->getBase();
+    if (auto const *call = dyn_cast<CallExpr>(part)) whole = Storage::object_of(call);
+    if (!whole) break;
+    bool const leads = member ? member->isArrow() : isa<ArraySubscriptExpr>(part);
+    part = spelled_expression(whole);
+    if (leads && !part->getType()->isArrayType()) return false;
+    if (part->getType()->isRecordType() && Storage::holds_pointer(part->getType()) &&
+        !Storage::owns_elements(part->getType()))
+      return false;
+  }
   auto const *reference = dyn_cast_or_null<DeclRefExpr>(Storage::base(expression));
   auto const *variable = reference ? dyn_cast<VarDecl>(reference->getDecl()) : nullptr;
   return variable && scalars_.is_fixed(variable);
@@ -85,6 +98,25 @@ bool Collector::may_outlive(Expr const *expression) const {
   return variable && surroundings_.contain(variable, base->getLocation());
 }
 
+// Names alone: may it be written a second time?
+static bool is_name(Expr const *expression) {
+  expression = expression->IgnoreParenImpCasts();
+  if (auto const *member = dyn_cast<MemberExpr>(expression)) return is_name(member->getBase());
+  return isa<DeclRefExpr, CXXThisExpr>(expression);
+}
+
+void Collector::reference_member(MemberExpr const *member) {
+  auto const *field = dyn_cast<FieldDecl>(member->getMemberDecl());
+  if (!field || !field->getType()->isReferenceType()) return;
+  Expr const *base = member->getBase()->IgnoreParenImpCasts();
+  if (!member->isArrow() && storage_.home(base) != Home::elsewhere) return;
+  if (member->isImplicitAccess()) return wrap(member, Use::refers, "this");
+  std::optional<Span> const written = map_.range(base->getSourceRange());
+  if (!written || !is_name(base)) return;
+  std::string const name = map_.text(*written, base->getBeginLoc());
+  wrap(member, Use::refers, member->isArrow() ? name : "__builtin_addressof(" + name + ")");
+}
+
 // An lvalue whose value is used.
 void Collector::read(Expr const *value) {
   value = value->IgnoreParens();
@@ -100,9 +132,7 @@ void Collector::read(Expr const *value) {
   } else if (value->isGLValue() && Reals::is_double(value->getType())) {
     number_of_union(value);
     if (reals_.is_real(value) && may_outlive(value)) note(value, Use::read);
-  } else if (value->isGLValue() && ScalarState::is_scalar(value->getType()))
-    scalar(value, Use::read);
-  else if (value->isGLValue() && is_object_pointer(value->getType()))
+  } else if (value->isGLValue() && (ScalarState::is_scalar(value->getType()) || is_object_pointer(value->getType())))
     scalar(value, Use::read);
   else
     object(value, Use::read);
@@ -142,6 +172,12 @@ void Collector::step(UnaryOperator const *step) {
 
 namespace {
 
+// How two pointers lie is decided by both. Whether one is null is looked at where it is read.
+bool relates_pointers(BinaryOperator const *operation) {
+  if (operation->getOpcode() != BO_Sub && !operation->isComparisonOp()) return false;
+  return operation->getLHS()->getType()->isObjectPointerType() && operation->getRHS()->getType()->isObjectPointerType();
+}
+
 // Could the expression name a number that is not the function's own, as far as a template tells?
 bool names_object(Expr const *expression) {
   if (auto const *reference = dyn_cast<DeclRefExpr>(expression))
@@ -155,6 +191,17 @@ bool names_object(Expr const *expression) {
 
 // In a template the types, and with them most of the conversions that show a use, are not known yet. What stands beside
 // an arithmetic operator is used; the macro passes what is no number.
+void Collector::related_pointers(BinaryOperator const *operation) {
+  if (operation->isTypeDependent() || !relates_pointers(operation)) return;
+  for (Expr const *side : {operation->getLHS(), operation->getRHS()})
+    if (side->isNullPointerConstant(context_, Expr::NPC_ValueDependentIsNotNull)) return;
+  for (Expr const *side : {operation->getLHS(), operation->getRHS()}) {
+    Expr const *pointer = side->IgnoreParenImpCasts();
+    if (pointer->isGLValue() && pointer->getType()->isPointerType() && ScalarState::has_address(pointer))
+      decides(pointer);
+  }
+}
+
 void Collector::dependent_operands(BinaryOperator const *operation) {
   if (!operation->isTypeDependent() ||
       (!operation->isAdditiveOp() && !operation->isMultiplicativeOp() && !operation->isAssignmentOp()))
@@ -202,9 +249,21 @@ void Collector::dependent_call(CallExpr const *call) {
 
 // `for (double x : list)` copies elements without a word.
 void Collector::copied_elements(CXXForRangeStmt const *loop) {
+  Expr const *range = spelled_expression(loop->getRangeInit());
+  if (range->isTypeDependent() || !range->isGLValue()) return;
+  auto const *name = dyn_cast_or_null<DeclRefExpr>(Storage::base(range));
+  auto const *variable = name ? dyn_cast<VarDecl>(name->getDecl()) : nullptr;
+  if (variable && variable->hasGlobalStorage() && !variable->isConstexpr() && may_outlive(range))
+    wrap(range, Use::at_run);
+  auto const *record = range->getType()->getAsCXXRecordDecl();
+  if (record && record->isInStdNamespace() && record->getName() != "array" && !is_string(range->getType()))
+    decides(range);
   QualType const type = loop->getLoopVariable()->getType();
   if (type->isDependentType() || type->isReferenceType() || !holds_state(type)) return;
-  object(loop->getRangeInit(), Use::read);
+  if (Storage::lends(range->getType()))
+    note(range, Use::read); // the elements lie elsewhere
+  else
+    object(range, Use::read);
 }
 
 void Collector::state(VarDecl const *variable, Expr const *reference, bool is_dependent) {

@@ -20,32 +20,62 @@ enum class Effect { reads, overwrites, changes, nothing };
 
 Effect effect(CXXMethodDecl const *method) {
   static llvm::StringMap<Effect> const known = {
-      {"assign", Effect::overwrites},      {"fill", Effect::overwrites},         {"clear", Effect::overwrites},
-      {"reset", Effect::overwrites},       {"setZero", Effect::overwrites},      {"setOnes", Effect::overwrites},
-      {"setConstant", Effect::overwrites}, {"setIdentity", Effect::overwrites},  {"setRandom", Effect::overwrites},
-      {"setUnit", Effect::overwrites},     {"setLinSpaced", Effect::overwrites}, {"noalias", Effect::overwrites},
-      {"push_back", Effect::changes},      {"emplace_back", Effect::changes},    {"pop_back", Effect::changes},
-      {"push_front", Effect::changes},     {"emplace_front", Effect::changes},   {"pop_front", Effect::changes},
-      {"resize", Effect::changes},         {"reserve", Effect::changes},         {"insert", Effect::changes},
-      {"emplace", Effect::changes},        {"erase", Effect::changes},           {"shrink_to_fit", Effect::changes},
-      {"size", Effect::nothing},           {"empty", Effect::nothing},           {"rows", Effect::nothing},
-      {"cols", Effect::nothing},           {"capacity", Effect::nothing},        {"max_size", Effect::nothing},
-      {"innerStride", Effect::nothing},    {"outerStride", Effect::nothing},
+      {"assign", Effect::overwrites},     {"fill", Effect::overwrites},        {"clear", Effect::overwrites},
+      {"reset", Effect::overwrites},      {"store", Effect::overwrites},       {"setZero", Effect::overwrites},
+      {"setOnes", Effect::overwrites},    {"setConstant", Effect::overwrites}, {"setIdentity", Effect::overwrites},
+      {"setRandom", Effect::overwrites},  {"setUnit", Effect::overwrites},     {"setLinSpaced", Effect::overwrites},
+      {"noalias", Effect::overwrites},    {"push_back", Effect::changes},      {"emplace_back", Effect::changes},
+      {"pop_back", Effect::changes},      {"push_front", Effect::changes},     {"emplace_front", Effect::changes},
+      {"pop_front", Effect::changes},     {"resize", Effect::changes},         {"reserve", Effect::changes},
+      {"insert", Effect::changes},        {"emplace", Effect::changes},        {"erase", Effect::changes},
+      {"shrink_to_fit", Effect::changes}, {"size", Effect::nothing},           {"empty", Effect::nothing},
+      {"rows", Effect::nothing},          {"cols", Effect::nothing},           {"capacity", Effect::nothing},
+      {"max_size", Effect::nothing},      {"innerStride", Effect::nothing},    {"outerStride", Effect::nothing},
   };
   auto const found = known.find(name_of(method));
   return found == known.end() ? Effect::reads : found->second;
 }
 
-// A container of the standard library is asked how many elements it has.
-bool asks_count(CXXMethodDecl const *method) {
+// A container of the standard library that may have more elements or fewer.
+bool counts(QualType type) {
+  auto const *record = type.getNonReferenceType()->getAsCXXRecordDecl();
+  return record && record->isInStdNamespace() && (Storage::owns_elements(type) || Storage::is_view(type)) &&
+         record->getName() != "array" && record->getName() != "pair" && record->getName() != "tuple" &&
+         record->getName() != "complex";
+}
+
+// A function that changes its object unless it only shows a part of it. Of numbers the parts tell.
+bool changes_value(CXXMethodDecl const *method) {
   std::string const name = name_of(method);
-  return (name == "size" || name == "empty") && method->getParent()->isInStdNamespace() &&
-         !is_string(method->getThisType()->getPointeeType());
+  bool const shows = llvm::StringSwitch<bool>(name)
+                         .Cases("at", "front", "back", "data", "begin", "end", "rbegin", "rend", true)
+                         .Cases("value", "get", "find", "view", "base", true)
+                         .Default(false);
+  OverloadedOperatorKind const symbol = method->getOverloadedOperator();
+  bool const is_access = symbol == OO_Subscript || symbol == OO_Star || symbol == OO_Arrow || symbol == OO_Call;
+  return !method->isConst() && !shows && !is_access && !isa<CXXConversionDecl>(method);
+}
+
+// A container of the standard library is asked how many elements it has, or where they begin and end; a smart pointer,
+// how many there are of it.
+bool asks_count(CXXMethodDecl const *method) {
+  bool const asks = llvm::StringSwitch<bool>(name_of(method))
+                        .Cases("size", "empty", "capacity", "data", "use_count", true)
+                        .Cases("begin", "end", "cbegin", "cend", true)
+                        .Cases("rbegin", "rend", "crbegin", "crend", true)
+                        .Default(false);
+  return asks && method->getParent()->isInStdNamespace() && !is_string(method->getThisType()->getPointeeType());
 }
 
 // Functions of <algorithm> and <numeric> that only write to the range they are given.
 bool only_writes(FunctionDecl const *function) {
   return function->isInStdNamespace() && library::has(name_of(function), library::ONLY_WRITES);
+}
+
+// What its objects hold goes from one to another.
+bool takes_over(FunctionDecl const *function) {
+  std::string const name = name_of(function);
+  return name == "swap" || name == "exchange" || name == "getline";
 }
 
 // The same with what a function of the caller gives, which may read the range.
@@ -92,15 +122,45 @@ void Collector::object(Expr const *expression, Use use) {
   if (!expression->isGLValue() && !Storage::is_view(type)) return;
   if (!type->isRecordType() && !type->isArrayType()) return;
   // Text is looked at where it is read, and an argument such as a function is the caller's choice, as a count is.
-  if (is_string(type) || (is_parameter(expression) && ScalarState::is_opaque(type))) return;
-  bool const is_pointer = use == Use::read && ScalarState::is_smart_pointer(type);
-  if ((is_pointer || holds_state(type)) && may_outlive(expression)) note(expression, use);
+  if (use == Use::read && (is_string(type) || (is_parameter(expression) && ScalarState::is_opaque(type)))) return;
+  if (use == Use::read && is_fixed(expression) && !reals_.carries_real(type)) return;
+  if (use == Use::read && scalars_.is_unknown(type)) decides(expression);
+  bool const is_pointer = ScalarState::is_smart_pointer(type);
+  if ((is_pointer || holds_state(type) || (use != Use::read && is_value(type))) && may_outlive(expression))
+    note(expression, use);
+  else if (use == Use::read)
+    leads(expression);
+}
+
+// It holds something that neither its numbers nor its elements tell.
+bool Collector::is_value(QualType type) const {
+  return ScalarState::has_value_of_its_own(type) || scalars_.is_unknown(type);
+}
+
+// Its value before is part of that afterwards.
+void Collector::changed_value(Expr const *expression) {
+  decides(expression);
+  object(expression, Use::written);
+}
+
+// An object through which others are reached, or a copy of it: a view, an iterator, a std::reference_wrapper, a
+// structure of pointers.
+void Collector::leads(Expr const *expression) {
+  expression = spelled_expression(expression);
+  QualType const type = expression->getType();
+  if (expression->isTypeDependent() || !expression->isGLValue() || !type->isRecordType()) return;
+  auto const *operation = dyn_cast<CXXOperatorCallExpr>(expression);
+  if (operation && operation->isInfixBinaryOp()) return; // a stream, or Eigen's comma: what the call has made
+  if (Storage::holds_pointer(type) && !is_fixed(expression) && may_outlive(expression)) wrap(expression, Use::leads);
 }
 
 // The text, the pointer to an object or the container decides what the kernel does. As an argument it is the caller's
 // choice.
 void Collector::decides(Expr const *expression) {
   expression = spelled_expression(expression);
+  if (auto const *copy = dyn_cast<CXXConstructExpr>(expression); // a std::string_view by value
+      copy && copy->getNumArgs() == 1 && copy->getConstructor()->isCopyOrMoveConstructor())
+    expression = spelled_expression(copy->getArg(0));
   if (expression->isTypeDependent() || !expression->isGLValue() || is_parameter(expression)) return;
   if (!is_fixed(expression) && may_outlive(expression)) note(expression, Use::decides);
 }
@@ -142,11 +202,28 @@ void Collector::range(Arguments arguments, std::size_t first, Use begin, Use end
   note(arguments[first + 1]->IgnoreImpCasts(), end, arguments[first]->IgnoreImpCasts());
 }
 
+// A container or a value that a library looks into as a whole; text that is printed decides nothing.
+void Collector::looked_into_whole(FunctionDecl const *function, Expr const *argument) {
+  bool const prints = function->getOverloadedOperator() == OO_LessLess;
+  argument = spelled_expression(argument);
+  if (auto const *address = dyn_cast<UnaryOperator>(argument); address && address->getOpcode() == UO_AddrOf)
+    argument = spelled_expression(address->getSubExpr()); // std::get_if<int>(&one)
+  QualType const type = argument->getType();
+  if (argument->isTypeDependent() || prints) return;
+  bool const is_text =
+      is_string(type) || (type->isArrayType() && is_character(type->getAsArrayTypeUnsafe()->getElementType()));
+  auto const *method = dyn_cast<CXXMethodDecl>(function);
+  bool const is_standard = method ? method->getParent()->isInStdNamespace() : function->isInStdNamespace();
+  if ((is_text && is_standard) || (type->isRecordType() && (is_value(type) || counts(type)))) decides(argument);
+}
+
 void Collector::library_arguments(FunctionDecl const *function, Arguments arguments) {
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     Expr const *argument = arguments[i];
     if (argument->isTypeDependent()) continue;
     QualType const type = argument->getType();
+    looked_into_whole(function, argument);
+    if (type->isPointerType() && i == output_of(function, arguments.size())) target(argument);
     if (auto const *call = iterator(argument); call && i == output_of(function, arguments.size())) {
       iterators_.insert(call);
     } else if (call && only_writes(function)) {
@@ -161,8 +238,10 @@ void Collector::library_arguments(FunctionDecl const *function, Arguments argume
       if (reals_.is_real(argument) && may_outlive(argument)) note(argument, Use::read);
     } else if (argument->isGLValue() && ScalarState::is_scalar(type)) {
       if (!isa<MaterializeTemporaryExpr>(argument->IgnoreParens())) scalar(argument->IgnoreParenImpCasts(), Use::read);
-    } else
+    } else {
       object(argument, Use::read);
+      if (takes_over(function)) object(argument, Use::changed);
+    }
   }
 }
 
@@ -170,19 +249,23 @@ void Collector::library_object(CallExpr const *call, FunctionDecl const *functio
   auto const *method = dyn_cast<CXXMethodDecl>(function);
   if (!method || method->isStatic()) return;
   Effect const what = effect(method);
-  if (compares_keys(method)) decides(object_argument);
-  if (what == Effect::nothing) {
-    if (asks_count(method)) decides(object_argument);
-    return;
-  }
+  if (is_value(object_argument->getType()) && what != Effect::overwrites && changes_value(method))
+    return changed_value(object_argument);
+  bool const gives = !call->getType()->isVoidType();
+  if (compares_keys(method) || (gives && scalars_.is_unknown(object_argument->getType()))) decides(object_argument);
+  if (asks_count(method)) decides(object_argument);
+  if (what == Effect::nothing) return;
+  if (takes_over(function)) object(object_argument, Use::changed);
   if (what == Effect::overwrites || what == Effect::changes) {
     object(object_argument, what == Effect::changes ? Use::changed : Use::written);
     return;
   }
   // An element, or a view: whoever uses it is looked at.
   QualType const type = call->getType();
-  if (call->isGLValue() && reals_.carries_real(type)) return;
-  if (Storage::is_view(type)) return;
+  bool const is_element = call->isGLValue() && reals_.carries_real(type);
+  if (is_element || (Storage::holds_pointer(type) && !(call->isGLValue() && type->isPointerType())))
+    leads(object_argument);
+  if (is_element || Storage::is_view(type)) return;
   object(object_argument, Use::read);
 }
 
@@ -198,12 +281,16 @@ void Collector::operator_call(CXXOperatorCallExpr const *call, FunctionDecl cons
   }
   case OO_LessLess: // the comma initialiser of Eigen; a stream holds no numbers
     object(left, Use::written);
+    for (Expr const *shown : rest) printed_.insert(spelled_expression(shown));
     break;
-  case OO_Arrow: break; // a smart pointer: whoever uses the member behind it is looked at
+  case OO_Arrow: leads(left); break; // a smart pointer: whoever uses the member behind it is looked at
   case OO_PlusEqual:
   case OO_MinusEqual:
   case OO_StarEqual:
-  case OO_SlashEqual: object(left, Use::read); break;
+  case OO_SlashEqual:
+    if (is_value(left->getType())) return changed_value(left);
+    object(left, Use::read);
+    break;
   default:
     if (isa<CXXMethodDecl>(function))
       library_object(call, function, left);
@@ -222,6 +309,9 @@ void Collector::state_of_call(CallExpr const *call) {
   bool const rewritten = reals_.in_roots(Reals::pattern(function)) && function->getBuiltinID() == 0;
   if (rewritten && !function->isDefaulted()) return;
   if (moved_bytes(call, function)) return;
+  if (!isa<CXXMemberCallExpr, CXXOperatorCallExpr>(call) && !function->isTemplateInstantiation())
+    targets(call, function);
+  if (function->isInStdNamespace() && name_of(function) == "construct_at") note(call, Use::target);
   if (auto const *operation = dyn_cast<CXXOperatorCallExpr>(call)) {
     operator_call(operation, function);
     return;
@@ -237,10 +327,42 @@ void Collector::state_of_call(CallExpr const *call) {
   library_arguments(function, {call->getArgs(), call->getNumArgs()});
 }
 
+// A pointer, by which a function of a library gives something back.
+void Collector::target(Expr const *pointer) {
+  Expr const *at = pointer->IgnoreParenImpCasts();
+  QualType const type = pointer->getType()->getPointeeType();
+  if (at->isTypeDependent() || type.isNull() || type.isConstQualified() || at->getType()->isNullPtrType()) return;
+  if (at->isNullPointerConstant(context_, Expr::NPC_ValueDependentIsNotNull)) return;
+  if (!is_character(type) && !ScalarState::is_scalar(type) && !Reals::is_double(type)) return;
+  auto const *address = dyn_cast<UnaryOperator>(at);
+  Expr const *object = address && address->getOpcode() == UO_AddrOf ? address->getSubExpr() : nullptr;
+  if (!object && at->getType()->isArrayType()) object = at;
+  if (object && !may_outlive(object)) return;
+  if (object && !ScalarState::has_address(object)) return;
+  if (!isa<StringLiteral>(at)) note(at, Use::target);
+}
+
+void Collector::targets(CallExpr const *call, FunctionDecl const *function) {
+  llvm::StringRef const name = function->getDeclName().isIdentifier() ? function->getName() : "";
+  bool const is_scan = name.ends_with("scanf");
+  if (name.contains("atomic") || name == "free" || (function->getBuiltinID() != 0 && name.starts_with("__builtin_va")))
+    return;
+  for (unsigned i = 0; i < call->getNumArgs(); ++i)
+    if (i < function->getNumParams() ? function->getParamDecl(i)->getType()->isPointerType() : is_scan)
+      target(call->getArg(i));
+}
+
+// An object is made where another one may lie.
+void Collector::made_in_place(CXXNewExpr const *made) {
+  if (made->getNumPlacementArgs() == 1 && !made->isTypeDependent() && holds_state(made->getAllocatedType()) &&
+      made->getPlacementArg(0)->getType()->isPointerType())
+    note(made, Use::target);
+}
+
 void Collector::state_of_construction(CXXConstructExpr const *construction) {
   CXXConstructorDecl const *constructor = construction->getConstructor();
   bool const rewritten = reals_.in_roots(constructor) && constructor->isUserProvided();
-  if (rewritten || construction->isTypeDependent()) return;
+  if (rewritten || construction->isTypeDependent() || printed_.contains(construction)) return;
   library_arguments(constructor, {construction->getArgs(), construction->getNumArgs()});
 }
 

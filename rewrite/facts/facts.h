@@ -95,8 +95,9 @@ struct FunctionFact {
     std::string name;
     Place place;
   };
-  std::vector<Value> values;     // its parameters by value that hold numbers, and the integers among them that it uses
-  std::vector<Value> parameters; // those by value that may lie on the stack of the caller
+  std::vector<Value> values;      // its parameters by value that hold numbers, and the integers among them that it uses
+  std::vector<Value> parameters;  // those by value that may lie on the stack of the caller
+  std::vector<std::string> leads; // what leads to objects of the caller: pointers, also in objects
 };
 
 struct PragmaFact {
@@ -109,6 +110,7 @@ struct PragmaFact {
   std::vector<ClauseFact> clauses;
   std::vector<FunctionFact> function;      // at most one
   std::vector<FunctionFact::Value> around; // locals of the function around the block that begins here
+  std::vector<std::string> leads;          // those among them that lead to other objects than always the same
   // Of `loop(N)`, once its loop is known to be one that can be bounded.
   std::optional<std::string> loop_targets; // (x)(y)
   bool tests_late = false;                 // after the body

@@ -22,7 +22,7 @@ enum Function : unsigned {
   ONLY_READS = 1 << 12,
 };
 enum Method : unsigned { READS_ITS_TEXT = 1, COMPARES_KEYS = 2, VIEWS = 4 };
-enum Class : unsigned { OWNS_ELEMENTS = 1, OWNS_SCALARS = 2, VIEW = 4, VALUE = 8, POINTER = 16 };
+enum Class : unsigned { OWNS_ELEMENTS = 1, OWNS_SCALARS = 2, VIEW = 4, VALUE = 8, POINTER = 16, LENDS = 32, ANY = 63 };
 
 // Has the row of this name the trait? There may be no row.
 bool has(llvm::StringRef function, Function trait);

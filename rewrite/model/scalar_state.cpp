@@ -34,12 +34,17 @@ DeclRefExpr const *part_of(Expr const *expression) {
 // Every mention of a variable, but for those that only look at its value.
 class Touched : public Walk {
 public:
-  explicit Touched(llvm::DenseSet<VarDecl const *> &touched) : touched_(touched) {}
+  Touched(llvm::DenseSet<VarDecl const *> &touched, bool removes_const)
+      : touched_(touched),
+        removes_const_(removes_const) {}
 
   bool TraverseUnaryExprOrTypeTraitExpr(UnaryExprOrTypeTraitExpr *) override { return true; }
   bool VisitImplicitCastExpr(ImplicitCastExpr *cast) override {
     QualType const object = cast->isGLValue() ? cast->getType() : cast->getType()->getPointeeType();
-    bool const adds_const = cast->getCastKind() == CK_NoOp && !object.isNull() && object.isConstQualified();
+    bool const converts = cast->getCastKind() == CK_NoOp || cast->getCastKind() == CK_UncheckedDerivedToBase ||
+                          cast->getCastKind() == CK_DerivedToBase;
+    bool const adds_const =
+        converts && !object.isNull() && object.isConstQualified() && !removes_const_ && !has_mutable(object);
     if (adds_const || cast->getCastKind() == CK_LValueToRValue) looked_at_.insert(part_of(cast->getSubExpr()));
     return true;
   }
@@ -55,7 +60,8 @@ public:
     return true;
   }
   bool VisitBinaryOperator(BinaryOperator *binary) override {
-    if (binary->getOpcode() != BO_Sub && !binary->isComparisonOp()) return true;
+    bool const subtracts = binary->getOpcode() == BO_Sub && binary->getRHS()->getType()->isPointerType();
+    if (!subtracts && !binary->isComparisonOp()) return true;
     for (Expr const *side : {binary->getLHS(), binary->getRHS()})
       if (auto const *call = dyn_cast<CallExpr>(side->IgnoreParenImpCasts()))
         only_reads(call);
@@ -83,8 +89,62 @@ private:
       if (argument->getType()->isPointerType()) looked_at_.insert(part_of(argument));
   }
 
+  static bool has_mutable(QualType type) {
+    auto const *record = type->getAsCXXRecordDecl();
+    return record && record->hasDefinition() && record->hasMutableFields();
+  }
+
   llvm::DenseSet<VarDecl const *> &touched_;
+  bool removes_const_;
   llvm::SmallPtrSet<DeclRefExpr const *, 32> looked_at_;
+};
+
+// How a source changes what seems not to be changed: by a cast that takes const away, and by a constructor that tells
+// others where its object is.
+class Detours : public Walk {
+public:
+  explicit Detours(SourceMap const &map) : map_(map) {}
+
+  bool VisitCXXConstructorDecl(CXXConstructorDecl *constructor) override {
+    constructor_ = constructor->isUserProvided() && map_.in_roots(constructor->getLocation()) ? constructor : nullptr;
+    return true;
+  }
+  bool VisitFunctionDecl(FunctionDecl *function) override {
+    if (!isa<CXXConstructorDecl>(function)) constructor_ = nullptr;
+    return true;
+  }
+  bool VisitMemberExpr(MemberExpr *member) override {
+    within_.insert(member->getBase()->IgnoreParenImpCasts());
+    return true;
+  }
+  bool VisitUnaryOperator(UnaryOperator *unary) override {
+    auto const *member = dyn_cast<MemberExpr>(unary->getSubExpr()->IgnoreParenImpCasts());
+    if (constructor_ && unary->getOpcode() == UO_AddrOf && member && isa<CXXThisExpr>(member->getBase()))
+      leaks.insert(constructor_->getParent()->getCanonicalDecl());
+    return true;
+  }
+  bool VisitCXXThisExpr(CXXThisExpr *self) override {
+    if (constructor_ && !within_.contains(self)) leaks.insert(constructor_->getParent()->getCanonicalDecl());
+    return true;
+  }
+  bool VisitExplicitCastExpr(ExplicitCastExpr *cast) override {
+    if (!map_.in_roots(cast->getBeginLoc()) || cast->isTypeDependent()) return true;
+    QualType const to = cast->getTypeAsWritten();
+    QualType const target = to->getPointeeType(), source = cast->isGLValue()
+                                                               ? cast->getSubExpr()->getType()
+                                                               : cast->getSubExpr()->getType()->getPointeeType();
+    if (!target.isNull() && !source.isNull() && source.isConstQualified() && !target.isConstQualified())
+      removes_const = true;
+    return true;
+  }
+
+  llvm::SmallPtrSet<CXXRecordDecl const *, 4> leaks;
+  bool removes_const = false;
+
+private:
+  SourceMap const &map_;
+  CXXConstructorDecl const *constructor_ = nullptr;
+  llvm::SmallPtrSet<Expr const *, 16> within_;
 };
 
 bool is_container(ClassTemplateSpecializationDecl const *record) {
@@ -100,7 +160,10 @@ bool is_text(QualType type) {
 } // namespace
 
 ScalarState::ScalarState(ASTContext &context, SourceMap const &map) : map_(map) {
-  Touched(touched_).TraverseDecl(context.getTranslationUnitDecl());
+  Detours detours(map);
+  detours.TraverseDecl(context.getTranslationUnitDecl());
+  leaks_ = std::move(detours.leaks);
+  Touched(touched_, detours.removes_const).TraverseDecl(context.getTranslationUnitDecl());
 }
 
 bool ScalarState::is_integer(QualType type) {
@@ -147,6 +210,30 @@ bool ScalarState::is_opaque(QualType type) {
          !library::has("std", type.getNonReferenceType()->getAsCXXRecordDecl()->getName(), library::OWNS_SCALARS);
 }
 
+bool ScalarState::is_copied(CXXRecordDecl const *record) {
+  if (record->isEmpty() || record->isLambda()) return false;
+  if (record->needsImplicitCopyConstructor()) return !record->defaultedCopyConstructorIsDeleted();
+  return llvm::any_of(record->ctors(),
+                      [](CXXConstructorDecl const *one) { return one->isCopyConstructor() && !one->isDeleted(); });
+}
+
+bool ScalarState::is_unknown(QualType type) const {
+  CXXRecordDecl const *record = type.isNull() ? nullptr : type.getNonReferenceType()->getAsCXXRecordDecl();
+  if (!record || !record->getIdentifier() || !record->hasDefinition() || map_.in_roots(record->getLocation()))
+    return false;
+  record = record->getDefinition();
+  auto const *special = dyn_cast<ClassTemplateSpecializationDecl>(record);
+  bool const of_function = special && special->getName() == "reference_wrapper" &&
+                           special->getTemplateArgs()[0].getAsType()->isFunctionType();
+  if (of_function) return true;
+  if (standard_class(type) && library::has("std", record->getName(), library::ANY)) return false;
+  for (DeclContext const *scope = record->getDeclContext(); !scope->isTranslationUnit(); scope = scope->getParent())
+    if (auto const *space = dyn_cast<NamespaceDecl>(scope); space && space->getName() == "Eigen") return false;
+  ASTContext &context = record->getASTContext();
+  DeclarationName const of_iterators(&context.Idents.get("iterator_category"));
+  return is_copied(record) && record->lookup(of_iterators).empty();
+}
+
 bool ScalarState::holds(QualType type, llvm::SmallPtrSetImpl<Type const *> &seen) const {
   if (type.isNull() || type->isDependentType() || type->isReferenceType()) return false;
   type = type.getCanonicalType().getUnqualifiedType();
@@ -158,11 +245,14 @@ bool ScalarState::holds(QualType type, llvm::SmallPtrSetImpl<Type const *> &seen
   auto const *record = type->getAsRecordDecl();
   if (!record) return false;
   if (auto const *special = dyn_cast<ClassTemplateSpecializationDecl>(record); special && is_container(special)) {
-    for (TemplateArgument const &argument : special->getTemplateArgs().asArray())
-      if (argument.getKind() == TemplateArgument::Type && !is_text(argument.getAsType()) &&
-          holds(argument.getAsType(), seen))
-        return true;
-    return false;
+    auto const inner = [&](TemplateArgument const &argument) {
+      return argument.getKind() == TemplateArgument::Type && !is_text(argument.getAsType()) &&
+             holds(argument.getAsType(), seen);
+    };
+    return llvm::any_of(special->getTemplateArgs().asArray(), [&](TemplateArgument const &argument) {
+      return argument.getKind() == TemplateArgument::Pack ? llvm::any_of(argument.pack_elements(), inner)
+                                                          : inner(argument);
+    });
   }
   record = map_.in_roots(record->getLocation()) ? record->getDefinition() : nullptr;
   if (!record || record->isUnion()) return false;
@@ -182,6 +272,8 @@ bool ScalarState::holds(QualType type) const {
 bool ScalarState::is_fixed(VarDecl const *variable) const {
   VarDecl const *here = visible_here_only(variable);
   if (variable->getType()->isReferenceType()) return false; // the object that it names may change
+  auto const *record = variable->getType()->getBaseElementTypeUnsafe()->getAsCXXRecordDecl();
+  if (record && leaks_.contains(record->getCanonicalDecl())) return false;
   return here && !touched_.contains(here);
 }
 

@@ -26,6 +26,13 @@ public:
   // They are, and nothing else is known of what they hold.
   static bool is_opaque(clang::QualType type);
 
+  // Can a class hold a value that goes from object to object? A stream and a lock cannot.
+  static bool is_copied(clang::CXXRecordDecl const *record);
+  // A class that is not rewritten, and is none of those that library.def describes, has a value of its own that only
+  // its functions tell: a point in time, a type's index, an error code. An iterator says where something lies, which is
+  // looked at there.
+  bool is_unknown(clang::QualType type) const;
+
   // Does an object of this type hold a scalar in itself or in the elements of a container of the standard library?
   // An array of characters is data of another kind.
   bool holds(clang::QualType type) const;
@@ -41,7 +48,8 @@ private:
   bool holds(clang::QualType type, llvm::SmallPtrSetImpl<clang::Type const *> &seen) const;
 
   SourceMap const &map_;
-  llvm::DenseSet<clang::VarDecl const *> touched_; // changed, or their addresses are used
+  llvm::SmallPtrSet<clang::CXXRecordDecl const *, 4> leaks_; // whose constructors tell others where their objects are
+  llvm::DenseSet<clang::VarDecl const *> touched_;           // changed, or their addresses are used
 };
 
 } // namespace symreal::rewrite

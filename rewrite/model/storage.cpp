@@ -22,14 +22,52 @@ bool has(QualType type, library::Class trait) {
   return false;
 }
 
-// The object that a call is made on, if it is a member's.
-Expr const *object_of(CallExpr const *call) {
-  if (auto const *member = dyn_cast<CXXMemberCallExpr>(call)) return member->getImplicitObjectArgument();
-  if (isa<CXXOperatorCallExpr>(call) && isa_and_nonnull<CXXMethodDecl>(call->getDirectCallee())) return call->getArg(0);
-  return nullptr;
+// Text and functions are looked at where they decide.
+bool leads_to_object(QualType type) {
+  QualType const target = type->getPointeeType();
+  return !target.isNull() && !target->isFunctionType() && !target->isAnyCharacterType() && !type->isMemberPointerType();
+}
+
+bool holds_pointers(QualType type, llvm::SmallPtrSetImpl<Type const *> &seen) {
+  type = type.getCanonicalType().getUnqualifiedType();
+  if (leads_to_object(type) || type->isDependentType()) return true;
+  if (!seen.insert(type.getTypePtr()).second) return false;
+  if (auto const *array = type->getAsArrayTypeUnsafe()) return holds_pointers(array->getElementType(), seen);
+  RecordDecl const *record = type->getAsRecordDecl();
+  if (!record || !record->getDefinition() || has(type, library::VALUE)) return false;
+  auto const inner = [&seen](QualType part) { return holds_pointers(part, seen); };
+  if (has(type, library::OWNS_ELEMENTS)) {
+    auto const *special = dyn_cast<ClassTemplateSpecializationDecl>(record);
+    auto const leads = [](TemplateArgument const &argument) {
+      return argument.getKind() == TemplateArgument::Type && leads_to_object(argument.getAsType());
+    };
+    return special && llvm::any_of(special->getTemplateArgs().asArray(), [&](TemplateArgument const &argument) {
+             return argument.getKind() == TemplateArgument::Pack ? llvm::any_of(argument.pack_elements(), leads)
+                                                                 : leads(argument);
+           });
+  }
+  if (auto const *derived = dyn_cast<CXXRecordDecl>(record->getDefinition()))
+    if (llvm::any_of(derived->bases(), [&](CXXBaseSpecifier const &base) { return inner(base.getType()); }))
+      return true;
+  return llvm::any_of(record->getDefinition()->fields(),
+                      [&](FieldDecl const *field) { return inner(field->getType()); });
 }
 
 } // namespace
+
+bool Storage::holds_pointer(QualType type) {
+  llvm::SmallPtrSet<Type const *, 8> seen;
+  return holds_pointers(type, seen);
+}
+
+std::string Storage::lead_from(VarDecl const *variable) {
+  std::string const name = variable->getName().str();
+  if (name.empty()) return "";
+  QualType const type = variable->getType();
+  if (type->isReferenceType())
+    return type->getPointeeType()->isFunctionType() ? "" : "__builtin_addressof(" + name + ")";
+  return holds_pointer(type) ? name : "";
+}
 
 bool selects_argument(FunctionDecl const *function) {
   return function->isInStdNamespace() && function->getDeclName().isIdentifier() &&
@@ -50,10 +88,17 @@ Expr const *spelled_expression(Expr const *expression) {
   }
 }
 
+Expr const *Storage::object_of(CallExpr const *call) {
+  if (auto const *member = dyn_cast<CXXMemberCallExpr>(call)) return member->getImplicitObjectArgument();
+  if (isa<CXXOperatorCallExpr>(call) && isa_and_nonnull<CXXMethodDecl>(call->getDirectCallee())) return call->getArg(0);
+  return nullptr;
+}
+
 bool Storage::is_view(QualType type) { return has(type, library::VIEW); }
 
-// A container of a library that holds its elements itself.
-bool Storage::owns_elements(QualType type) const { return has(type, library::OWNS_ELEMENTS); }
+bool Storage::lends(QualType type) { return has(type, static_cast<library::Class>(library::VIEW | library::LENDS)); }
+
+bool Storage::owns_elements(QualType type) { return has(type, library::OWNS_ELEMENTS); }
 
 Expr const *Storage::base(Expr const *expression) {
   while (true) {
@@ -130,7 +175,11 @@ Home Storage::home_of_call(CallExpr const *call) const {
   if (!call->isGLValue() && !is_view(call->getType())) return Home::local;
   bool const known = owns_elements(object->getType()) || is_view(object->getType());
   Home const at = home(object);
-  return at == Home::local && !known ? Home::elsewhere : at;
+  if (at == Home::local && !known) return Home::elsewhere;
+  // What a constant object leads to need not be constant.
+  bool const is_part = !lends(object->getType()) && !has(object->getType(), library::POINTER) &&
+                       (owns_elements(object->getType()) || call->getType().isConstQualified());
+  return at == Home::constant && !is_part ? Home::elsewhere : at;
 }
 
 Home Storage::home(Expr const *expression) const {

@@ -25,13 +25,24 @@ public:
   // An object of the class lets others' numbers be seen, such as Eigen's Map and Block.
   static bool is_view(clang::QualType type);
 
+  // The object that a call is made on, if it is a member's.
+  static clang::Expr const *object_of(clang::CallExpr const *call);
+  // A container of a library that holds its elements itself.
+  static bool owns_elements(clang::QualType type);
+  // It gives elements of others, and holds none: a view, a std::initializer_list.
+  static bool lends(clang::QualType type);
+  // Does an object hold pointers or references to objects? What a container has of its elements' is no such.
+  static bool holds_pointer(clang::QualType type);
+  // An expression that leads from the variable to objects that are no part of it: the variable where it is a pointer or
+  // holds one, an address where it is a reference; empty where none is known.
+  static std::string lead_from(clang::VarDecl const *variable);
+
 private:
   Home home_of(clang::ValueDecl const *declaration, bool is_captured) const;
   bool leads_to_constant(clang::VarDecl const *variable) const;
   bool target_is_constant(clang::VarDecl const *variable) const;
   Home home_behind(clang::Expr const *pointer) const;
   Home home_of_call(clang::CallExpr const *call) const;
-  bool owns_elements(clang::QualType type) const;
 
   Reals const &reals_;
   mutable llvm::SmallPtrSet<clang::VarDecl const *, 2> followed_;

@@ -1,5 +1,6 @@
 #include "rewrite/model/surroundings.h"
 
+#include "rewrite/model/storage.h"
 #include "rewrite/source/walk.h"
 #include "rewrite/text/pragma_text.h"
 
@@ -25,9 +26,27 @@ public:
       found[variable].push_back({sources_.getFileOffset(sources_.getExpansionLoc(name->getLocation())), name});
     return true;
   }
+  bool VisitBinaryOperator(BinaryOperator *binary) override {
+    if (binary->getOpcode() == BO_Assign) changes(binary->getLHS());
+    return true;
+  }
+  bool VisitCXXOperatorCallExpr(CXXOperatorCallExpr *call) override {
+    if (call->getOperator() == OO_Equal) changes(call->getArg(0));
+    return true;
+  }
+  bool VisitUnaryOperator(UnaryOperator *unary) override {
+    if (unary->getOpcode() == UO_AddrOf) changes(unary->getSubExpr());
+    return true;
+  }
   std::map<VarDecl const *, std::vector<Mention>> found;
+  llvm::SmallPtrSet<VarDecl const *, 8> changed; // they get another value as a whole, or their addresses are taken
 
 private:
+  void changes(Expr const *object) {
+    if (auto const *name = dyn_cast<DeclRefExpr>(object->IgnoreParenImpCasts()))
+      if (auto const *variable = dyn_cast<VarDecl>(name->getDecl())) changed.insert(variable);
+  }
+
   SourceManager const &sources_;
 };
 
@@ -90,11 +109,13 @@ public:
   bool VisitFunctionDecl(FunctionDecl *function) override {
     if (!function->doesThisDeclarationHaveABody() || !map_.in_roots(function->getLocation())) return true;
     std::optional<Span> const body = map_.range(function->getBody()->getSourceRange());
-    auto const blocks = body ? blocks_.find(body->file) : blocks_.end();
+    if (!body) return true;
+    auto const blocks = blocks_.find(body->file);
     if (blocks == blocks_.end()) return true;
     Mentions mentions(map_.sources());
     mentions.TraverseStmt(function->getBody());
     mentions_ = std::move(mentions.found);
+    changed_ = std::move(mentions.changed);
     for (Block const &block : blocks->second) {
       if (block.begin < body->begin || body->end < block.end) continue;
       assigned_.clear();
@@ -130,6 +151,7 @@ private:
   }
 
   void add(Block const &block, VarDecl const *variable) {
+    add_lead(block, variable);
     QualType const type = variable->getType();
     ASTContext const &context = variable->getASTContext();
     if (!variable->getIdentifier() || !variable->hasLocalStorage() || type->isReferenceType()) return;
@@ -145,6 +167,23 @@ private:
     if (!has_value || (is_scalar && !is_read_first(block, mentions))) return;
     block.pragma->around.push_back({variable->getName().str(), map_.place(variable->getLocation())});
     if (!is_scalar) found_.blocks_[variable].emplace_back(block.begin, block.end);
+  }
+
+  // Which constants the code before the block has chosen.
+  void add_lead(Block const &block, VarDecl const *variable) const {
+    if (!variable->getIdentifier() || !variable->hasLocalStorage() || !mentions_.contains(variable)) return;
+    if (!variable->hasInit() && !isa<ParmVarDecl>(variable) && !changed_.contains(variable)) return;
+    if (std::string lead = Storage::lead_from(variable); !lead.empty() && !leads_always_to_one(variable))
+      block.pragma->leads.push_back(std::move(lead));
+  }
+
+  bool leads_always_to_one(VarDecl const *variable) const {
+    Expr const *target = variable->getInit();
+    if (!target || target->isInstantiationDependent() || changed_.contains(variable)) return false;
+    Expr::EvalResult result;
+    ASTContext const &context = variable->getASTContext();
+    return variable->getType()->isReferenceType() ? target->EvaluateAsLValue(result, context)
+                                                  : target->EvaluateAsRValue(result, context);
   }
 
   // In the order of the text.
@@ -167,6 +206,7 @@ private:
   Surroundings &found_;
   std::map<std::string, std::vector<Block>> blocks_;
   std::map<VarDecl const *, std::vector<Mention>> mentions_; // in the function
+  llvm::SmallPtrSet<VarDecl const *, 8> changed_;            // there
   llvm::SmallPtrSet<Expr const *, 8> assigned_;              // where the block begins
 };
 

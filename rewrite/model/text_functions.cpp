@@ -61,6 +61,10 @@ bool is_character(QualType type) {
   case BuiltinType::Char_U:
   case BuiltinType::SChar:
   case BuiltinType::UChar:
+  case BuiltinType::WChar_S:
+  case BuiltinType::WChar_U:
+  case BuiltinType::Char16:
+  case BuiltinType::Char32:
   case BuiltinType::Char8: return true;
   default: return false;
   }

@@ -142,6 +142,7 @@ bool is_written_first(VarDecl const *variable, Effect effect, bool each_loop_run
   mentions.TraverseStmt(function->getBody());
   if (mentions.all != mentions.known) return false;
   CFG::BuildOptions options;
+  options.AddEHEdges = true;
   options.setAllAlwaysAdd();
   std::unique_ptr<CFG> const graph = CFG::buildCFG(function, function->getBody(), &function->getASTContext(), options);
   if (!graph) return false;

@@ -233,8 +233,12 @@ private:
       report(DiagnosticId::pragma_unattached, function->getLocation(), "the function's body is made by a macro");
       return;
     }
-    FunctionFact fact{
-        .name = function->getNameAsString(), .signature = {}, .brace = *brace, .values = {}, .parameters = {}};
+    FunctionFact fact{.name = function->getNameAsString(),
+                      .signature = {},
+                      .brace = *brace,
+                      .values = {},
+                      .parameters = {},
+                      .leads = {}};
     unsigned end = map_.sources().getFileOffset(map_.sources().getExpansionLoc(function->getBody()->getBeginLoc()));
     if (auto const *constructor = dyn_cast<CXXConstructorDecl>(function))
       for (CXXCtorInitializer const *initializer : constructor->inits())
@@ -256,6 +260,10 @@ private:
       if (parameter->getIdentifier() && !parameter->getType()->isReferenceType() &&
           (passed > in_registers || parameter->getType()->isRecordType()))
         fact.parameters.push_back({parameter->getName().str(), map_.place(parameter->getLocation())});
+    for (ParmVarDecl const *parameter : function->parameters())
+      if (std::string lead = Storage::lead_from(parameter); parameter->isReferenced() && !lead.empty())
+        fact.leads.push_back(std::move(lead));
+    if (method && method->isInstance()) fact.leads.emplace_back("this");
     pragma.function = {fact};
   }
 

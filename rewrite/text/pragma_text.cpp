@@ -105,6 +105,12 @@ std::string layout_arguments(ObjectLayout const &layout) {
   return in_quotes(layout.text) + ", (" + types + ")";
 }
 
+std::string leads_text(std::vector<std::string> const &leads) {
+  std::string text;
+  for (std::string const &object : leads) text += "SYMREAL_LEADS(" + object + ") ";
+  return text;
+}
+
 std::string region_text(PragmaFact const &pragma) {
   std::string text, around;
   for (FunctionFact::Value const &value : pragma.around)
@@ -112,6 +118,7 @@ std::string region_text(PragmaFact const &pragma) {
         .append("SYMREAL_AROUND(" + in_quotes(value.name) + ", " + in_quotes(to_string(value.place)) + ", " +
                 value.name)
         .append(") ");
+  around += leads_text(pragma.leads);
   for (ClauseFact const &clause : pragma.clauses) {
     text += clause_text(pragma, clause);
     if (!clause.items.empty()) text += std::exchange(around, ""); // the kernel has begun
@@ -138,6 +145,7 @@ std::string function_text(PragmaFact const &pragma) {
       text.append("SYMREAL_ARGUMENT(" + in_quotes(value.name) + ", " + in_quotes(to_string(value.place)) + ", " +
                   value.name)
           .append(") ");
+  text += leads_text(pragma.function[0].leads);
   // Also where `return` is the only output: it ends the annotations of the function's entry.
   return text + "SYMREAL_OUTPUTS_BEGIN " + exit + "SYMREAL_OUTPUTS_END";
 }

@@ -126,6 +126,10 @@ public:
     if (!no_state_) collect_.state_of_construction(construction);
     return true;
   }
+  bool VisitCXXNewExpr(CXXNewExpr *made) override {
+    if (!passive_ && !no_state_) collect_.made_in_place(made);
+    return true;
+  }
   bool VisitImplicitCastExpr(ImplicitCastExpr *cast) override {
     if (passive_) return true;
     if (Collector::may_convert(cast))
@@ -254,6 +258,7 @@ public:
   bool VisitMemberExpr(MemberExpr *member) override {
     if (auto const *variable = dyn_cast<VarDecl>(member->getMemberDecl())) state(variable, member);
     if (!passive_ && !no_state_) collect_.union_member(member);
+    if (!passive_ && !no_state_) collect_.reference_member(member);
     return true;
   }
   bool VisitCompoundStmt(CompoundStmt *block) override {
@@ -308,6 +313,7 @@ public:
         collect_.assignment(binary);
         collect_.error_assigned(binary);
       }
+      collect_.related_pointers(binary);
       collect_.dependent_operands(binary);
     }
     return !binary->isLogicalOp() || (decide(binary->getLHS()) && decide(binary->getRHS()));

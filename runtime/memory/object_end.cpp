@@ -5,6 +5,7 @@
 #include "memory/static_objects.h"
 
 #include <algorithm>
+#include <cstdint>
 
 namespace symreal::memory {
 namespace {
@@ -32,6 +33,18 @@ char const *object_end(void const *address) {
   if (char const *end = end_among(heap_blocks(), at)) return end;
   if (char const *end = end_among(statics, at)) return end;
   return at + 1;
+}
+
+Constant constant_around(void const *address) {
+  char const *const at = static_cast<char const *>(address);
+  static std::vector<StaticObject> const constants = find_constants();
+  auto const behind = std::upper_bound(constants.begin(), constants.end(), at,
+                                       [](char const *here, StaticObject const &one) { return here < one.begin; });
+  char const *const next = behind == constants.end() ? reinterpret_cast<char const *>(UINTPTR_MAX) : behind->begin;
+  if (behind == constants.begin()) return {nullptr, next};
+  StaticObject const &before = *(behind - 1);
+  char const *const end = before.begin + before.size;
+  return at < end ? Constant{before.begin, end} : Constant{end, next};
 }
 
 } // namespace symreal::memory

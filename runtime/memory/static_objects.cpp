@@ -67,9 +67,11 @@ bool is_of_library(std::string_view name) {
   return std::any_of(libraries.begin(), libraries.end(), [name](char const *one) { return name.starts_with(one); });
 }
 
+enum class Changes { variables, constants };
+
 char *thread_pointer() { return static_cast<char *>(__builtin_thread_pointer()); }
 
-void add_objects(Loaded const &loaded, std::vector<StaticObject> &objects) {
+void add_objects(Loaded const &loaded, Changes changes, std::vector<StaticObject> &objects) {
   MappedFile const file(loaded.path.c_str());
   auto const *head = file.at<ElfW(Ehdr)>(0);
   if (!head || std::memcmp(head->e_ident, ELFMAG, SELFMAG) != 0) return;
@@ -87,12 +89,14 @@ void add_objects(Loaded const &loaded, std::vector<StaticObject> &objects) {
       unsigned const type = symbol.st_info & 0xf;
       if ((type != STT_OBJECT && type != STT_TLS) || symbol.st_size == 0 || symbol.st_name >= names.sh_size) continue;
       if (symbol.st_shndx == SHN_UNDEF || symbol.st_shndx >= head->e_shnum) continue;
-      if ((sections[symbol.st_shndx].sh_flags & SHF_WRITE) == 0 || is_of_library(text + symbol.st_name)) continue;
+      bool const is_variable = (sections[symbol.st_shndx].sh_flags & SHF_WRITE) != 0;
+      if (changes == Changes::variables && (!is_variable || is_of_library(text + symbol.st_name))) continue;
       if (type == STT_TLS && !loaded.thread_begin) continue;
       char *begin = type == STT_TLS ? loaded.thread_begin + symbol.st_value
                                     : reinterpret_cast<char *>(loaded.base + symbol.st_value);
       auto const at = reinterpret_cast<std::uintptr_t>(begin);
-      if (type == STT_OBJECT && loaded.constant_begin <= at && at < loaded.constant_end) continue;
+      bool const is_constant = !is_variable || (loaded.constant_begin <= at && at < loaded.constant_end);
+      if (type == STT_OBJECT && is_constant != (changes == Changes::constants)) continue;
       objects.push_back({text + symbol.st_name, begin, symbol.st_size, symbol.st_info >> 4 == STB_LOCAL});
     }
   }
@@ -102,9 +106,7 @@ bool is_of_system(std::string_view path) {
   return path.starts_with("/lib") || path.starts_with("/usr/lib") || path.starts_with("linux-vdso");
 }
 
-} // namespace
-
-std::vector<StaticObject> find_static_objects() {
+std::vector<StaticObject> find_objects(Changes changes) {
   std::vector<Loaded> all;
   dl_iterate_phdr(
       [](dl_phdr_info *object, std::size_t, void *list) {
@@ -129,7 +131,7 @@ std::vector<StaticObject> find_static_objects() {
       &all);
   std::vector<StaticObject> objects;
   for (Loaded const &one : all)
-    if (!is_of_system(one.path)) add_objects(one, objects);
+    if (!is_of_system(one.path)) add_objects(one, changes, objects);
   auto const before = [](StaticObject const &a, StaticObject const &b) { return a.begin < b.begin; };
   std::sort(objects.begin(), objects.end(), before);
   // One object may have several names.
@@ -137,6 +139,12 @@ std::vector<StaticObject> find_static_objects() {
   objects.erase(std::unique(objects.begin(), objects.end(), same), objects.end());
   return objects;
 }
+
+} // namespace
+
+std::vector<StaticObject> find_static_objects() { return find_objects(Changes::variables); }
+
+std::vector<StaticObject> find_constants() { return find_objects(Changes::constants); }
 
 std::string guarded_by(std::string const &name) { return name.starts_with("_ZGV") ? "_Z" + name.substr(4) : ""; }
 

@@ -67,7 +67,9 @@ static Law *plain = &twice;
 static std::vector<double> extras;
 static std::vector<float> floats = {1};
 
+// CHECK-DAG: hidden_scalars.cpp:[[#@LINE+1]]:22: error: kernel 'scaled' reads 'tenths', which is neither input nor parameter [SYM017]
 static std::set<int> tenths = {1};
+// CHECK-DAG: hidden_scalars.cpp:[[#@LINE+1]]:30: error: kernel 'scaled' reads 'names', which is neither input nor parameter [SYM017]
 static std::set<std::string> names = {"a"};
 static std::shared_ptr<int> owned;
 // CHECK-DAG: hidden_scalars.cpp:[[#@LINE+1]]:27: error: kernel 'scaled' reads 'watched', which is neither input nor parameter [SYM017]
@@ -115,14 +117,14 @@ double scaled(double x) {
   if (std::strcmp(text, "fast") == 0) y += 16;
   // CHECK-DAG: hidden_scalars.cpp:[[#@LINE+1]]:19: error: kernel 'scaled' reads 'word', which is neither input nor parameter [SYM017]
   if (std::strcmp(word, "fast") == 0) y += 32;
+  // CHECK-DAG: hidden_scalars.cpp:[[#@LINE+5]]:8: error: kernel 'scaled' reads '*entry' (2), which is neither input nor parameter [SYM017]
   // CHECK-DAG: hidden_scalars.cpp:[[#@LINE+4]]:9: error: kernel 'scaled' reads 'entry', which is neither input nor parameter [SYM017]
   // CHECK-DAG: hidden_scalars.cpp:[[#@LINE+3]]:17: error: kernel 'scaled' reads 'law', which is neither input nor parameter [SYM017]
   // CHECK-DAG: hidden_scalars.cpp:[[#@LINE+2]]:30: error: kernel 'scaled' reads 'plain', which is neither input nor parameter [SYM017]
   // CHECK-DAG: hidden_scalars.cpp:[[#@LINE+1]]:82: error: kernel 'scaled' reads 'floats' (1), which is neither input nor parameter [SYM017]
   y += *entry + law->of(x) + plain->of(x) + static_cast<double>(extras.size()) + floats[0];
-  // CHECK-DAG: hidden_scalars.cpp:[[#@LINE+1]]:28: error: kernel 'scaled' reads 'tenths', which is neither input nor parameter [SYM017]
+  // CHECK-DAG: hidden_scalars.cpp:[[#@LINE+1]]:28: error: kernel 'scaled' reads 'tenths' (1), which is neither input nor parameter [SYM017]
   y += static_cast<double>(tenths.count(2));
-  // CHECK-DAG: hidden_scalars.cpp:[[#@LINE+1]]:28: error: kernel 'scaled' reads 'names', which is neither input nor parameter [SYM017]
   y += static_cast<double>(names.count("b"));
   // CHECK-DAG: hidden_scalars.cpp:[[#@LINE+1]]:7: error: kernel 'scaled' reads 'owned', which is neither input nor parameter [SYM017]
   if (owned) y += 1;

@@ -22,7 +22,7 @@ bool zero(double x) { return x == 0.0L || -0.5L > x; }
 void keep(std::vector<int> &list, double x) { list.push_back(x); n::count(x); }
 // CHECK: void show(REAL x, float y) { std::printf("%g %g %g %d\n", REAL_VALUE(x), y, 1.5, half); }
 void show(double x, float y) { std::printf("%g %g %g %d\n", x, y, 1.5, half); }
-// CHECK: void read(REAL *x) { if (std::scanf("%lf", x) != 1) REAL_WRITTEN({{.*}}, *x) = 0; }
+// CHECK: void read(REAL *x) { if (std::scanf("%lf", REAL_TARGET({{.*}}, x)) != 1) REAL_WRITTEN({{.*}}, *x) = 0; }
 void read(double *x) { if (std::scanf("%lf", x) != 1) *x = 0; }
 enum Direction { backwards = -1, forwards = 1 };
 enum class Side { left, right };

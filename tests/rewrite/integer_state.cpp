@@ -37,7 +37,7 @@ double use(Table &table, Packed &packed, int k, double x) {
   for (int i = 0; i < table.n && i < size; ++i) x += i;
   // CHECK: REAL_READ("count", {{.*}}, REAL_STATE(count, {{.*}})) += REAL_READ("global", {{.*}}, REAL_STATE(global, {{.*}}))++ + REAL_READ("table.p[k]", {{.*}}, REAL_READ("table.p", {{.*}}, table.p)[k]) + sizeof global;
   count += global++ + table.p[k] + sizeof global;
-  // CHECK: for (short kind : REAL_READ("table.kinds", {{.*}}, table.kinds)) x += kind;
+  // CHECK: for (short kind : REAL_READ("table.kinds", {{.*}}, REAL_DECIDES("table.kinds", {{.*}}, table.kinds))) x += kind;
   for (short kind : table.kinds) x += kind;
   // CHECK: if (REAL_ENVIRONMENT(error_read, "errno", {{.*}}, errno)) x = 0;
   if (errno) x = 0;

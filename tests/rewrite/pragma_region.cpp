@@ -6,7 +6,7 @@
 
 double run(double const *p, std::vector<double> &v, int n) {
   double c[3][3], q = 1.0;
-  // CHECK: {{^}}SYMREAL_OBJECT(input, "q", "pragma_region.cpp", [[@LINE+1]], 23, q) SYMREAL_AROUND("n", "pragma_region.cpp:7:57", n) SYMREAL_RANGE(-1.5, 1.5){{$}}
+  // CHECK: {{^}}SYMREAL_OBJECT(input, "q", "pragma_region.cpp", [[@LINE+1]], 23, q) SYMREAL_AROUND("n", "pragma_region.cpp:7:57", n) SYMREAL_LEADS(p) SYMREAL_LEADS(__builtin_addressof(v)) SYMREAL_RANGE(-1.5, 1.5){{$}}
 #pragma symreal input(q) range(-1.5, 1.5)
   // CHECK: SYMREAL_REBIND(p, 1, n + N) SYMREAL_SECTION(parameter, "p[1:n + N]", "pragma_region.cpp", [[@LINE+1]], 31, ::symreal::symreal_extents(n + N), p[(1)+symreal_i[0]]){{$}}
   #pragma symreal parameter(  p[1:n  +  N] )

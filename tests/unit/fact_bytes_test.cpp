@@ -14,7 +14,8 @@ Facts some_facts() {
   facts.reached["/a/model.cpp"] = std::vector<bool>{true, true, false, true};
   facts.reached["/a/model.h"] = std::vector<bool>(1000, true);
   facts.pragmas[span].configured = 3;
-  facts.pragmas[span].function = {{"f", {"double f()", std::nullopt, true}, span, {{"x", {"model.cpp", 1, 2}}}, {}}};
+  facts.pragmas[span].function = {
+      {"f", {"double f()", std::nullopt, true}, span, {{"x", {"model.cpp", 1, 2}}}, {}, {}}};
   facts.decisions[span].needs = span;
   facts.members[span].bases = {{span, true}};
   facts.diagnostics = {{DiagnosticId::source_error, {"model.cpp", 1, 2}, "no", {{{}, "note"}}}};

@@ -42,8 +42,12 @@
 #define SYMREAL_REAL_TABLE(name, place, ...) __VA_ARGS__
 #define SYMREAL_REAL_READ(name, place, ...) __VA_ARGS__
 #define SYMREAL_REAL_DECIDES(name, place, ...) __VA_ARGS__
+#define SYMREAL_REAL_AT_RUN(...) __VA_ARGS__
+#define SYMREAL_REAL_LEADS(...) __VA_ARGS__
+#define SYMREAL_REAL_REFERS(holder, ...) __VA_ARGS__
 #define SYMREAL_REAL_WRITTEN(name, place, ...) __VA_ARGS__
 #define SYMREAL_REAL_CHANGED(name, place, ...) __VA_ARGS__
+#define SYMREAL_REAL_TARGET(name, place, ...) __VA_ARGS__
 #define SYMREAL_REAL_FIRST(name, place, ...) __VA_ARGS__
 #define SYMREAL_REAL_LAST(name, place, ...) __VA_ARGS__
 #define SYMREAL_REAL_FILL_FIRST(name, place, ...) __VA_ARGS__
@@ -70,6 +74,7 @@
 #define SYMREAL_REAL_PADDING(...)
 #define SYMREAL_AROUND(...)
 #define SYMREAL_PARAMETER(...)
+#define SYMREAL_LEADS(...)
 #define SYMREAL_OBJECT(...)
 #define SYMREAL_DECLARE(...)
 #define SYMREAL_DECLARE_SECTION(...)
@@ -146,9 +151,13 @@
 #define SYMREAL_REAL_INT(...) ::symreal::SymrealInt<__VA_ARGS__>
 #define SYMREAL_REAL_TABLE(name, place, ...) (::symreal::symreal_table(__VA_ARGS__, name, place))
 #define SYMREAL_REAL_READ(name, place, ...) (::symreal::symreal_read(__VA_ARGS__, name, place))
+#define SYMREAL_REAL_AT_RUN(...) (::symreal::symreal_at_run(__VA_ARGS__))
+#define SYMREAL_REAL_LEADS(...) (::symreal::symreal_leads(__VA_ARGS__))
+#define SYMREAL_REAL_REFERS(holder, ...) (::symreal::symreal_refers(holder, __VA_ARGS__))
 #define SYMREAL_REAL_DECIDES(name, place, ...) (::symreal::symreal_decides(__VA_ARGS__, name, place))
 #define SYMREAL_REAL_WRITTEN(name, place, ...) (::symreal::symreal_written(__VA_ARGS__, name, place))
 #define SYMREAL_REAL_CHANGED(name, place, ...) (::symreal::symreal_changed(__VA_ARGS__, name, place))
+#define SYMREAL_REAL_TARGET(name, place, ...) (::symreal::symreal_target(__VA_ARGS__, name, place))
 #define SYMREAL_REAL_FIRST(name, place, ...) (::symreal::symreal_range_begin(__VA_ARGS__, name, place))
 #define SYMREAL_REAL_LAST(name, place, ...) (::symreal::symreal_range_end(__VA_ARGS__, name, place))
 #define SYMREAL_REAL_FILL_FIRST(name, place, ...) (::symreal::symreal_fill_begin(__VA_ARGS__, name, place))
@@ -178,6 +187,7 @@
   (::symreal::symreal_signature<::symreal::SymrealSignature(__PRETTY_FUNCTION__)>.symreal_letters)
 #define SYMREAL_AROUND(name, place, ...) ::symreal::symreal_around(__VA_ARGS__, name, place);
 #define SYMREAL_PARAMETER(name, place, ...) ::symreal::symreal_parameter(__VA_ARGS__, name, place);
+#define SYMREAL_LEADS(...) ::symreal::symreal_argument_leads(__VA_ARGS__);
 /* What a class tells about itself: `access` is that of what follows. */
 #define SYMREAL_REAL_MEMBERS(access, ...)                                                                              \
 public:                                                                                                                \
@@ -214,8 +224,12 @@ public:                                                                         
 #define SYMREAL_REAL_TABLE(name, place, ...) (__VA_ARGS__)
 #define SYMREAL_REAL_READ(name, place, ...) (__VA_ARGS__)
 #define SYMREAL_REAL_DECIDES(name, place, ...) (__VA_ARGS__)
+#define SYMREAL_REAL_AT_RUN(...) (__VA_ARGS__)
+#define SYMREAL_REAL_LEADS(...) (__VA_ARGS__)
+#define SYMREAL_REAL_REFERS(holder, ...) (__VA_ARGS__)
 #define SYMREAL_REAL_WRITTEN(name, place, ...) (__VA_ARGS__)
 #define SYMREAL_REAL_CHANGED(name, place, ...) (__VA_ARGS__)
+#define SYMREAL_REAL_TARGET(name, place, ...) (__VA_ARGS__)
 #define SYMREAL_REAL_FIRST(name, place, ...) (__VA_ARGS__)
 #define SYMREAL_REAL_LAST(name, place, ...) (__VA_ARGS__)
 #define SYMREAL_REAL_FILL_FIRST(name, place, ...) (__VA_ARGS__)
@@ -235,6 +249,7 @@ public:                                                                         
 #define SYMREAL_REAL_PADDING(...)
 #define SYMREAL_AROUND(...)
 #define SYMREAL_PARAMETER(...)
+#define SYMREAL_LEADS(...)
 #endif
 /* The overload of that type, which C++ has for a function of C as well. Its address is the same wherever the program
    takes it, as that of the function is. */

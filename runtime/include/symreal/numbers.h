@@ -135,7 +135,7 @@ private:
     } else if constexpr (detail::has_value_of_its_own<T>()) {
       whole(object);
     } else if constexpr (detail::is_complex<T>::value) {
-      words(object); // the standard lays a complex number out as an array of two
+      one(reinterpret_cast<typename T::value_type const(&)[2]>(object)); // as the standard lays it out
     } else if constexpr (detail::has_strides<T>()) {
       strided(object); // Eigen's matrices, and maps and blocks of them, some of which give copies of their elements
     } else if constexpr (detail::is_matrix<T const>::value) {

@@ -41,13 +41,20 @@ inline bool is_own(void const *address) noexcept {
 enum class Scope { any, function, scratch, around, parameter };
 void note_static(void const *object, std::size_t size, Scope scope, char const *name, char const *place) noexcept;
 void note_local(void const *object, std::size_t size, Scope scope, char const *name, char const *place) noexcept;
-// A pointer to an object: state where it leads nowhere, or to constant memory. What lies behind any other is looked at
-// itself.
-void note_pointer_read(void const *pointer, char const *name, char const *place) noexcept;
+// A pointer to an object: state where it leads nowhere, or to constant memory. What lies behind it is looked at itself,
+// unless it is text.
+enum class Behind { text, objects };
+void note_pointer_read(void const *pointer, Behind what, char const *name, char const *place) noexcept;
+// What the pointers in these bytes lead to was chosen by others than the kernel: constants there are read like what
+// lies in other memory.
+void note_chosen(void const *begin, std::size_t size) noexcept;
 void note_scalar_written(ScalarObject scalar, char const *name, char const *place) noexcept;
 void note_written(void const *begin, std::size_t size, char const *name, char const *place) noexcept;
 // The object outlives this statement: if it still exists when the kernel ends, its numbers are looked at again.
 void note_changed(void const *object, Visit visit, char const *name, char const *place) noexcept;
+// The number of the object's elements is used, for which elements that are annotated vouch. False where the kernel has
+// made them itself.
+bool note_counted(void const *object, Visit visit) noexcept;
 // Bytes that are used as something else than numbers: an error where a node is among them.
 void check_bits(void const *begin, std::size_t size, char const *name, char const *place) noexcept;
 // The same, for all that may lie behind a pointer.
@@ -74,8 +81,22 @@ struct ReadParts {
     if (!is_own(number)) note_read(number, name, place);
   }
   void operator()(ScalarObject scalar) const noexcept {
-    bool const is_judged = scalar.kind != ScalarObject::Kind::text && scalar.kind != ScalarObject::Kind::target;
-    if (is_judged && !is_own(scalar.address)) note_scalar_read(scalar, name, place);
+    if (scalar.kind == ScalarObject::Kind::text || is_own(scalar.address)) return;
+    if (scalar.kind == ScalarObject::Kind::target)
+      note_chosen(scalar.address, scalar.size);
+    else
+      note_scalar_read(scalar, name, place);
+  }
+};
+// A container of pointers, or a map to some.
+template <class T>
+concept HoldsPointers =
+    requires { typename T::value_type; } && (std::is_pointer_v<typename T::value_type> ||
+                                             requires(typename T::value_type const &pair) { pair.first, pair.second; });
+struct Pointers {
+  void operator()(RealNumber const *) const noexcept {}
+  void operator()(ScalarObject scalar) const noexcept {
+    if (scalar.kind == ScalarObject::Kind::target && !is_own(scalar.address)) note_chosen(scalar.address, scalar.size);
   }
 };
 struct WrittenParts {
@@ -95,12 +116,21 @@ template <class T> void read_object(T &object, char const *name, char const *pla
   } else if constexpr (is_scalar<Plain>) {
     ReadParts{name, place}(ScalarObject::of(object));
   } else if constexpr (std::is_pointer_v<Plain>) {
-    if (!is_own(bytes_of(&object))) note_pointer_read(bytes_of(&object), name, place);
+    constexpr bool to_text = is_text<std::remove_cv_t<std::remove_pointer_t<Plain>>>;
+    if (!is_own(bytes_of(&object)))
+      note_pointer_read(bytes_of(&object), to_text ? Behind::text : Behind::objects, name, place);
   } else if constexpr (is_smart_pointer<Plain>) {
-    if (!is_own(bytes_of(&object))) note_pointer_read(bytes_of(&object), name, place);
+    if (!is_own(bytes_of(&object))) note_pointer_read(bytes_of(&object), Behind::objects, name, place);
     auto read = [=](RealNumber const *number) { ReadParts{name, place}(number); };
     Numbers(read).visit(object);
+  } else if constexpr (requires {
+                         typename Plain::type;
+                         object.get();
+                       }) { // std::reference_wrapper
+    if constexpr (!std::is_function_v<typename Plain::type>) read_object(object.get(), name, place);
   } else if constexpr (Numbers::may_hold<Plain>) {
+    if constexpr (!std::is_same_v<std::remove_cv_t<std::remove_all_extents_t<Plain>>, RealNumber>)
+      if (!is_own(&object)) note_chosen(&object, sizeof object); // a copy leads there as well
     ReadParts parts{name, place};
     Numbers(parts).visit(object);
     if constexpr (!std::is_const_v<T>)
@@ -124,11 +154,21 @@ template <class T> void decided_by(T &object, char const *name, char const *plac
   if constexpr (std::is_pointer_v<Plain> || is_smart_pointer<Plain>) {
     note_scalar_read({bytes_of(&object), sizeof(void *), ScalarObject::Kind::target}, name, place);
   } else {
-    FirstPart first;
-    if constexpr (!has_value_of_its_own<Plain>() && !std::is_array_v<Plain>) Numbers(first).visit(object);
-    void const *part = first.address();
-    note_scalar_read({part ? part : bytes_of(&object), 1, ScalarObject::Kind::object}, name, place);
+    if constexpr (Numbers::may_hold<T> && !has_value_of_its_own<Plain>() && !std::is_array_v<Plain>)
+      if (!note_counted(bytes_of(&object), visit<Plain>)) return;
+    note_scalar_read({bytes_of(&object), 1, ScalarObject::Kind::object}, name, place);
   }
+}
+
+// A container's number of elements, and an object of which no part is known, may have got the same value as before: no
+// byte shows that.
+template <class T>
+concept Counted = requires(T &object) { object.clear(), object.size(), object.begin(); } && !has_value_of_its_own<T>();
+template <class T> void note_changed_object(T &object, char const *name, char const *place) noexcept {
+  note_changed(&object, visit<T>, name, place);
+  FirstPart first;
+  if constexpr (!Counted<T>) Numbers(first).visit(object);
+  if (!first.address()) note_scalar_written({&object, 1, ScalarObject::Kind::object}, name, place);
 }
 
 template <class T> void write_object(T &object, char const *name, char const *place) noexcept {
@@ -142,7 +182,7 @@ template <class T> void write_object(T &object, char const *name, char const *pl
   } else if constexpr (Numbers::may_hold<T>) {
     WrittenParts parts{name, place};
     Numbers(parts).visit(object);
-    if (!is_own(&object)) note_changed(&object, visit<T>, name, place);
+    if (!is_own(&object)) note_changed_object(object, name, place);
   }
 }
 
@@ -191,6 +231,38 @@ template <class T> void symreal_parameter(T const &object, char const *name, cha
                        detail::Scope::parameter, name, place);
 }
 
+// The caller, or the code before a block kernel, chooses what this pointer leads to, or the pointers in this object.
+template <class T> void symreal_argument_leads(T const &object) noexcept {
+  if (!detail::recording) return;
+  if constexpr (std::is_pointer_v<T>)
+    detail::note_chosen(detail::bytes_of(&object), sizeof object);
+  else if constexpr (detail::is_class<T> || std::is_class_v<T>)
+    detail::note_chosen(detail::bytes_of(&reinterpret_cast<char const volatile &>(object)), sizeof object);
+}
+
+// The same of an object of a library that the kernel has not made itself, and of a member that is a reference.
+template <class T> constexpr T &&symreal_leads(T &&object) noexcept {
+  if (!__builtin_is_constant_evaluated() && detail::recording) {
+    void const *const at = detail::bytes_of(&reinterpret_cast<char const volatile &>(object));
+    if (!detail::is_own(at)) detail::note_chosen(at, sizeof object);
+    if constexpr (detail::HoldsPointers<std::remove_cvref_t<T>>) {
+      detail::Pointers pointers;
+      Numbers(pointers).visit(object);
+    }
+  }
+  return static_cast<T &&>(object);
+}
+template <class T> constexpr T &&symreal_refers(void const volatile *holder, T &&object) noexcept {
+  if (!__builtin_is_constant_evaluated() && detail::recording && !detail::is_own(detail::bytes_of(holder))) {
+    void const *const at = detail::bytes_of(&reinterpret_cast<char const volatile &>(object));
+    detail::note_chosen(&at, sizeof at);
+  }
+  return static_cast<T &&>(object);
+}
+
+// No constant expression, so that what is noted within it is noted when the program runs.
+template <class T> T &&symreal_at_run(T &&object) noexcept { return static_cast<T &&>(object); }
+
 // The value of the object is used. What holds no number, and what a macro makes of the same words elsewhere, passes.
 template <class T> constexpr T &&symreal_read(T &&object, char const *name, char const *place) noexcept {
   if (!__builtin_is_constant_evaluated() && detail::recording) detail::read_object(object, name, place);
@@ -212,8 +284,22 @@ template <class T> constexpr T &&symreal_written(T &&object, char const *name, c
 // Code that is not rewritten changes the object, as push_back does.
 template <class T> T &symreal_changed(T &object, char const *name, char const *place) noexcept {
   if (detail::recording && !detail::is_own(&object))
-    if constexpr (Numbers::may_hold<T>) detail::note_changed(&object, detail::visit<T>, name, place);
+    if constexpr (Numbers::may_hold<T>) detail::note_changed_object(object, name, place);
   return object;
+}
+
+// A library writes text, a scalar or an object there. Numbers are looked at otherwise.
+template <class T> constexpr T &&symreal_target(T &&pointer, char const *name, char const *place) noexcept {
+  if (__builtin_is_constant_evaluated() || !detail::recording) return static_cast<T &&>(pointer);
+  if constexpr (auto *target = &pointer[0]; true) {
+    using Target = std::remove_pointer_t<decltype(target)>;
+    if (!pointer || detail::is_own(target)) return static_cast<T &&>(pointer);
+    if constexpr (detail::is_text<Target>)
+      detail::note_scalar_written({target, 1, ScalarObject::Kind::text}, name, place);
+    else
+      detail::write_object(*target, name, place);
+  }
+  return static_cast<T &&>(pointer);
 }
 
 namespace detail {
@@ -352,6 +438,7 @@ public:
     if (detail::recording) {
       check_ends(from, size);
       store(to, size, detail::Holds::anything);
+      if (!detail::is_own(from)) detail::note_chosen(from, size);
     }
     return std::memmove(to, from, size);
   }

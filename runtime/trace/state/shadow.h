@@ -36,6 +36,9 @@ public:
   void add(void const *begin, std::size_t size, Marks marks) {
     each(begin, size, [marks](Marks &here) { here |= marks; });
   }
+  void remove(void const *begin, std::size_t size, Marks marks) {
+    each(begin, size, [marks](Marks &here) { here &= static_cast<Marks>(~marks); });
+  }
   void set(void const *begin, std::size_t size, Marks marks) {
     each(begin, size, [marks](Marks &here) { here = marks; });
   }

@@ -1,5 +1,6 @@
 #include "trace/state/state.h"
 
+#include "memory/object_end.h"
 #include "memory/own_memory.h"
 #include "support/mutation/is_dropped.h"
 #include "support/number.h"
@@ -54,10 +55,32 @@ bool State::is_constant(void const *address) const {
   return std::ranges::any_of(constant_memory_, [address](MemoryRange const &range) { return range.contains(address); });
 }
 
+bool State::is_chosen(void const *address) const {
+  return std::ranges::any_of(chosen_, [address](MemoryRange const &range) { return range.contains(address); });
+}
+
+void State::chosen(void const *begin, std::size_t size) {
+  if (is_dropped("chosen")) return;
+  auto const *words = static_cast<char const *>(begin);
+  for (std::size_t at = 0; at + sizeof(void *) <= size; at += sizeof(void *)) {
+    void const *target = nullptr;
+    std::memcpy(static_cast<void *>(&target), words + at, sizeof target);
+    auto const around =
+        std::ranges::find_if(constant_memory_, [target](MemoryRange const &range) { return range.contains(target); });
+    bool const is_fixed = (shadow_.at(words + at) & mark::constant) != 0; // the pragma says so of the pointer
+    if (around == constant_memory_.end() || is_fixed || is_chosen(target)) continue;
+    memory::Constant const object = memory::constant_around(target);
+    MemoryRange const range = {std::max(around->begin, reinterpret_cast<std::uintptr_t>(object.begin)),
+                               std::min(around->end, reinterpret_cast<std::uintptr_t>(object.end))};
+    chosen_.push_back(range);
+    shadow_.remove(reinterpret_cast<void const *>(range.begin), range.end - range.begin, mark::own);
+  }
+}
+
 // Does what lies there outlive the kernel, so that others may change or read it?
 bool State::outlives(void const *address) {
   if ((shadow_.at(address) & mark::own) != 0) return false;
-  bool const constant = is_constant(address);
+  bool const constant = is_constant(address) && !is_chosen(address);
   bool const unknown = !heap_is_known_ && site_of(address, "", "").name.empty();
   if (constant || unknown) shadow_.add(address, 1, mark::own);
   overlooked_ = overlooked_ || (unknown && !constant);
@@ -122,11 +145,12 @@ void State::read(ScalarObject scalar, char const *name, char const *place) {
   note({.kind = StateNote::Kind::read_scalar, .object = scalar.address, .site = site, .scalar = scalar});
 }
 
-void State::read_pointer(void const *pointer, char const *name, char const *place) {
+void State::read_pointer(void const *pointer, detail::Behind what, char const *name, char const *place) {
   void const *target = nullptr;
-  std::memcpy(&target, pointer, sizeof target);
+  std::memcpy(static_cast<void *>(&target), pointer, sizeof target);
   if (!target || is_constant(target))
     read(ScalarObject{pointer, sizeof target, ScalarObject::Kind::target}, name, place);
+  if (what == detail::Behind::objects) chosen(pointer, sizeof target);
 }
 
 void State::written(ScalarObject scalar, char const *name, char const *place) {
@@ -138,6 +162,20 @@ void State::written(ScalarObject scalar, char const *name, char const *place) {
           .object = scalar.address,
           .site = site_of(scalar.address, name, place),
           .scalar = scalar});
+}
+
+bool State::counted(void const *object, detail::Visit visit) {
+  if (!counted_.try_emplace(object, visit).second) return true;
+  struct {
+    void const *address = nullptr;
+    void operator()(RealNumber const *number) { address = address ? address : number; }
+    void operator()(ScalarObject scalar) { address = address ? address : scalar.address; }
+  } first;
+  Numbers numbers(first);
+  visit(object, numbers);
+  bool const is_own = first.address && (detail::is_own(first.address) || !outlives(first.address));
+  if (is_own) counted_.erase(object);
+  return !is_own;
 }
 
 void State::check_bits(TornNumbers::Bits bits, char const *name, char const *place) {
@@ -323,6 +361,27 @@ void State::judge_inputs() {
   }
 }
 
+// Is a part of this container annotated? Then the number of its elements shows.
+bool State::vouches(void const *container) {
+  struct {
+    State &state;
+    bool any = false;
+    void operator()(RealNumber const *number) { any = any || (state.shadow_.at(number) & mark::vouches) != 0; }
+    void operator()(ScalarObject scalar) {
+      any = any || state.scalars_.is_annotated(scalar) || state.members_.contains(scalar.address) ||
+            (state.shadow_.at(scalar.address) & mark::vouches) != 0;
+    }
+  } look{*this};
+  if ((shadow_.at(container) & mark::freed) != 0) return false;
+  Numbers numbers(look);
+  if (auto const counted = counted_.find(container); counted != counted_.end())
+    counted->second(container, numbers);
+  else
+    for (Changed const &one : changed_)
+      if (one.object == container) one.visit(one.object, numbers);
+  return look.any;
+}
+
 // A scalar that was read keeps the value that it had then; one that has changed is lost. A static one of a function
 // that this path writes before it reads it may be read on another, which is the original's where a guard fails.
 void State::judge_scalars(bool has_guards) {
@@ -331,9 +390,11 @@ void State::judge_scalars(bool has_guards) {
     if ((marks & mark::freed) != 0) continue;
     bool const is_object = one.scalar.kind == ScalarObject::Kind::object; // which its elements vouch for
     bool const is_constant = (marks & (is_object ? mark::vouches : mark::constant)) != 0 ||
-                             scalars_.is_annotated(one.scalar) || (is_object && one.is_scratch);
+                             scalars_.is_annotated(one.scalar) ||
+                             (is_object && (one.is_scratch || vouches(one.scalar.address)));
     bool const private_scratch = one.site.scope == detail::Scope::scratch ||
                                  (!one.is_read && one.site.scope == detail::Scope::function && !has_guards);
+    if (one.is_lost() && is_object && vouches(one.scalar.address)) continue;
     if (one.is_lost() && private_scratch)
       event({"scratch", std::string(one.site.name)});
     else if (one.is_lost() && !is_private(one.site))

@@ -54,10 +54,12 @@ public:
   bool is_around(void const *address) const { return site_of(address, "", "").scope == detail::Scope::around; }
   void read(RealNumber const *number, char const *name, char const *place);
   void read(ScalarObject scalar, char const *name, char const *place);
-  void read_pointer(void const *pointer, char const *name, char const *place);
+  void read_pointer(void const *pointer, detail::Behind what, char const *name, char const *place);
+  void chosen(void const *begin, std::size_t size);
   void written(ScalarObject scalar, char const *name, char const *place);
   void written(void const *begin, std::size_t size, char const *name, char const *place);
   void changed(void const *object, detail::Visit visit, char const *name, char const *place);
+  bool counted(void const *object, detail::Visit visit);
   void check_bits(TornNumbers::Bits bits, char const *name, char const *place);
   void const *other_range_end(void const *end, bool is_last, char const *place);
   void constant(void const *begin, std::size_t size);
@@ -147,6 +149,7 @@ private:
   };
 
   bool is_constant(void const *address) const;
+  bool is_chosen(void const *address) const;
   bool outlives(void const *address);
   bool learn(StateNote const &note);
   void note(StateNote const &note) {
@@ -179,6 +182,7 @@ private:
     return site.scope == detail::Scope::around || site.scope == detail::Scope::parameter;
   }
   void judge_scalars(bool has_guards);
+  bool vouches(void const *container);
   static Place place_of(Site const &site);
   // state_clauses.cpp
   void tell_clauses(std::vector<Frozen> const &frozen, Place const &kernel) const;
@@ -187,6 +191,7 @@ private:
   Shadow shadow_;
   bool heap_is_known_ = false;
   std::vector<MemoryRange> constant_memory_;          // of the program and its libraries
+  std::vector<MemoryRange> chosen_;                   // those parts of it that the kernel's caller has chosen
   std::map<void const *, Static, std::less<>> names_; // by address
   std::map<Site, Read> reads_;
   Scalars scalars_;
@@ -198,6 +203,7 @@ private:
   std::set<void const *> members_;           // scalars of annotated structures
   std::map<std::string, Frozen> copies_;     // those that lie in the kernel's own arguments, by name
   std::vector<Changed> changed_;
+  std::map<void const *, detail::Visit> counted_; // containers, by address
   std::vector<Scratch> scratch_;
   std::vector<memory::Known> handed_over_;
   std::set<std::string> scratch_files_;

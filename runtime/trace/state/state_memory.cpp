@@ -7,6 +7,7 @@
 #include "trace/state/state.h"
 
 #include <algorithm>
+#include <bit>
 #include <cstdlib>
 #include <cstring>
 #include <cxxabi.h>
@@ -73,8 +74,10 @@ bool State::has_changed(RealNumber const *number) const {
 // A number that had this value when it was read, and another one when the kernel began: code that is not rewritten has
 // written it. The initial value of a static object of a function does not count.
 bool State::was_written_by_kernel(RealNumber const *number, double value) const {
-  char const *before = image_ ? image_->before(number) : nullptr;
-  if (!before || std::memcmp(before, &value, sizeof value) == 0) return false;
+  if (!image_) return false;
+  char const *before = image_->before(number);
+  auto const bits = std::bit_cast<std::uint64_t>(value);
+  if (!before || std::memcmp(before, &bits, sizeof bits) == 0) return false;
   auto const *at = reinterpret_cast<char const *>(number);
   return std::ranges::none_of(image_->initialised(), [at](memory::Change const &object) {
     return object.object <= at && at < object.object + object.size;
@@ -88,6 +91,7 @@ static bool is_of_driver(std::string const &name) {
 
 // Nodes in the object or in what it owns, or a pointer in it to what the caller has on its stack, or to an input.
 bool State::holds_input(memory::Known object) const {
+  if (!image_) return false;
   std::vector<memory::Known> const owned = image_->owned(object, memory::heap_blocks());
   auto const each_word = [](memory::Known part, auto found) {
     std::size_t const skipped = (8 - reinterpret_cast<std::uintptr_t>(part.begin) % 8) % 8;

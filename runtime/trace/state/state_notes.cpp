@@ -39,9 +39,14 @@ void note_scalar_read(ScalarObject scalar, char const *name, char const *place) 
   State::current().read(scalar, name, place);
 }
 
-void note_pointer_read(void const *pointer, char const *name, char const *place) noexcept {
+void note_pointer_read(void const *pointer, Behind what, char const *name, char const *place) noexcept {
   Pause const pause;
-  State::current().read_pointer(pointer, name, place);
+  State::current().read_pointer(pointer, what, name, place);
+}
+
+void note_chosen(void const *begin, std::size_t size) noexcept {
+  Pause const pause;
+  State::current().chosen(begin, size);
 }
 
 void note_scalar_written(ScalarObject scalar, char const *name, char const *place) noexcept {
@@ -57,6 +62,11 @@ void given_from_outside(char const *function, double value) noexcept {
 void note_changed(void const *object, Visit visit, char const *name, char const *place) noexcept {
   Pause const pause;
   State::current().changed(object, visit, name, place);
+}
+
+bool note_counted(void const *object, Visit visit) noexcept {
+  Pause const pause;
+  return State::current().counted(object, visit);
 }
 
 void check_bits(void const *begin, std::size_t size, char const *name, char const *place) noexcept {
