@@ -96,7 +96,7 @@ Expr const *Storage::object_of(CallExpr const *call) {
 
 bool Storage::is_view(QualType type) { return has(type, library::VIEW); }
 
-bool Storage::lends(QualType type) { return has(type, static_cast<library::Class>(library::VIEW | library::LENDS)); }
+bool Storage::lends(QualType type) { return has(type, library::VIEW) || has(type, library::LENDS); }
 
 bool Storage::owns_elements(QualType type) { return has(type, library::OWNS_ELEMENTS); }
 
