@@ -130,7 +130,7 @@ constexpr char const *hashes = R"(static __inline__ unsigned long long symreal_b
   __builtin_memcpy(&symreal_result, &symreal_number, sizeof symreal_result);
   return symreal_result;
 }
-/* Of both of the doubles that it is the sum of. */
+/* The bits of both doubles that it is the sum of. */
 static __inline__ unsigned long long symreal_wide(long double symreal_number) {
   double const symreal_high = (double)symreal_number;
   return symreal_bits(symreal_high) * 1099511628211ull + symreal_bits((double)(symreal_number - symreal_high));

@@ -37,7 +37,7 @@ void Collector::note(Expr const *expression, Use use, Expr const *named, std::st
       {*span, use, words + in_quotes(name) + ", " + in_quotes(to_string(map_.place(named->getBeginLoc())))});
 }
 
-// Is it part of a variable of which no scalar changes? What a pointer leads to is none.
+// Is it part of a variable of which no scalar changes? The target of a pointer is not.
 bool Collector::is_fixed(Expr const *expression) const {
   for (Expr const *part = spelled_expression(expression);;) {
     auto const *member = dyn_cast<MemberExpr>(part);

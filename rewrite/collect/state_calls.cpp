@@ -72,7 +72,7 @@ bool only_writes(FunctionDecl const *function) {
   return function->isInStdNamespace() && library::has(name_of(function), library::ONLY_WRITES);
 }
 
-// What its objects hold goes from one to another.
+// The contents of its objects go from one to another.
 bool takes_over(FunctionDecl const *function) {
   std::string const name = name_of(function);
   return name == "swap" || name == "exchange" || name == "getline";

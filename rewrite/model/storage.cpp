@@ -176,7 +176,7 @@ Home Storage::home_of_call(CallExpr const *call) const {
   bool const known = owns_elements(object->getType()) || is_view(object->getType());
   Home const at = home(object);
   if (at == Home::local && !known) return Home::elsewhere;
-  // What a constant object leads to need not be constant.
+  // A constant object may lead to others that are not.
   bool const is_part = !lends(object->getType()) && !has(object->getType(), library::POINTER) &&
                        (owns_elements(object->getType()) || call->getType().isConstQualified());
   return at == Home::constant && !is_part ? Home::elsewhere : at;

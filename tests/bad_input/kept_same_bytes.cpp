@@ -1,4 +1,4 @@
-// What code of libraries writes is lost also where it has found the same bytes in the recorded call: another one may find
+// A write of library code is lost also where it has found the same bytes in the recorded call: another one may find
 // others.
 // RUN: rm -rf %t && mkdir %t
 // RUN: not %symreal generate %s -o %t/ -- -std=c++20 2>&1 | FileCheck %s --implicit-check-not="error:"

@@ -45,8 +45,8 @@ void note_local(void const *object, std::size_t size, Scope scope, char const *n
 // unless it is text.
 enum class Behind { text, objects };
 void note_pointer_read(void const *pointer, Behind what, char const *name, char const *place) noexcept;
-// What the pointers in these bytes lead to was chosen by others than the kernel: constants there are read like what
-// lies in other memory.
+// The pointers in these bytes were chosen by others than the kernel: constants behind them are read like what lies in
+// other memory.
 void note_chosen(void const *begin, std::size_t size) noexcept;
 void note_scalar_written(ScalarObject scalar, char const *name, char const *place) noexcept;
 void note_written(void const *begin, std::size_t size, char const *name, char const *place) noexcept;
