@@ -39,21 +39,22 @@ void Collector::note(Expr const *expression, Use use, Expr const *named, std::st
 
 // Is it part of a variable of which no scalar changes? The target of a pointer is not.
 bool Collector::is_fixed(Expr const *expression) const {
-  for (Expr const *part = spelled_expression(expression);;) {
+  Expr const *part = spelled_expression(expression);
+  while (!isa<DeclRefExpr>(part)) {
     auto const *member = dyn_cast<MemberExpr>(part);
-    Expr const *whole = member ? member->getBase() : nullptr;
-    if (auto const *index = dyn_cast<ArraySubscriptExpr>(part)) whole = index->getBase();
-    if (auto const *call = dyn_cast<CallExpr>(part)) whole = Storage::object_of(call);
-    if (!whole) break;
-    bool const leads = member ? member->isArrow() : isa<ArraySubscriptExpr>(part);
+    auto const *index = dyn_cast<ArraySubscriptExpr>(part);
+    auto const *call = dyn_cast<CallExpr>(part);
+    Expr const *whole = member  ? member->getBase()
+                        : index ? index->getBase()
+                        : call  ? Storage::object_of(call)
+                                : nullptr;
+    if (!whole || (member && (member->isArrow() || isa<VarDecl>(member->getMemberDecl())))) return false;
     part = spelled_expression(whole);
-    if (leads && !part->getType()->isArrayType()) return false;
-    if (part->getType()->isRecordType() && Storage::holds_pointer(part->getType()) &&
-        !Storage::owns_elements(part->getType()))
-      return false;
+    QualType const type = part->getType();
+    if (index && !type->isArrayType()) return false;
+    if (type->isRecordType() && Storage::holds_pointer(type) && !Storage::owns_elements(type)) return false;
   }
-  auto const *reference = dyn_cast_or_null<DeclRefExpr>(Storage::base(expression));
-  auto const *variable = reference ? dyn_cast<VarDecl>(reference->getDecl()) : nullptr;
+  auto const *variable = dyn_cast<VarDecl>(cast<DeclRefExpr>(part)->getDecl());
   return variable && scalars_.is_fixed(variable);
 }
 
@@ -172,12 +173,6 @@ void Collector::step(UnaryOperator const *step) {
 
 namespace {
 
-// How two pointers lie is decided by both. Whether one is null is looked at where it is read.
-bool relates_pointers(BinaryOperator const *operation) {
-  if (operation->getOpcode() != BO_Sub && !operation->isComparisonOp()) return false;
-  return operation->getLHS()->getType()->isObjectPointerType() && operation->getRHS()->getType()->isObjectPointerType();
-}
-
 // Could the expression name a number that is not the function's own, as far as a template tells?
 bool names_object(Expr const *expression) {
   if (auto const *reference = dyn_cast<DeclRefExpr>(expression))
@@ -189,19 +184,22 @@ bool names_object(Expr const *expression) {
 
 } // namespace
 
-// In a template the types, and with them most of the conversions that show a use, are not known yet. What stands beside
-// an arithmetic operator is used; the macro passes what is no number.
+// How two pointers lie is decided by both. Whether one is null is looked at where it is read.
 void Collector::related_pointers(BinaryOperator const *operation) {
-  if (operation->isTypeDependent() || !relates_pointers(operation)) return;
-  for (Expr const *side : {operation->getLHS(), operation->getRHS()})
-    if (side->isNullPointerConstant(context_, Expr::NPC_ValueDependentIsNotNull)) return;
-  for (Expr const *side : {operation->getLHS(), operation->getRHS()}) {
-    Expr const *pointer = side->IgnoreParenImpCasts();
-    if (pointer->isGLValue() && pointer->getType()->isPointerType() && ScalarState::has_address(pointer))
+  if (operation->isTypeDependent() || (operation->getOpcode() != BO_Sub && !operation->isComparisonOp())) return;
+  Expr const *const sides[] = {operation->getLHS(), operation->getRHS()};
+  for (Expr const *side : sides)
+    if (!side->getType()->isObjectPointerType() ||
+        side->isNullPointerConstant(context_, Expr::NPC_ValueDependentIsNotNull))
+      return;
+  for (Expr const *side : sides)
+    if (Expr const *pointer = side->IgnoreParenImpCasts();
+        pointer->getType()->isPointerType() && ScalarState::has_address(pointer))
       decides(pointer);
-  }
 }
 
+// In a template the types, and with them most of the conversions that show a use, are not known yet. What stands beside
+// an arithmetic operator is used; the macro passes what is no number.
 void Collector::dependent_operands(BinaryOperator const *operation) {
   if (!operation->isTypeDependent() ||
       (!operation->isAdditiveOp() && !operation->isMultiplicativeOp() && !operation->isAssignmentOp()))

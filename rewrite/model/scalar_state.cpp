@@ -1,6 +1,7 @@
 #include "rewrite/model/scalar_state.h"
 
 #include "rewrite/model/library.h"
+#include "rewrite/model/storage.h"
 #include "rewrite/source/walk.h"
 
 namespace symreal::rewrite {
@@ -161,7 +162,8 @@ bool is_text(QualType type) {
 
 ScalarState::ScalarState(ASTContext &context, SourceMap const &map) : map_(map) {
   Detours detours(map);
-  detours.TraverseDecl(context.getTranslationUnitDecl());
+  for (Decl *one : context.getTranslationUnitDecl()->decls())
+    if (map.in_roots(one->getLocation())) detours.TraverseDecl(one);
   leaks_ = std::move(detours.leaks);
   Touched(touched_, detours.removes_const).TraverseDecl(context.getTranslationUnitDecl());
 }
@@ -245,14 +247,7 @@ bool ScalarState::holds(QualType type, llvm::SmallPtrSetImpl<Type const *> &seen
   auto const *record = type->getAsRecordDecl();
   if (!record) return false;
   if (auto const *special = dyn_cast<ClassTemplateSpecializationDecl>(record); special && is_container(special)) {
-    auto const inner = [&](TemplateArgument const &argument) {
-      return argument.getKind() == TemplateArgument::Type && !is_text(argument.getAsType()) &&
-             holds(argument.getAsType(), seen);
-    };
-    return llvm::any_of(special->getTemplateArgs().asArray(), [&](TemplateArgument const &argument) {
-      return argument.getKind() == TemplateArgument::Pack ? llvm::any_of(argument.pack_elements(), inner)
-                                                          : inner(argument);
-    });
+    return any_type_argument(special, [&](QualType one) { return !is_text(one) && holds(one, seen); });
   }
   record = map_.in_roots(record->getLocation()) ? record->getDefinition() : nullptr;
   if (!record || record->isUnion()) return false;

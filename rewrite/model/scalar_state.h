@@ -28,8 +28,8 @@ public:
 
   // Can a class hold a value that goes from object to object? A stream and a lock cannot.
   static bool is_copied(clang::CXXRecordDecl const *record);
-  // A class that is not rewritten, and is none of those that library.def describes, has a value of its own that only
-  // its functions tell: a point in time, a type's index, an error code. An iterator says where something lies, which is
+  // A class that is not rewritten, and that library.def does not describe, has a value of its own that only its
+  // functions tell: a point in time, a type's index, an error code. An iterator says where something lies, which is
   // looked at there.
   bool is_unknown(clang::QualType type) const;
 

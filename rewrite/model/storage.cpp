@@ -38,13 +38,7 @@ bool holds_pointers(QualType type, llvm::SmallPtrSetImpl<Type const *> &seen) {
   auto const inner = [&seen](QualType part) { return holds_pointers(part, seen); };
   if (has(type, library::OWNS_ELEMENTS)) {
     auto const *special = dyn_cast<ClassTemplateSpecializationDecl>(record);
-    auto const leads = [](TemplateArgument const &argument) {
-      return argument.getKind() == TemplateArgument::Type && leads_to_object(argument.getAsType());
-    };
-    return special && llvm::any_of(special->getTemplateArgs().asArray(), [&](TemplateArgument const &argument) {
-             return argument.getKind() == TemplateArgument::Pack ? llvm::any_of(argument.pack_elements(), leads)
-                                                                 : leads(argument);
-           });
+    return special && any_type_argument(special, leads_to_object);
   }
   if (auto const *derived = dyn_cast<CXXRecordDecl>(record->getDefinition()))
     if (llvm::any_of(derived->bases(), [&](CXXBaseSpecifier const &base) { return inner(base.getType()); }))
@@ -67,6 +61,16 @@ std::string Storage::lead_from(VarDecl const *variable) {
   if (type->isReferenceType())
     return type->getPointeeType()->isFunctionType() ? "" : "__builtin_addressof(" + name + ")";
   return holds_pointer(type) ? name : "";
+}
+
+bool any_type_argument(ClassTemplateSpecializationDecl const *special, llvm::function_ref<bool(QualType)> is_one) {
+  auto const holds = [is_one](TemplateArgument const &argument) {
+    return argument.getKind() == TemplateArgument::Type && is_one(argument.getAsType());
+  };
+  return llvm::any_of(special->getTemplateArgs().asArray(), [&](TemplateArgument const &argument) {
+    return argument.getKind() == TemplateArgument::Pack ? llvm::any_of(argument.pack_elements(), holds)
+                                                        : holds(argument);
+  });
 }
 
 bool selects_argument(FunctionDecl const *function) {

@@ -31,7 +31,7 @@ public:
   static bool owns_elements(clang::QualType type);
   // It gives elements of others, and holds none: a view, a std::initializer_list.
   static bool lends(clang::QualType type);
-  // Does an object hold pointers or references to objects? What a container has of its elements' is no such.
+  // Does an object hold pointers or references to objects? A container's own to its elements do not count.
   static bool holds_pointer(clang::QualType type);
   // An expression that leads from the variable to objects that are no part of it: the variable where it is a pointer or
   // holds one, an address where it is a reference; empty where none is known.
@@ -47,6 +47,10 @@ private:
   Reals const &reals_;
   mutable llvm::SmallPtrSet<clang::VarDecl const *, 2> followed_;
 };
+
+// Is there such a type among the arguments of the template, those of a pack included?
+bool any_type_argument(clang::ClassTemplateSpecializationDecl const *special,
+                       llvm::function_ref<bool(clang::QualType)> is_one);
 
 // Does the function return one of its arguments?
 bool selects_argument(clang::FunctionDecl const *function);

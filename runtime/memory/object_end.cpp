@@ -10,10 +10,15 @@
 namespace symreal::memory {
 namespace {
 
+// The first that begins behind the address.
+template <class Object> auto find_behind(std::vector<Object> const &objects, char const *address) {
+  return std::upper_bound(objects.begin(), objects.end(), address,
+                          [](char const *at, Object const &one) { return at < one.begin; });
+}
+
 // The last one that begins at or before the address, if it reaches it.
 template <class Object> char const *end_among(std::vector<Object> const &objects, char const *address) {
-  auto const behind = std::upper_bound(objects.begin(), objects.end(), address,
-                                       [](char const *at, Object const &one) { return at < one.begin; });
+  auto const behind = find_behind(objects, address);
   if (behind == objects.begin()) return nullptr;
   char const *const end = (behind - 1)->begin + (behind - 1)->size;
   return address < end ? end : nullptr;
@@ -38,8 +43,7 @@ char const *object_end(void const *address) {
 Constant constant_around(void const *address) {
   char const *const at = static_cast<char const *>(address);
   static std::vector<StaticObject> const constants = find_constants();
-  auto const behind = std::upper_bound(constants.begin(), constants.end(), at,
-                                       [](char const *here, StaticObject const &one) { return here < one.begin; });
+  auto const behind = find_behind(constants, at);
   char const *const next = behind == constants.end() ? reinterpret_cast<char const *>(UINTPTR_MAX) : behind->begin;
   if (behind == constants.begin()) return {nullptr, next};
   StaticObject const &before = *(behind - 1);

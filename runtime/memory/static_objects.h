@@ -20,7 +20,7 @@ struct StaticObject {
 // out. An executable without a symbol table has none.
 std::vector<StaticObject> find_static_objects();
 
-// Those that cannot be written once the program is loaded, the runtime's and the compiler's among them.
+// Objects that cannot be written once the program is loaded, the runtime's and the compiler's among them.
 std::vector<StaticObject> find_constants();
 
 // The object that the compiler guards with this one, which says whether it is initialised; empty for other names.

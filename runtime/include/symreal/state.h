@@ -291,14 +291,12 @@ template <class T> T &symreal_changed(T &object, char const *name, char const *p
 // A library writes text, a scalar or an object there. Numbers are looked at otherwise.
 template <class T> constexpr T &&symreal_target(T &&pointer, char const *name, char const *place) noexcept {
   if (__builtin_is_constant_evaluated() || !detail::recording) return static_cast<T &&>(pointer);
-  if constexpr (auto *target = &pointer[0]; true) {
-    using Target = std::remove_pointer_t<decltype(target)>;
-    if (!pointer || detail::is_own(target)) return static_cast<T &&>(pointer);
-    if constexpr (detail::is_text<Target>)
-      detail::note_scalar_written({target, 1, ScalarObject::Kind::text}, name, place);
-    else
-      detail::write_object(*target, name, place);
-  }
+  auto *const target = &pointer[0];
+  if (!pointer || detail::is_own(target)) return static_cast<T &&>(pointer);
+  if constexpr (detail::is_text<std::remove_pointer_t<decltype(&pointer[0])>>)
+    detail::note_scalar_written({target, 1, ScalarObject::Kind::text}, name, place);
+  else
+    detail::write_object(*target, name, place);
   return static_cast<T &&>(pointer);
 }
 

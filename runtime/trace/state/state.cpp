@@ -166,14 +166,11 @@ void State::written(ScalarObject scalar, char const *name, char const *place) {
 
 bool State::counted(void const *object, detail::Visit visit) {
   if (!counted_.try_emplace(object, visit).second) return true;
-  struct {
-    void const *address = nullptr;
-    void operator()(RealNumber const *number) { address = address ? address : number; }
-    void operator()(ScalarObject scalar) { address = address ? address : scalar.address; }
-  } first;
+  detail::FirstPart first;
   Numbers numbers(first);
   visit(object, numbers);
-  bool const is_own = first.address && (detail::is_own(first.address) || !outlives(first.address));
+  void const *part = first.address();
+  bool const is_own = part && (detail::is_own(part) || !outlives(part));
   if (is_own) counted_.erase(object);
   return !is_own;
 }
@@ -389,12 +386,12 @@ void State::judge_scalars(bool has_guards) {
     Marks const marks = shadow_.at(one.scalar.address);
     if ((marks & mark::freed) != 0) continue;
     bool const is_object = one.scalar.kind == ScalarObject::Kind::object; // which its elements vouch for
+    bool const is_vouched = is_object && vouches(one.scalar.address);
     bool const is_constant = (marks & (is_object ? mark::vouches : mark::constant)) != 0 ||
-                             scalars_.is_annotated(one.scalar) ||
-                             (is_object && (one.is_scratch || vouches(one.scalar.address)));
+                             scalars_.is_annotated(one.scalar) || (is_object && one.is_scratch) || is_vouched;
     bool const private_scratch = one.site.scope == detail::Scope::scratch ||
                                  (!one.is_read && one.site.scope == detail::Scope::function && !has_guards);
-    if (one.is_lost() && is_object && vouches(one.scalar.address)) continue;
+    if (one.is_lost() && is_vouched) continue;
     if (one.is_lost() && private_scratch)
       event({"scratch", std::string(one.site.name)});
     else if (one.is_lost() && !is_private(one.site))
