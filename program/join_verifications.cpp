@@ -99,6 +99,9 @@ void join(Verification &verification, Verification const &other) {
   if (verification.branches && other.branches) join(*verification.branches, *other.branches);
   if (verification.errors && other.errors) join(*verification.errors, *other.errors);
   add(verification.left, other.left);
+  add(verification.unnamed, other.unnamed);
+  add(verification.overwritten, other.overwritten);
+  if (verification.unexamined.empty()) verification.unexamined = other.unexamined;
   add(verification.changes_outside, other.changes_outside);
   add(verification.outside, other.outside);
   add(verification.left_by_wrapper, other.left_by_wrapper);

@@ -152,6 +152,7 @@ void Replay::ask(replay::Command command, Sample const &sample, std::span<Sample
 
   send(&command, sizeof command);
   wait_for_answer();
+  head->examines = 0;
   if (head->state != replay::State::complete)
     fail(DiagnosticId::replay_failed, place_,
          "on a sample " + what_ + " reached other annotations than in the recorded run");
@@ -210,6 +211,15 @@ std::vector<replay::LeftBehind> Replay::left_behind() const {
 std::vector<replay::OutsideEffect> Replay::effects() const {
   return {server_->head->effects, server_->head->effects + server_->head->effect_count};
 }
+
+std::vector<replay::UnnamedObject> Replay::examine(Sample const &sample) {
+  server_->head->watches_world = 0;
+  server_->head->examines = 1;
+  ask(replay::Command::original, sample, {}, replay::most_seconds_examined);
+  return {server_->head->unnamed, server_->head->unnamed + server_->head->unnamed_count};
+}
+
+std::string Replay::unexamined() const { return server_->head->unexamined; }
 
 std::uint64_t Replay::returned() const { return server_->head->returned; }
 

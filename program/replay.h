@@ -42,6 +42,10 @@ public:
   // original only.
   std::vector<replay::LeftBehind> left_behind() const;
   std::vector<replay::OutsideEffect> effects() const;
+  // State of the original that no clause names, on this sample: its kernel runs again and again with other bytes in the
+  // memory that it meets.
+  std::vector<replay::UnnamedObject> examine(Sample const &sample);
+  std::string unexamined() const; // why not all was tried then; empty if it was
   // A hash of what is no number in the object that the kernel has returned, where SYMREAL_RETURNED says what that is.
   std::uint64_t returned() const;
   // `inputs`: all that the generated code has, also those that derivatives add.

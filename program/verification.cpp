@@ -10,6 +10,7 @@
 #include "program/next_call.h"
 #include "program/replay.h"
 #include "program/single_runs.h"
+#include "program/symbolize.h"
 #include "program/wrapped_original.h"
 #include "program/wrapper_verification.h"
 #include "support/math_library.h"
@@ -19,6 +20,8 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <fstream>
 #include <llvm/Demangle/Demangle.h>
 #include <memory>
 
@@ -91,13 +94,17 @@ public:
         later_calls_(graph_, banner.mode, options.seed,
                      [this](Sample const &sample) { return code_.run(with_seeds(sample.inputs), sample.parameters); }),
         exact_(graph_),
+        symbolizer_(front.original_program.empty() ? front.replay_program : front.original_program, *front.overlay),
         decisions_(counts_decisions() ? decisions_of(graph_) : std::vector<symreal::Decision>()) {
     bool const by_hand = front.original_program.empty();
+    std::string const changeable = front.workspace->file("changeable");
+    std::ofstream(changeable) << fmt::format("{}\n", fmt::join(front.rewritten.changeable, "\n"));
     auto const start = [&](std::unique_ptr<Replay> &program, char const *what, std::string const &executable,
                            GeneratedCode const *code, std::string const &profile = {}) {
       std::vector<std::string> environment;
       std::string const &others = recorded.kernel.signature.redefinition.result.others;
       if (options.wrapper && !others.empty()) environment.push_back("SYMREAL_RETURNED=" + others);
+      environment.push_back("SYMREAL_CHANGEABLE=" + changeable);
       program = std::make_unique<Replay>(what, executable, run, recorded.begun_as, graph_, *front.workspace, code,
                                          profile, environment);
     };
@@ -373,6 +380,22 @@ private:
     if (wrapped_) compare_wrapper(k, sample, generated);
     if (own_code_)
       keep_worst(result_.own_code_ulp, original, own_code_->run(with_seeds(sample.inputs), sample.parameters).outputs);
+    if (!code_.needs_program() && examined_ < most_examined) examine(sample); // the last, as it is no run of its own
+  }
+
+  void examine(Sample const &sample) {
+    ++examined_;
+    std::vector<replay::UnnamedObject> const found = original_->examine(sample);
+    if (result_.unexamined.empty()) result_.unexamined = original_->unexamined();
+    for (replay::UnnamedObject const &one : found) {
+      if (is_scratch(one.object)) continue;
+      std::vector<Frame> const frames = symbolizer_.frames({one.instruction + 1});
+      std::string const place = frames.empty() ? "" : " (" + to_string(frames.front().place) + ")";
+      if (one.is_read == 0)
+        add_left(result_.overwritten, describe(one.object) + place);
+      else if (graph_.frozen.empty()) // else that is as it was asked for
+        add_left(result_.unnamed, describe(one.object) + place);
+    }
   }
 
   std::vector<LaterCall> plan_later(Sample const &sample, std::vector<double> const &generated) {
@@ -545,6 +568,9 @@ private:
   std::uint64_t returned_ = 0; // by the original on the last sample, besides numbers
   std::vector<Sample> tried_wrapped_, tried_next_;
   bool asks_next_call_ = false;
+  Symbolizer symbolizer_; // of the original
+  static constexpr unsigned most_examined = 2;
+  unsigned examined_ = 0;
   static constexpr std::size_t most_varied = 4;
   CoveredRun covered_run_;
   static constexpr std::size_t most_beyond = 100; // samples that are followed by one beyond the guards

@@ -60,6 +60,13 @@ void Collector::bytes_of_arguments(CallExpr const *call, FunctionDecl const *fun
 void Collector::atomic_builtin(AtomicExpr const *call) {
   if (call->getOp() == AtomicExpr::AO__atomic_compare_exchange && reals_.carries_real(Reals::pointee(call->getPtr())))
     report(DiagnosticId::reinterpretation, call->getBeginLoc(), "the bytes of a REAL are compared");
+  auto const *address = dyn_cast<UnaryOperator>(call->getPtr()->IgnoreParenImpCasts());
+  bool const is_named = address && address->getOpcode() == UO_AddrOf;
+  if (!is_named || !ScalarState::is_scalar(address->getSubExpr()->getType())) return;
+  bool const stores = call->getOp() == AtomicExpr::AO__atomic_store ||
+                      call->getOp() == AtomicExpr::AO__atomic_store_n ||
+                      call->getOp() == AtomicExpr::AO__c11_atomic_store;
+  scalar(address->getSubExpr(), stores ? Use::written : Use::read);
 }
 
 static FieldDecl const *field_of(MemberExpr const *member) { return dyn_cast<FieldDecl>(member->getMemberDecl()); }
@@ -226,6 +233,9 @@ void Collector::reinterpretation(ExplicitCastExpr const *cast) {
 // From void *, which may have been the address of a REAL, or from a structure that holds some, to a pointer to
 // integers.
 void Collector::pointer_cast(CastExpr const *cast) {
+  if (Expr const *pointer = cast->getSubExpr()->IgnoreParenImpCasts();
+      cast->getCastKind() == CK_PointerToIntegral && ScalarState::has_address(pointer))
+    decides(pointer);
   if (cast->getCastKind() != CK_BitCast || cast->isTypeDependent()) return;
   Expr const *from = cast->getSubExpr()->IgnoreParenImpCasts();
   QualType const to = cast->getType()->getPointeeType(), given = from->getType()->getPointeeType();

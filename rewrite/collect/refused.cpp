@@ -3,7 +3,7 @@
 namespace symreal::rewrite {
 using namespace clang;
 
-// It works on the bytes of its operands.
+// It works on the bytes of its operands. An operand in memory has no conversion that shows that its value is used.
 void Collector::assembly(GCCAsmStmt const *assembly) {
   auto const refuse = [&](Expr const *operand) {
     if (reals_.carries_real(operand->getType()))
@@ -11,6 +11,11 @@ void Collector::assembly(GCCAsmStmt const *assembly) {
   };
   for (Expr const *operand : assembly->outputs()) refuse(operand);
   for (Expr const *operand : assembly->inputs()) refuse(operand);
+  for (unsigned k = 0; k < assembly->getNumOutputs(); ++k)
+    if (Expr const *operand = assembly->getOutputExpr(k); ScalarState::is_scalar(operand->getType()))
+      scalar(operand, assembly->isOutputPlusConstraint(k) ? Use::read : Use::written);
+  for (Expr const *operand : assembly->inputs())
+    if (operand->isGLValue() && ScalarState::is_scalar(operand->getType())) scalar(operand, Use::read);
 }
 
 namespace {

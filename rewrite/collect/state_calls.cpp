@@ -225,6 +225,7 @@ void Collector::library_arguments(FunctionDecl const *function, Arguments argume
     looked_into_whole(function, argument);
     if (type->isPointerType() && i == output_of(function, arguments.size())) target(argument);
     if (auto const *call = iterator(argument); call && i == output_of(function, arguments.size())) {
+      object(call->getImplicitObjectArgument(), Use::changed);
       iterators_.insert(call);
     } else if (call && only_writes(function)) {
       if (!asks_caller(function)) object(call->getImplicitObjectArgument(), Use::written);
@@ -252,6 +253,8 @@ void Collector::library_object(CallExpr const *call, FunctionDecl const *functio
   if (is_value(object_argument->getType()) && what != Effect::overwrites && changes_value(method))
     return changed_value(object_argument);
   bool const gives = !call->getType()->isVoidType();
+  bool const is_viewed = is_string(object_argument->getType()) && isa<CXXConversionDecl>(method);
+  if (is_viewed && !printed_.contains(call)) decides(object_argument); // text as a std::string_view
   if (compares_keys(method) || (gives && scalars_.is_unknown(object_argument->getType()))) decides(object_argument);
   if (asks_count(method)) decides(object_argument);
   if (what == Effect::nothing) return;
@@ -330,10 +333,13 @@ void Collector::state_of_call(CallExpr const *call) {
 // A pointer, by which a function of a library gives something back.
 void Collector::target(Expr const *pointer) {
   Expr const *at = pointer->IgnoreParenImpCasts();
-  QualType const type = pointer->getType()->getPointeeType();
-  if (at->isTypeDependent() || type.isNull() || type.isConstQualified() || at->getType()->isNullPtrType()) return;
+  QualType const target = pointer->getType()->getPointeeType();
+  if (at->isTypeDependent() || target.isNull() || target.isConstQualified() || at->getType()->isNullPtrType()) return;
+  bool const is_array = at->getType()->isArrayType();
+  QualType const type = is_array ? at->getType()->getAsArrayTypeUnsafe()->getElementType() : Reals::pointee(at);
+  if (type.isNull()) return;
   if (at->isNullPointerConstant(context_, Expr::NPC_ValueDependentIsNotNull)) return;
-  if (!is_character(type) && !ScalarState::is_scalar(type) && !Reals::is_double(type)) return;
+  if (!is_character(type) && !ScalarState::is_scalar(type) && !Reals::is_double(type) && !type->isPointerType()) return;
   auto const *address = dyn_cast<UnaryOperator>(at);
   Expr const *object = address && address->getOpcode() == UO_AddrOf ? address->getSubExpr() : nullptr;
   if (!object && at->getType()->isArrayType()) object = at;
@@ -344,7 +350,8 @@ void Collector::target(Expr const *pointer) {
 
 void Collector::targets(CallExpr const *call, FunctionDecl const *function) {
   llvm::StringRef const name = function->getDeclName().isIdentifier() ? function->getName() : "";
-  bool const is_scan = name.ends_with("scanf");
+  bool const is_checked = name.starts_with("__builtin_") && name.ends_with("_overflow");
+  bool const is_scan = name.ends_with("scanf") || is_checked; // what they write has no parameter
   if (name.contains("atomic") || name == "free" || (function->getBuiltinID() != 0 && name.starts_with("__builtin_va")))
     return;
   for (unsigned i = 0; i < call->getNumArgs(); ++i)

@@ -305,6 +305,7 @@ Result decide(Facts facts, Request const &request) {
   std::erase_if(result.diagnostics, [&](Diagnostic const &one) { return is_answered_for(one, facts); });
   result.read.assign(facts.read.begin(), facts.read.end());
   result.definitions.assign(facts.exported.begin(), facts.exported.end());
+  result.changeable.assign(facts.changeable.begin(), facts.changeable.end());
   for (auto &[place, statement] : facts.names) result.names.push_back(std::move(statement));
   for (auto &[key, text] : facts.deciding) result.deciding.push_back(std::move(text));
   if (facts.broken) return result;

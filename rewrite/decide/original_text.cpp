@@ -33,6 +33,13 @@ std::string annotation(Clause clause, ItemFact const &item) {
                      has_layout ? layout_arguments(item.layout) + ", " : "", evaluated(item));
 }
 
+// Of an argument that the caller may choose as it likes.
+std::string choice(Baked const &baked) {
+  bool const is_name = baked.expression.find_first_of(" *.-[(") == baked.expression.npos;
+  if (baked.shape == "s") return is_name ? "SYMREAL_ORIGINAL_TEXT" : "";
+  return is_name && (baked.shape == "@" || baked.shape.starts_with("?it is a ")) ? "SYMREAL_ORIGINAL_CHOSEN" : "";
+}
+
 std::string clause_text(ClauseFact const &clause) {
   if (clause.clause == Clause::generate)
     return fmt::format("symreal_original_generate({}, {}, {}, {}); ", clause.argument, in_quotes(clause.place.file),
@@ -72,6 +79,8 @@ std::string original_function_text(PragmaFact const &pragma) {
   std::string own;
   for (FunctionFact::Value const &one : pragma.function[0].parameters)
     own += fmt::format("SYMREAL_ORIGINAL_OWN({}) ", one.name);
+  for (Baked const &one : pragma.function[0].signature.redefinition.baked)
+    if (std::string const macro = choice(one); !macro.empty()) own += fmt::format("{}({}) ", macro, one.expression);
   std::string const place = place_arguments(pragma.function[0].name, pragma.place);
   return fmt::format("SYMREAL_ORIGINAL_FUNCTION({0}, {1}) {2}{3}SYMREAL_ORIGINAL_OUTPUTS({4}) "
                      "SYMREAL_ORIGINAL_WRAPPER({0})",

@@ -252,10 +252,13 @@ struct Facts {
   std::map<Span, PragmaFact> pragmas;    // by the span of the directive, or of the function's brace
   std::map<std::string, ListFact> lists; // by the qualified name of the function
   std::map<Span, ArithmeticFact> arithmetic;
-  Choices choices;                     // of the sources that ask about types
-  std::set<std::string> asking;        // their real paths
-  std::vector<Kernel> by_hand;         // generate_code("...") in a symbolic main that was written by hand
-  std::set<std::string> definitions;   // mangled names of the functions that the sources define
+  Choices choices;                   // of the sources that ask about types
+  std::set<std::string> asking;      // their real paths
+  std::vector<Kernel> by_hand;       // generate_code("...") in a symbolic main that was written by hand
+  std::set<std::string> definitions; // mangled names of the functions that the sources define
+  // Static variables that the program may change, as the linker knows them; behind a star, one that is not changed
+  // itself and leads to what may be.
+  std::set<std::string> changeable;
   std::set<std::string> exported;      // those that carry REAL and that other sources can use
   std::map<std::string, UseFact> uses; // by mangled name, the first use
   // By symbol that the source defines, with an empty one for what runs at the program's start: the symbols that it

@@ -103,7 +103,7 @@ template <class Take> void visit(Take &take, ConfiguredExternal &object)
 template <class Take> void visit(Take &take, Facts &object)
   SYMREAL_CONSISTS_OF(files, types, doubles, wraps, shared, members, reached, skipped, consumed, conversions,
     comparisons, printed, quoted, pasted, text_calls, pragmas, lists, arithmetic, choices, asking, by_hand, definitions,
-    exported, uses, links, linked_words, names, deciding, decisions, externals, configured_externals, kernel_functions, taken_names,
+    changeable, exported, uses, links, linked_words, names, deciding, decisions, externals, configured_externals, kernel_functions, taken_names,
     include_dirs, read, diagnostics, broken, makes_text)
 
 #undef SYMREAL_CONSISTS_OF

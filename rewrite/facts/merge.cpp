@@ -100,9 +100,9 @@ void merge(Choices &choices, Choices &&others) {
 void merge(Facts &facts, Facts &&other) {
   // Named one by one, so that a new kind of fact does not compile until it is merged as well.
   auto &[files, types, doubles, wraps, shared, members, reached, skipped, consumed, conversions, comparisons, printed,
-         quoted, pasted, text_calls, pragmas, lists, arithmetic, choices, asking, by_hand, definitions, exported, uses,
-         links, linked_words, names, deciding, decisions, externals, configured_externals, kernel_functions,
-         taken_names, include_dirs, read, diagnostics, broken, makes_text] = other;
+         quoted, pasted, text_calls, pragmas, lists, arithmetic, choices, asking, by_hand, definitions, changeable,
+         exported, uses, links, linked_words, names, deciding, decisions, externals, configured_externals,
+         kernel_functions, taken_names, include_dirs, read, diagnostics, broken, makes_text] = other;
   use_known_names(diagnostics, files, facts.files);
   for (auto &[path, file] : files)
     if (auto const [at, is_new] = facts.files.try_emplace(path, std::move(file)); !is_new)
@@ -138,6 +138,7 @@ void merge(Facts &facts, Facts &&other) {
   facts.asking.merge(asking);
   facts.by_hand.insert(facts.by_hand.end(), by_hand.begin(), by_hand.end());
   facts.definitions.merge(definitions);
+  facts.changeable.merge(changeable);
   facts.exported.merge(exported);
   facts.uses.merge(uses);
   links.clear(), linked_words.clear(); // of one source alone (reachable_sources.h)

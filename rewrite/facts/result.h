@@ -139,6 +139,7 @@ struct Result {
   std::vector<Refusal> refusals;   // in the order of their places
   std::vector<Decision> decisions; // by file and offset
   std::vector<Conversion> conversions;
+  std::vector<std::string> changeable;           // as in Facts
   std::vector<std::string> externals;            // mangled names of functions that stay calls
   std::size_t comparisons = 0;                   // of REALs
   std::vector<std::string> left_out;             // sources that do not compile, if the request allows it

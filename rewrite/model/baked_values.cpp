@@ -76,10 +76,23 @@ bool is_text(QualType type) {
   return !to.isNull() && to.isConstQualified() && to->isCharType();
 }
 
+// Why nothing compares a parameter that no clause names; empty where something does, or need not.
+std::string obstacle_of(QualType type, ASTContext const &context) {
+  QualType const plain = type.getNonReferenceType();
+  CXXRecordDecl const *record = plain->getAsCXXRecordDecl();
+  bool const has_one_value = is_standard(record, "type_info") || is_standard(record, "atomic");
+  if (is_opaque(record) || has_one_value || (record && is_value_of_library(record, context)))
+    return "it is a " + record->getQualifiedNameAsString();
+  if (QualType const to = plain->getPointeeType(); !to.isNull() && to.isConstQualified() && to->isAnyCharacterType())
+    return "it is text of wide characters";
+  if (plain->isUnionType()) return "it is a union";
+  return type->isDependentType() && !type->isReferenceType() ? "its type depends on the template" : "";
+}
+
 // What the kernel's function, and the functions that it calls, as far as this source has them, name.
 class Mentioned : public Walk {
 public:
-  explicit Mentioned(FunctionDecl const *function) : kernel_(function) {
+  explicit Mentioned(FunctionDecl const *function) : context_(function->getASTContext()), kernel_(function) {
     follow(function);
     for (std::size_t k = 0; k < functions_.size() && k < most_functions; ++k) {
       now_ = functions_[k];
@@ -102,22 +115,41 @@ public:
       called_variables.insert(variable);
     return true;
   }
-  // Whether two arguments are one object.
+  // Whether two arguments are one object, or how far apart they lie.
   bool VisitBinaryOperator(BinaryOperator *operation) override {
-    bool const compares = operation->isComparisonOp() && operation->getLHS()->getType()->isPointerType();
-    if (compares && now_ == kernel_ && is_argument(operation->getLHS()) && is_argument(operation->getRHS()))
-      comparisons.insert(words(operation->getLHS()) + " " + operation->getOpcodeStr().str() + " " +
-                         words(operation->getRHS()));
+    Expr const *left = operation->getLHS(), *right = operation->getRHS();
+    bool const are_pointers = left->getType()->isPointerType() && right->getType()->isPointerType();
+    if (now_ != kernel_ || !are_pointers || (!operation->isComparisonOp() && operation->getOpcode() != BO_Sub))
+      return true;
+    for (Expr const *side : {left, right})
+      if (side->isNullPointerConstant(context_, Expr::NPC_ValueDependentIsNotNull)) return true;
+    bool const are_arguments = is_argument(left) && is_argument(right);
+    if (are_arguments && operation->isComparisonOp())
+      comparisons.insert(words(left) + " " + operation->getOpcodeStr().str() + " " + words(right));
+    relate(parameter_of(left), parameter_of(right), are_arguments && operation->isEqualityOp());
+    return true;
+  }
+  bool VisitUnaryOperator(UnaryOperator *operation) override {
+    if (operation->isIncrementDecrementOp())
+      if (auto const *stepped = parameter_of(operation->getSubExpr())) stepped_.insert(stepped);
+    return true;
+  }
+  bool VisitCompoundAssignOperator(CompoundAssignOperator *operation) override {
+    if (auto const *stepped = parameter_of(operation->getLHS())) stepped_.insert(stepped);
     return true;
   }
   bool VisitCallExpr(CallExpr *call) override {
-    if (auto const *callee = call->getDirectCallee()) follow(callee);
+    if (auto const *callee = call->getDirectCallee()) {
+      follow(callee);
+      if (callee->isInStdNamespace()) range(call->arguments());
+    }
     if (!isa<CXXOperatorCallExpr>(call))
       for (Expr const *argument : call->arguments()) sized(argument);
     return true;
   }
   bool VisitCXXConstructExpr(CXXConstructExpr *made) override {
     follow(made->getConstructor());
+    if (made->getConstructor()->isInStdNamespace()) range(made->arguments());
     for (Expr const *argument : made->arguments()) sized(argument);
     return true;
   }
@@ -145,6 +177,14 @@ public:
 
   bool has(FieldDecl const *field) const { return fields_.contains(field->getCanonicalDecl()); }
 
+  // Pointers that are parameters, and end what another one begins, or are told apart from it by how far they lie.
+  std::set<ParmVarDecl const *> ends() const {
+    std::set<ParmVarDecl const *> all = ends_;
+    for (auto const &[one, other] : equal_)
+      if (stepped_.contains(one) || stepped_.contains(other)) all.insert(one);
+    return all;
+  }
+
   std::set<FieldDecl const *> own_fields; // of the kernel's own object, in its own text
   std::set<VarDecl const *> called_variables;
   std::set<std::string> virtual_on;  // what the kernel calls virtual functions on
@@ -152,6 +192,26 @@ public:
   std::set<std::string> sized_by;    // parameters by whose extents it may go
 
 private:
+  ParmVarDecl const *parameter_of(Expr const *expression) const {
+    auto const *reference = dyn_cast<DeclRefExpr>(expression->IgnoreParenImpCasts());
+    auto const *parameter = reference && now_ == kernel_ ? dyn_cast<ParmVarDecl>(reference->getDecl()) : nullptr;
+    return parameter && parameter->getType()->isPointerType() ? parameter : nullptr;
+  }
+  void relate(ParmVarDecl const *one, ParmVarDecl const *other, bool are_equated) {
+    if (are_equated && one && other) return void(equal_.insert({one, other}));
+    if (one) ends_.insert(one);
+    if (other) ends_.insert(other);
+  }
+  // Neighbours among the arguments of a function of the standard library.
+  template <class Arguments> void range(Arguments arguments) {
+    ParmVarDecl const *before = nullptr;
+    for (Expr const *argument : arguments) {
+      ParmVarDecl const *now = parameter_of(argument);
+      if (before && now) ends_.insert(now);
+      before = now;
+    }
+  }
+
   void sized(Expr const *expression) {
     auto const *reference = expression ? dyn_cast<DeclRefExpr>(expression->IgnoreParenImpCasts()) : nullptr;
     if (reference && now_ == kernel_ && isa<ParmVarDecl>(reference->getDecl()))
@@ -182,8 +242,11 @@ private:
       functions_.push_back(definition);
   }
 
+  ASTContext &context_;
   FunctionDecl const *kernel_, *now_ = nullptr;
   std::set<FieldDecl const *> fields_;
+  std::set<ParmVarDecl const *> ends_, stepped_;
+  std::set<std::pair<ParmVarDecl const *, ParmVarDecl const *>> equal_;
   std::set<FunctionDecl const *> known_;
   std::vector<FunctionDecl const *> functions_;
 };
@@ -330,19 +393,26 @@ std::vector<Baked> baked_values(FunctionDecl const *function, std::vector<BakedI
     QualType const plain = type.getNonReferenceType();
     CXXRecordDecl const *record = plain->getAsCXXRecordDecl();
     bool const is_string = is_standard(record, "basic_string") || is_standard(record, "basic_string_view");
-    if (is_function_pointer(plain) || is_string)
+    std::string const obstacle = obstacle_of(type, function->getASTContext());
+    if (is_function_pointer(plain) || plain->isFunctionType() || is_string)
       add({name, name, {}, is_string ? "@" : "f", false, place});
     else if (is_text(type))
       add({name, name, {}, "s", false, place});
     else if (!element_in(record).isNull())
       add({name, name, {}, "z", false, place});
-    else if (is_opaque(record))
-      add({name, name, {}, "?it is a " + record->getQualifiedNameAsString(), false, place});
-    else if (record && is_value_of_library(record, function->getASTContext()))
-      add({name, name, {}, "?it is a " + record->getQualifiedNameAsString(), false, place});
-    else if (!type->isReferenceType() && !type->isRecordType())
-      add({name, name, {}, type->isDependentType() ? "" : shapes.of(type, false), false, place});
+    else if (!obstacle.empty())
+      add({name, name, {}, "?" + obstacle, false, place});
+    else if (!type->isReferenceType())
+      add({name, name, {}, shapes.of(type, type->isRecordType()), false, place});
   }
+  for (ParmVarDecl const *end : mentioned.ends())
+    for (ParmVarDecl const *begin : function->parameters()) {
+      bool const is_one_kind = begin != end && !begin->getName().empty() && begin->getType()->isPointerType() &&
+                               function->getASTContext().hasSameUnqualifiedType(begin->getType()->getPointeeType(),
+                                                                                end->getType()->getPointeeType());
+      std::string const distance = end->getNameAsString() + " - " + begin->getNameAsString();
+      if (is_one_kind) add({distance, "(unsigned long long)(" + distance + ")", {}, "o", false, place});
+    }
   for (FieldDecl const *field : mentioned.own_fields)
     if (QualType const type = field->getType(); is_function_pointer(type) || type->isPointerType())
       add({field->getNameAsString(),

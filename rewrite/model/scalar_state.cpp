@@ -219,7 +219,22 @@ bool ScalarState::is_copied(CXXRecordDecl const *record) {
                       [](CXXConstructorDecl const *one) { return one->isCopyConstructor() && !one->isDeleted(); });
 }
 
+// Without numbers.
+static bool is_plain_union(RecordDecl const *record) {
+  return record->isUnion() && llvm::none_of(record->fields(), [](FieldDecl const *field) {
+           QualType const type = field->getType()->getBaseElementTypeUnsafe()->getCanonicalTypeUnqualified();
+           RecordDecl const *part = type->getAsRecordDecl();
+           return type->isDependentType() || type->isSpecificBuiltinType(BuiltinType::Double) ||
+                  type->isComplexType() || part != nullptr;
+         });
+}
+
 bool ScalarState::is_unknown(QualType type) const {
+  // A union, or in C a structure of a library, such as struct tm.
+  if (RecordDecl const *plain = type.isNull() ? nullptr : type.getNonReferenceType()->getAsRecordDecl();
+      plain && plain->getDefinition() &&
+      (is_plain_union(plain->getDefinition()) || (!isa<CXXRecordDecl>(plain) && !map_.in_roots(plain->getLocation()))))
+    return true;
   CXXRecordDecl const *record = type.isNull() ? nullptr : type.getNonReferenceType()->getAsCXXRecordDecl();
   if (!record || !record->getIdentifier() || !record->hasDefinition() || map_.in_roots(record->getLocation()))
     return false;

@@ -195,7 +195,10 @@ Home Storage::home(Expr const *expression) const {
   if (auto const *member = dyn_cast<MemberExpr>(expression)) {
     if (auto const *variable = dyn_cast<VarDecl>(member->getMemberDecl())) return home_of(variable, false);
     if (member->isArrow() || member->getMemberDecl()->getType()->isReferenceType()) return Home::elsewhere;
-    return is_view(member->getType()) ? Home::elsewhere : home(member->getBase());
+    if (is_view(member->getType())) return Home::elsewhere;
+    Home const at = home(member->getBase());
+    bool const is_mutable = cast<FieldDecl>(member->getMemberDecl())->isMutable();
+    return at == Home::constant && is_mutable ? Home::elsewhere : at;
   }
   if (auto const *index = dyn_cast<ArraySubscriptExpr>(expression)) {
     Expr const *array = index->getBase()->IgnoreParenImpCasts();

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <set>
 #include <utility>
 
 namespace symreal::rewrite {
@@ -33,6 +34,18 @@ std::string rebinding(ClauseFact const &clause, ItemFact const &item) {
   if (!item.section_on_base) return "";
   return "SYMREAL_REBIND(" + item.expression.substr(0, item.expression.find('[')) + ", " +
          with_real(item.sections[0].low) + ", " + with_real(item.sections[0].length) + ") ";
+}
+
+// A parameter that ends what one of these pointers begins goes along.
+std::string rebound_ends(FunctionFact const &function, std::string const &entry) {
+  std::set<std::string> ends;
+  for (Baked const &baked : function.signature.redefinition.baked)
+    if (std::size_t const at = baked.label.find(" - ");
+        at != baked.label.npos && entry.find("SYMREAL_REBIND(" + baked.label.substr(at + 3) + ",") != entry.npos)
+      ends.insert(baked.label.substr(0, at));
+  std::string text;
+  for (std::string const &end : ends) text += "SYMREAL_REBIND_END(" + end + ") ";
+  return text;
 }
 
 std::string implicit_text(ItemFact const &item) {
@@ -135,7 +148,8 @@ std::string function_text(PragmaFact const &pragma) {
       (info(clause.clause).has(trait::RESULTS) ? exit : entry) += clause_text(pragma, clause);
   }
   if (!pragma.is_kernel()) return trimmed(entry);
-  std::string text = "SYMREAL_FUNCTION(" + place_arguments(pragma.function[0].name, pragma.place) + call + ") " + entry;
+  std::string text = "SYMREAL_FUNCTION(" + place_arguments(pragma.function[0].name, pragma.place) + call + ") " +
+                     entry + rebound_ends(pragma.function[0], entry);
   for (FunctionFact::Value const &value : pragma.function[0].parameters)
     text.append("SYMREAL_PARAMETER(" + in_quotes(value.name) + ", " + in_quotes(to_string(value.place)) + ", " +
                 value.name)

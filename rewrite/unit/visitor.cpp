@@ -373,7 +373,7 @@ void collect_tree(ASTContext &context, SourceMap const &map, PragmaIndex const &
   collect_layouts(context, map, reals, facts);
   attach_function_pragmas(visitor.definitions, map, reals, scalars, index, facts);
   attach_configured_kernels(request, visitor.definitions, map, reals, scalars, facts);
-  note_file_statics(context, map, facts);
+  note_statics(context, map, scalars, facts);
   collect_c_declarations(context, map, facts);
   collect_c_jumps(context, map, facts);
   collect_c_generic(context, map, facts);

@@ -20,30 +20,32 @@ Known callers_stack(void const *frame) {
 
 bool begins_earlier(Known const &a, Known const &b) { return a.begin < b.begin; }
 
-// Sorted, and none overlaps another.
-std::vector<Known> joined(std::vector<Known> known) {
+} // namespace
+
+KnownBytes::KnownBytes(std::vector<Known> known) {
   std::sort(known.begin(), known.end(), begins_earlier);
-  std::vector<Known> result;
   for (Known const &one : known) {
-    if (result.empty() || result.back().begin + result.back().size < one.begin) {
-      result.push_back(one);
+    if (parts_.empty() || parts_.back().begin + parts_.back().size < one.begin) {
+      parts_.push_back(one);
       continue;
     }
-    Known &last = result.back();
+    Known &last = parts_.back();
     last.size = std::max(last.size, static_cast<std::size_t>(one.begin + one.size - last.begin));
   }
-  return result;
 }
 
-// Behind the known bytes that hold `address`; else `address`.
-char const *skip_known(std::vector<Known> const &known, char const *address) {
-  auto next = std::upper_bound(known.begin(), known.end(), Known{address, 0}, begins_earlier);
-  if (next == known.begin()) return address;
+char const *KnownBytes::skip(char const *address) const {
+  auto next = std::upper_bound(parts_.begin(), parts_.end(), Known{address, 0}, begins_earlier);
+  if (next == parts_.begin()) return address;
   --next;
   return address < next->begin + next->size ? next->begin + next->size : address;
 }
 
-} // namespace
+std::size_t KnownBytes::room(char const *address, std::size_t most) const {
+  if (has(address)) return 0;
+  auto const next = std::upper_bound(parts_.begin(), parts_.end(), Known{address, 0}, begins_earlier);
+  return next == parts_.end() ? most : std::min(most, static_cast<std::size_t>(next->begin - address));
+}
 
 void MemoryImage::save(Part part) {
   part.saved = bytes_.size();
@@ -80,6 +82,12 @@ char const *MemoryImage::before(void const *address) const {
 std::optional<Region> MemoryImage::region_of(void const *address) const {
   Part const *part = part_at(address);
   return part ? std::optional(part->region) : std::nullopt;
+}
+
+std::optional<Change> MemoryImage::object_at(void const *address) const {
+  Part const *part = part_at(address);
+  if (!part) return std::nullopt;
+  return Change{part->region, part->name, part->begin, part->size, 0, part->size};
 }
 
 std::string MemoryImage::static_name(void const *address) const {
@@ -134,13 +142,13 @@ std::vector<Change> MemoryImage::named(std::set<std::string> const &names) const
   return found;
 }
 
-void MemoryImage::compare(Part const &part, std::vector<Known> const &known, std::vector<Change> &changes) const {
+void MemoryImage::compare(Part const &part, KnownBytes const &known, std::vector<Change> &changes) const {
   char const *saved = bytes_.data() + part.saved;
   if (!has_changed(part)) return;
   Change change{part.region, part.name, part.begin, part.size, part.size, 0};
   for (std::size_t k = 0; k < part.size; ++k) {
     if (part.begin[k] == saved[k]) continue;
-    if (char const *end = skip_known(known, part.begin + k); end != part.begin + k) {
+    if (char const *end = known.skip(part.begin + k); end != part.begin + k) {
       k = static_cast<std::size_t>(end - part.begin) - 1;
       continue;
     }
@@ -150,18 +158,27 @@ void MemoryImage::compare(Part const &part, std::vector<Known> const &known, std
   if (change.end > change.first) changes.push_back(change);
 }
 
-std::vector<Change> MemoryImage::changes(std::vector<Known> known) const {
+bool MemoryImage::outlives(std::vector<HeapBlock> const &blocks, void const *address) const {
+  Part const *part = part_at(address);
+  if (!part || part->region != Region::heap_block) return part != nullptr;
+  auto const at = std::lower_bound(blocks.begin(), blocks.end(), part->begin,
+                                   [](HeapBlock const &block, char *begin) { return block.begin < begin; });
+  return at != blocks.end() && at->begin == part->begin && at->serial == part->serial;
+}
+
+std::vector<Change> MemoryImage::objects() const {
+  std::vector<Change> all;
+  for (Part const &part : parts_) all.push_back({part.region, part.name, part.begin, part.size, 0, part.size});
+  return all;
+}
+
+std::vector<Change> MemoryImage::changes(std::vector<Known> all_known) const {
   OwnWork const own;
-  known = joined(std::move(known));
+  KnownBytes const known(std::move(all_known));
   std::vector<HeapBlock> const blocks = heap_blocks();
-  auto const lives = [&](Part const &part) {
-    auto const at = std::lower_bound(blocks.begin(), blocks.end(), part.begin,
-                                     [](HeapBlock const &block, char *begin) { return block.begin < begin; });
-    return at != blocks.end() && at->begin == part.begin && at->serial == part.serial;
-  };
   std::vector<Change> found;
   for (Part const &part : parts_)
-    if (part.region != Region::heap_block || lives(part)) compare(part, known, found);
+    if (outlives(blocks, part.begin)) compare(part, known, found);
   std::set<char const *> made;
   for (Change const &object : initialised()) made.insert(object.object);
   std::erase_if(found,

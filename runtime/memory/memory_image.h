@@ -30,6 +30,19 @@ struct Known {
   std::size_t size;
 };
 
+class KnownBytes {
+public:
+  explicit KnownBytes(std::vector<Known> known);
+  // The first byte from the address on that is not known.
+  char const *skip(char const *address) const;
+  bool has(char const *address) const { return skip(address) != address; }
+  // How many bytes from the address on are not known, but at most so many.
+  std::size_t room(char const *address, std::size_t most) const;
+
+private:
+  std::vector<Known> parts_; // by address, disjoint
+};
+
 class MemoryImage {
 public:
   // `frame`: of the function in which the kernel begins (__builtin_frame_address(0)); null: no stack.
@@ -43,6 +56,10 @@ public:
   // What has changed since, but for what is known. What the heap has given back, and objects that were initialised, are
   // left out.
   std::vector<Change> changes(std::vector<Known> known) const;
+  // All objects of the image, by address, as if each had changed as a whole.
+  std::vector<Change> objects() const;
+  // Those that the heap has given back since are no more.
+  bool outlives(std::vector<HeapBlock> const &blocks, void const *address) const;
 
   // The static objects of functions that were initialised since, on their first use, and the temporaries that those
   // that are references keep alive.
@@ -55,6 +72,8 @@ public:
 
   // In which part of the image the address lies; nullopt outside of it.
   std::optional<Region> region_of(void const *address) const;
+  // The object there.
+  std::optional<Change> object_at(void const *address) const;
   // The linker's name of the static object there; empty elsewhere.
   std::string static_name(void const *address) const;
 
@@ -73,7 +92,7 @@ private:
   void save(Part part);
   std::vector<Change> named(std::set<std::string> const &names) const;
   Part const *part_at(void const *address) const;
-  void compare(Part const &part, std::vector<Known> const &known, std::vector<Change> &changes) const;
+  void compare(Part const &part, KnownBytes const &known, std::vector<Change> &changes) const;
   bool has_changed(Part const &part) const;
 
   std::vector<Part> parts_; // by address

@@ -97,7 +97,7 @@ void add_objects(Loaded const &loaded, Changes changes, std::vector<StaticObject
       auto const at = reinterpret_cast<std::uintptr_t>(begin);
       bool const is_constant = !is_variable || (loaded.constant_begin <= at && at < loaded.constant_end);
       if (type == STT_OBJECT && is_constant != (changes == Changes::constants)) continue;
-      objects.push_back({text + symbol.st_name, begin, symbol.st_size, symbol.st_info >> 4 == STB_LOCAL});
+      objects.push_back({without_tags(text + symbol.st_name), begin, symbol.st_size, symbol.st_info >> 4 == STB_LOCAL});
     }
   }
 }
@@ -145,6 +145,12 @@ std::vector<StaticObject> find_objects(Changes changes) {
 std::vector<StaticObject> find_static_objects() { return find_objects(Changes::variables); }
 
 std::vector<StaticObject> find_constants() { return find_objects(Changes::constants); }
+
+std::string without_tags(std::string name) {
+  constexpr std::string_view tag = "B5cxx11";
+  for (std::size_t at = name.find(tag); at != name.npos; at = name.find(tag)) name.erase(at, tag.size());
+  return name;
+}
 
 std::string guarded_by(std::string const &name) { return name.starts_with("_ZGV") ? "_Z" + name.substr(4) : ""; }
 

@@ -9,7 +9,7 @@
 namespace symreal::memory {
 
 struct StaticObject {
-  std::string name; // as the linker knows it
+  std::string name; // as the linker knows it, without_tags
   char *begin;
   std::size_t size;
   bool is_of_one_file; // no other file can name it
@@ -22,6 +22,9 @@ std::vector<StaticObject> find_static_objects();
 
 // Objects that cannot be written once the program is loaded, the runtime's and the compiler's among them.
 std::vector<StaticObject> find_constants();
+
+// Without the tag for the types of the newer standard library, which compilers add to different names.
+std::string without_tags(std::string name);
 
 // The object that the compiler guards with this one, which says whether it is initialised; empty for other names.
 std::string guarded_by(std::string const &name);

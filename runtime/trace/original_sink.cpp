@@ -12,6 +12,7 @@
 #include "verify/replay_protocol.h"
 #include "verify/replay_server.h"
 #include "verify/returned_object.h"
+#include "verify/unnamed_state.h"
 
 #include <symreal/original.h>
 
@@ -39,14 +40,23 @@ public:
     is_wanted_ = replay::replay_begin(
         name, {[&] { image_ = MemoryImage::capture(frame); }, [this] { return image_.changes({}); }, call_stack});
     if (is_wanted_ && replay::replay_watches_world()) watch_world();
+    static char const *const changeable = std::getenv("SYMREAL_CHANGEABLE");
+    examines_ = is_wanted_ && changeable && replay::replay_examines();
+    if (examines_) replay::begin_examination(image_, changeable);
   }
-  void begin_object(Kind kind, std::string const &, Place const &) override { kind_ = kind; }
+  void begin_object(Kind kind, std::string const &, Place const &) override {
+    kind_ = kind;
+    replay::look_up_items(true);
+  }
   void element(void *number, bool) override {
     if (!is_wanted_) return;
     auto *real = static_cast<double *>(number);
     switch (kind_) {
-    case Kind::input: return input(real);
-    case Kind::parameter: give(real, replay::replay_parameter); return;
+    case Kind::input: input(real); return examine();
+    case Kind::parameter:
+      parameters_.push_back(real);
+      give(real, replay::replay_parameter);
+      return examine();
     case Kind::output:
       if (!is_again_) outputs_.push_back(real);
       return replay::replay_output(*real);
@@ -58,7 +68,7 @@ public:
     (kind_ == Kind::scratch ? scratch_ : constant_).push_back({static_cast<char const *>(begin), size});
   }
   void holder(void const *begin, std::size_t size) override {
-    if (kind_ == Kind::output) holders_.push_back({static_cast<char const *>(begin), size});
+    (kind_ == Kind::output ? holders_ : named_holders_).push_back({static_cast<char const *>(begin), size});
   }
   void handed_over(void const *begin, std::size_t size) override {
     auto const *bytes = static_cast<char const *>(begin);
@@ -73,10 +83,21 @@ public:
     kept.assign(bytes, size);
     holders_.push_back({bytes, size});
   }
-  void end_object(std::vector<std::size_t>) override {}
+  // Those of the image: the system may not be asked while accesses are watched.
+  std::vector<memory::StaticObject> static_objects() const override {
+    std::vector<memory::StaticObject> found;
+    for (memory::Change const &one : image_.objects())
+      if (one.region == memory::Region::static_object) found.push_back({one.name, one.object, one.size, false});
+    return found;
+  }
+  void chosen(void const *begin, std::size_t size) override {
+    chosen_.push_back({static_cast<char const *>(begin), size});
+  }
+  void end_object(std::vector<std::size_t>) override { replay::look_up_items(false); }
   void set_range(double, double) override {}
   void end(std::string const &, std::string const &output_file, Place const &) override {
     if (!is_wanted_) return;
+    replay::end_examined(image_, [this] { return named(); });
     bool const is_function = output_file.empty();
     if (replay::replay_watches_world())
       for (Effect const &effect : effects_on_world(/*discard=*/true))
@@ -98,6 +119,12 @@ public:
   Graph const &interface() const override { return interface_; }
 
 private:
+  void examine() {
+    if (!examines_ || !replay::replay_is_fed()) return;
+    examines_ = false;
+    replay::examine_state(image_);
+  }
+
   void give(double *number, void (*feed)(double *)) {
     make_writable(number);
     feed(number);
@@ -146,12 +173,39 @@ private:
     return result;
   }
 
-  bool is_wanted_ = false, is_again_ = false;
+  // For what the clauses say of bytes (verify/unnamed_state.h).
+  replay::Named named() const {
+    replay::Named result{named_holders_, known()};
+    auto const add = [&](auto const &owners) {
+      for (Known const &one : owners)
+        for (Known const &owned : image_.owned(one)) result.read.push_back(owned);
+    };
+    add(constant_);
+    add(chosen_);
+    add(scratch_);
+    add(replay::fixed_owners(image_));
+    for (auto const *numbers : {&inputs_, &parameters_})
+      for (double const *one : *numbers) result.read.push_back({reinterpret_cast<char const *>(one), sizeof *one});
+    for (auto const &[begin, bytes] : own_) {
+      result.read.push_back({begin, bytes.size()});
+      result.written.push_back({begin, bytes.size()});
+    }
+    for (Known const &one : holders_) result.read.push_back(one);
+    for (memory::Change const &one : image_.initialised()) result.written.push_back({one.object, one.size});
+    if (!returned_.empty()) // the room for it, which no name leads to
+      for (memory::Change const &one : image_.objects())
+        if (one.region == memory::Region::stack) result.written.push_back({one.object, one.size});
+    return result;
+  }
+
+  bool is_wanted_ = false, is_again_ = false, examines_ = false;
   Kind kind_ = Kind::input;
   MemoryImage image_;
-  std::vector<double const *> inputs_;
+  std::vector<double const *> inputs_, parameters_;
   std::vector<double *> outputs_;
   std::vector<Known> holders_, scratch_, constant_;
+  std::vector<Known> chosen_;
+  std::vector<Known> named_holders_;  // of what is no output
   std::map<char *, std::string> own_; // and what was there
   std::string returned_;              // the bytes of a structure
   Graph interface_;
@@ -229,8 +283,8 @@ void symreal_original_layout(void const volatile *begin, char const *layout, sym
 
 void symreal_original_statics(char const *names) {
   OwnWork const own;
-  std::string const wanted = " " + std::string(names) + " ";
-  for (symreal::memory::StaticObject const &one : symreal::memory::find_static_objects()) {
+  std::string const wanted = " " + symreal::memory::without_tags(names) + " ";
+  for (symreal::memory::StaticObject const &one : Kernel::current().sink().static_objects()) {
     bool const is_c = !one.name.starts_with("_Z"); // gcc numbers the static variables of functions
     std::string const name = is_c ? one.name.substr(0, one.name.find('.')) : one.name;
     if (wanted.find(" " + name + " ") != wanted.npos) Kernel::current().sink().bytes(one.begin, one.size);
@@ -258,6 +312,11 @@ void symreal_original_whole(int active, void const volatile *object) {
 void symreal_original_own(void const volatile *begin, std::size_t size) {
   OwnWork const own;
   Kernel::current().sink().own(const_cast<void const *>(begin), size);
+}
+
+void symreal_original_chosen(void const volatile *begin, std::size_t size) {
+  OwnWork const own;
+  Kernel::current().sink().chosen(const_cast<void const *>(begin), size);
 }
 
 void symreal_original_object_end() {

@@ -12,6 +12,8 @@
 //   SYMREAL_REPLAY=<file>,<commands>,<answers>   SYMREAL_REPLAY_KERNEL=<name under which the kernel begins>
 // and, with external functions, what else is run:
 //   SYMREAL_REPLAY_CODE=<shared object>   SYMREAL_REPLAY_PREFIX=<of its names>   SYMREAL_REPLAY_GRAPH=<text>
+// and where the client may ask for state that no clause names, see unnamed_state.h:
+//   SYMREAL_CHANGEABLE=<text>
 // An answer is the status of the fork as waitpid gives it, four bytes. When the commands end, so does the server.
 #pragma once
 
@@ -42,6 +44,17 @@ struct LeftBehind {
     return size == other.size && first == other.first && end == other.end && now == other.now &&
            std::string_view(name) == other.name;
   }
+};
+
+// For as long the original may run again and again to find state that no clause names.
+inline constexpr unsigned most_seconds_examined = 30;
+
+// An object that no clause names and that holds state of the original's kernel, at the bytes from `first`.
+struct UnnamedObject {
+  LeftBehind object;
+  std::uint64_t instruction; // that meets it first, relative to where the program is loaded
+  std::uint32_t is_read;     // the outputs depend on it; else it is overwritten
+  std::uint32_t unused;
 };
 
 // An effect of the original's kernel outside of the program, in words; of a function whose result comes from there, its
@@ -76,6 +89,10 @@ struct Head {
   std::uint32_t effect_count;
   std::uint32_t keeps_formats; // of the standard streams, which the kernel is known to read
   OutsideEffect effects[8];
+  std::uint32_t examines; // the client wants to know of state that no clause names
+  std::uint32_t unnamed_count;
+  UnnamedObject unnamed[8];
+  char unexamined[96]; // why not all was tried; empty if it was
 };
 static_assert(sizeof(Head) % sizeof(double) == 0);
 

@@ -51,16 +51,7 @@ Head *map(std::string const &file) {
 
 void tell_left(Head &head, std::vector<memory::Change> const &changes) {
   head.left_count = static_cast<std::uint32_t>(std::min(changes.size(), std::size(head.left)));
-  for (std::size_t k = 0; k < head.left_count; ++k) {
-    memory::Change const &change = changes[k];
-    LeftBehind &left = head.left[k];
-    left.region = change.region;
-    left.size = change.size;
-    left.first = change.first;
-    left.end = change.end;
-    left.now = std::hash<std::string_view>()({change.object + change.first, change.end - change.first});
-    left.name[change.name.copy(left.name, sizeof left.name - 1)] = 0;
-  }
+  for (std::size_t k = 0; k < head.left_count; ++k) head.left[k] = left_behind(changes[k]);
 }
 
 // Returns in the forks only.
@@ -76,8 +67,9 @@ void serve(Connection const &connection, Head *head, Memory const &memory) {
   }
   for (Command command; read(connection.commands, &command, 1) == 1;) {
     head->state = State::begun;
-    head->left_count = head->effect_count = head->calls_done = 0;
+    head->left_count = head->effect_count = head->unnamed_count = head->calls_done = 0;
     head->returned = 0;
+    head->unexamined[0] = 0;
     pid_t child = fork();
     if (child == 0) {
       alarm(head->seconds);
@@ -114,6 +106,13 @@ void give(double *number, double const *values, std::uint32_t &met, std::uint32_
 }
 
 } // namespace
+
+LeftBehind left_behind(memory::Change const &change) {
+  LeftBehind left = {change.size, change.first, change.end, 0, change.region, {}};
+  left.now = std::hash<std::string_view>()({change.object + change.first, change.end - change.first});
+  left.name[change.name.copy(left.name, sizeof left.name - 1)] = 0;
+  return left;
+}
 
 bool replay_begin(std::string_view kernel, Memory const &memory) {
   char const *address = std::getenv("SYMREAL_REPLAY"), *wanted = std::getenv("SYMREAL_REPLAY_KERNEL");
@@ -159,6 +158,41 @@ void replay_effect(Outside kind, std::string_view what) {
   effect.kind = kind;
   effect.what[what.copy(effect.what, sizeof effect.what - 1)] = 0;
 }
+
+bool replay_examines() { return shared && shared->examines != 0; }
+
+bool replay_is_fed() {
+  return shared && inputs_met == shared->input_count && parameters_met == shared->parameter_count;
+}
+
+Ran replay_in_fork(unsigned seconds) {
+  shared->state = State::begun;
+  shared->calls_done = 0;
+  pid_t const child = fork();
+  if (child == 0) {
+    shared->examines = 0;
+    alarm(seconds);
+    return Ran::here;
+  }
+  int status = -1;
+  if (child > 0) waitpid(child, &status, 0);
+  return status == 0 && shared->state == State::complete ? Ran::well : Ran::badly;
+}
+
+std::vector<double> replay_outputs() {
+  double const *outputs = shared_outputs(shared);
+  return {outputs, outputs + shared->output_count};
+}
+
+void replay_unnamed(UnnamedObject const &object) {
+  if (shared->unnamed_count < std::size(shared->unnamed)) shared->unnamed[shared->unnamed_count++] = object;
+}
+
+void replay_unexamined(std::string_view why) {
+  shared->unexamined[why.copy(shared->unexamined, sizeof shared->unexamined - 1)] = 0;
+}
+
+void replay_examined() { finish(State::complete); }
 
 void replay_returned(std::uint64_t hash) {
   if (shared && shared->calls_done == 0) shared->returned = hash;

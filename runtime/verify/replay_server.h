@@ -42,8 +42,23 @@ bool replay_watches_world();
 bool replay_changes_formats();
 void replay_effect(Outside kind, std::string_view what);
 
+// Whether the client wants to know of state that no clause names, and whether all inputs are given, so that the kernel
+// may be run on from here in forks.
+bool replay_examines();
+bool replay_is_fed();
+enum class Ran { here, well, badly };
+// `here` in the fork, which ends with the kernel or after so many seconds.
+Ran replay_in_fork(unsigned seconds);
+// Of the fork that ran last.
+std::vector<double> replay_outputs();
+void replay_unnamed(UnnamedObject const &object);
+void replay_unexamined(std::string_view why);
+
 // A hash of the members of the returned object that are not numbers.
 void replay_returned(std::uint64_t hash);
+
+// What a change is to the client.
+LeftBehind left_behind(memory::Change const &change);
 
 // Per input, in order: the output that is the same number, or -1.
 void replay_link(int output);
@@ -53,5 +68,7 @@ bool replay_again();
 
 // At the kernel's end, which is the end of the fork.
 void replay_end();
+// The end of a fork that has run the kernel in further ones.
+[[noreturn]] void replay_examined();
 
 } // namespace symreal::replay

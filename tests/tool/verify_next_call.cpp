@@ -25,9 +25,9 @@
 #include <string>
 
 #if defined(ATOMIC)
-static int mode = 1;
+static int mode = 1, *const at = &mode;
 #pragma symreal function input(x) output(return)
-static double kern(double x) { return (__atomic_load_n(&mode, __ATOMIC_RELAXED) == 1 ? x : 2 * x) + 1; }
+static double kern(double x) { return (__atomic_load_n(at, __ATOMIC_RELAXED) == 1 ? x : 2 * x) + 1; }
 static double call() { return kern(0.5); }
 static void change() { mode = 2; }
 

@@ -311,6 +311,9 @@ VerificationRecord record_of(Json const &json) {
   if (json.contains("errors")) verification.errors = errors_of(json["errors"], count);
   verification.left = left_of(json.at("left_behind"));
   verification.left_by_wrapper = left_of(json.at("left_by_wrapper"));
+  verification.unnamed = left_of(json.value("unnamed", Json::array()));
+  verification.overwritten = left_of(json.value("overwritten", Json::array()));
+  verification.unexamined = json.value("unexamined", "");
   verification.changes_outside = left_of(json.value("changes_outside", Json::array()));
   verification.next_call_different = json.value("next_call_different", std::size_t{0});
   verification.outside = left_of(json.value("outside", Json::array()));
@@ -375,6 +378,9 @@ Json to_json(VerificationRecord const &record) {
   if (!verification.wrapped.empty()) json["wrapped"] = comparisons_json(verification.wrapped);
   json["left_behind"] = left_json(verification.left);
   json["left_by_wrapper"] = left_json(verification.left_by_wrapper);
+  if (!verification.unnamed.empty()) json["unnamed"] = left_json(verification.unnamed);
+  if (!verification.overwritten.empty()) json["overwritten"] = left_json(verification.overwritten);
+  if (!verification.unexamined.empty()) json["unexamined"] = verification.unexamined;
   if (!verification.changes_outside.empty()) json["changes_outside"] = left_json(verification.changes_outside);
   if (verification.next_call_different != 0) json["next_call_different"] = verification.next_call_different;
   if (!verification.outside.empty()) json["outside"] = left_json(verification.outside);

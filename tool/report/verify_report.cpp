@@ -90,6 +90,22 @@ std::optional<Diagnostic> state_failure(Graph const &graph, std::vector<program:
   return diagnostic;
 }
 
+// State that no clause names, and that no comparison of numbers or memory shows.
+std::optional<Diagnostic> unnamed_failure(Graph const &graph, program::Verification const &verification) {
+  std::optional<Diagnostic> diagnostic;
+  auto const add = [&](DiagnosticId id, std::string const &text) {
+    if (diagnostic)
+      diagnostic->notes.push_back({{}, text});
+    else
+      diagnostic.emplace(id, graph.outputs.front().place, fmt::format("kernel '{}': {}", graph.kernel, text));
+  };
+  for (program::LeftState const &one : verification.unnamed)
+    add(DiagnosticId::frozen_state, "the outputs of the original depend on " + one.name + ", which no clause names");
+  for (program::LeftState const &one : verification.overwritten)
+    add(DiagnosticId::state_left_behind, "the original overwrites " + one.name + " with the bytes that it holds");
+  return diagnostic;
+}
+
 // 1, 3-5, 8 of 1, 3, 4, 5, 8.
 std::string runs_of(std::vector<std::size_t> const &numbers) {
   std::string text;
@@ -252,6 +268,8 @@ void print_comparisons(std::ostream &out, Graph const &graph, program::Verificat
   if (verification.errors) print_errors(out, graph, *verification.errors);
   for (program::LeftState const &effect : verification.outside)
     fmt::print(out, "  outside of the program: the original {}, and the generated code does not\n", effect.name);
+  if (!verification.unexamined.empty())
+    fmt::print(out, "  state that no clause names: not all was looked at: {}\n", verification.unexamined);
   if (!verification.wrapped.empty()) fmt::print(out, "  the wrapper was tried as well\n");
   if (verification.derivatives && !verification.has_values) return print_derivatives(out, *verification.derivatives);
   fmt::print(out, "  {:<28}{:>10}{:>22}{:>12}{}{}\n", "output", "elements",
@@ -325,6 +343,7 @@ std::optional<Diagnostic> verification_failure(Graph const &graph, program::Veri
                                   verification.guards_different),
                       {{{}, guard_difference(verification)}}};
   if (auto failure = state_failure(graph, verification.left, "original")) return failure;
+  if (auto failure = unnamed_failure(graph, verification)) return failure;
   if (!verification.changes_outside.empty())
     return Diagnostic{DiagnosticId::effect_outside, graph.outputs.front().place,
                       fmt::format("kernel '{}': the original {}, and the generated code does not", graph.kernel,

@@ -60,6 +60,7 @@ void end_region(CompiledAs, char const *file_name, SourcePlace) noexcept;
 bool begin_implicit(char const *label, SourcePlace) noexcept;
 void end_implicit() noexcept;
 void *private_copy(void const *original, std::size_t low, std::size_t count) noexcept;
+void const *in_private_copy(void const *pointer) noexcept;
 
 template <class> inline constexpr bool always_false = false;
 
@@ -255,6 +256,12 @@ template <class T> T const *symreal_rebind(T const *pointer, std::size_t low, st
     return static_cast<T const *>(detail::private_copy(pointer, low * sizeof(T), count * sizeof(T)));
   return pointer;
 }
+
+// A pointer to what the copy is of, its end included, follows. Another one stays.
+template <class T> void symreal_rebind_end(T const *&pointer) noexcept {
+  pointer = static_cast<T const *>(detail::in_private_copy(pointer));
+}
+template <class T> void symreal_rebind_end(T const &) noexcept {}
 
 // The kernel of a function with a pragma: recorded during the chosen outermost call, inert in every other.
 class FunctionKernel {

@@ -89,6 +89,7 @@
 #define SYMREAL_IMPLICIT(...)
 #define SYMREAL_IMPLICIT_SECTION(...)
 #define SYMREAL_REBIND(...)
+#define SYMREAL_REBIND_END(...)
 #define SYMREAL_FUNCTION(...)
 #define SYMREAL_ARGUMENT(...)
 #define SYMREAL_OUTPUTS_BEGIN
@@ -351,6 +352,7 @@ public:                                                                         
 #define SYMREAL_IMPLICIT_SECTION(...)
 #endif
 #define SYMREAL_REBIND(pointer, low, count) pointer = ::symreal::symreal_rebind(pointer, low, count);
+#define SYMREAL_REBIND_END(pointer) ::symreal::symreal_rebind_end(pointer);
 /* The optional last argument is the call to record, counted from 1. */
 #define SYMREAL_FUNCTION(name, file, line, column, ...)                                                                \
   ::symreal::SymrealFunctionKernel symreal_kernel(name, SYMREAL_PLACE(file, line, column), ##__VA_ARGS__);

@@ -35,6 +35,8 @@ void symreal_original_handed_over(int active, void const volatile *begin, __SIZE
 void symreal_original_check_index(__PTRDIFF_TYPE__ index, __PTRDIFF_TYPE__ count, char const *object);
 /* The kernel's own, though it may lie with its caller: a parameter. */
 void symreal_original_own(void const volatile *begin, __SIZE_TYPE__ size);
+/* An argument that the caller may choose as it likes: text, an object that a wrapper refuses. */
+void symreal_original_chosen(void const volatile *begin, __SIZE_TYPE__ size);
 /* A function with a pragma is entered; whether this call is the kernel. */
 int symreal_original_function(char const *name, char const *file, unsigned line, unsigned column, unsigned call,
                               void const *frame);
@@ -90,6 +92,7 @@ void symreal_original_keep(void const *frame);
 #define SYMREAL_INDEX(count, name, ...)                                                                                \
   (symreal_original_check_index((__PTRDIFF_TYPE__)(__VA_ARGS__), count, name), (__VA_ARGS__))
 #define SYMREAL_WORDS(...) __VA_ARGS__
+#define SYMREAL_ORIGINAL_TEXT(text) symreal_original_chosen(text, (text) ? __builtin_strlen(text) + 1 : 0);
 /* An option or a pragma that changes arithmetic is one of the program's own flags. */
 #ifdef SYMREAL_OWN_FLAGS
 #define SYMREAL_ORIGINAL_EITHER(own, ...) SYMREAL_WORDS own
@@ -105,6 +108,7 @@ void symreal_original_keep(void const *frame);
 #define SYMREAL_ELEMENT(name, index, ...) ((__VA_ARGS__)[index])
 #define SYMREAL_ORIGINAL_IS_ACTIVE symreal_kernel
 #define SYMREAL_ORIGINAL_OWN(object) symreal_original_own(&(object), sizeof(object));
+#define SYMREAL_ORIGINAL_CHOSEN(object) symreal_original_chosen(&(object), sizeof(object));
 #define SYMREAL_ORIGINAL_NUMBERS(...) symreal_original_bytes(&(__VA_ARGS__), sizeof(__VA_ARGS__), 0)
 #define SYMREAL_ORIGINAL_BYTES SYMREAL_ORIGINAL_NUMBERS
 #define SYMREAL_ORIGINAL_LAYOUT(layout, types, ...) symreal_original_layout(&(__VA_ARGS__), layout, 0, 0)
@@ -372,6 +376,8 @@ template <class Outputs> OnReturn<Outputs> symreal_on_return(int active, Outputs
 #define SYMREAL_ORIGINAL_IS_ACTIVE symreal_kernel.symreal_active()
 #define SYMREAL_ORIGINAL_OWN(object)                                                                                   \
   symreal_original_own(&reinterpret_cast<char const volatile &>(object), sizeof(object));
+#define SYMREAL_ORIGINAL_CHOSEN(object)                                                                                \
+  symreal_original_chosen(&reinterpret_cast<char const volatile &>(object), sizeof(object));
 #define SYMREAL_ORIGINAL_NUMBERS(...) ::symreal_original::symreal_numbers(__VA_ARGS__)
 #define SYMREAL_ORIGINAL_BYTES(...) ::symreal_original::symreal_bytes(__VA_ARGS__)
 #define SYMREAL_ORIGINAL_LAYOUT(layout, types, ...)                                                                    \

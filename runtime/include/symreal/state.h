@@ -236,7 +236,7 @@ template <class T> void symreal_argument_leads(T const &object) noexcept {
   if (!detail::recording) return;
   if constexpr (std::is_pointer_v<T>)
     detail::note_chosen(detail::bytes_of(&object), sizeof object);
-  else if constexpr (detail::is_class<T> || std::is_class_v<T>)
+  else if constexpr (detail::is_class<T> || std::is_class_v<T> || std::is_union_v<T>)
     detail::note_chosen(detail::bytes_of(&reinterpret_cast<char const volatile &>(object)), sizeof object);
 }
 

@@ -82,4 +82,12 @@ void *detail::private_copy(void const *pointer, std::size_t low, std::size_t cou
   return begin;
 }
 
+void const *detail::in_private_copy(void const *pointer) noexcept {
+  auto const *at = static_cast<char const *>(pointer);
+  if (trace::Kernel::current().is_entering_function())
+    for (Copy const &copy : copies())
+      if (copy.original <= at && at <= copy.original + copy.size) return copy.begin + (at - copy.original);
+  return pointer;
+}
+
 } // namespace symreal

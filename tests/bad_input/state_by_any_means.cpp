@@ -1,0 +1,71 @@
+// The same in C++: text through a conversion, a mutable member of a constant, the address of a pointer's target as an
+// integer; what an algorithm writes behind v.begin().
+// RUN: rm -f %t.c
+// RUN: not %symreal generate %s -o %t.c -- -std=c++20 2>&1 | FileCheck %s --implicit-check-not="error:"
+// RUN: not ls %t.c
+// RUN: not %symreal generate %s -o %t.c -- -std=c++20 -DWRITES 2>&1 | FileCheck %s --check-prefix=WRITTEN --implicit-check-not="error:"
+// RUN: not ls %t.c
+// RUN: %symreal generate %s -o %t.c -- -std=c++20 -DNAMED && %symreal verify %s %t.c --samples=50 -- -std=c++20 -DNAMED
+// RUN: %symreal generate %s -o %t.c -- -std=c++20 -DWRITES -DNAMED && %symreal verify %s %t.c --samples=50 -- -std=c++20 -DWRITES -DNAMED
+// RUN: %symreal generate %s -o %t.c -- -std=c++20 -DWRITES -DOUTPUT && %symreal verify %s %t.c --samples=50 -- -std=c++20 -DWRITES -DOUTPUT
+#include <algorithm>
+#include <cstdint>
+#include <cstdio>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#ifndef WRITES
+struct Law {
+  int order = 1;
+  mutable double gain = 2;
+};
+static std::string mode = "slow";
+static Law const law;
+static int here, there, *place = &here;
+void change(int to) {
+  mode[0] = static_cast<char>(to);
+  law.gain = to;
+  place = to != 0 ? &there : &here;
+}
+#ifdef NAMED
+#pragma symreal function input(x) constant(mode, law.gain, place) output(return)
+#else
+#pragma symreal function input(x) output(return)
+#endif
+double kern(double x) {
+  // CHECK-DAG: error: kernel 'kern' reads 'mode', which is neither input nor parameter [SYM017]
+  if (std::string_view(mode) == "fast") return x;
+  // CHECK-DAG: error: kernel 'kern' reads 'place', which is neither input nor parameter [SYM017]
+  if (reinterpret_cast<std::uintptr_t>(place) == reinterpret_cast<std::uintptr_t>(&there)) return 2 * x;
+  // CHECK-DAG: error: kernel 'kern' reads 'law.gain' (2), which is neither input nor parameter [SYM017]
+  return law.order * law.gain * x;
+}
+
+#else
+static std::vector<int> copied = {1, 2};
+static std::vector<double> moved = {1, 2};
+static int const counts[2] = {1, 2};
+int found() { return copied[0]++ + static_cast<int>(moved[0]++); }
+#if defined(NAMED)
+#pragma symreal function input(x) scratch(copied, moved) output(return)
+#elif defined(OUTPUT)
+#pragma symreal function input(x) scratch(copied) output(return, moved[0:2])
+#else
+#pragma symreal function input(x) output(return)
+#endif
+double kern(double x) {
+  // WRITTEN-DAG: error: the kernel writes 'copied', which is not an output [SYM053]
+  std::copy(counts, counts + 2, copied.begin());
+#ifdef OUTPUT
+  double const numbers[2] = {x, 2 * x};
+#else
+  double const numbers[2] = {1, 2};
+#endif
+  // WRITTEN-DAG: error: the kernel writes 'moved', which is not an output [SYM053]
+  std::copy(numbers, numbers + 2, moved.begin());
+  return 2 * x;
+}
+#endif
+
+int main() { std::printf("%g\n", kern(0.5)); }
