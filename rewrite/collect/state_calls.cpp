@@ -86,6 +86,7 @@ unsigned output_of(FunctionDecl const *function, std::size_t arguments) {
   if (!function->isInStdNamespace() || arguments < 3) return -1u;
   return llvm::StringSwitch<unsigned>(name_of(function))
       .Cases("copy", "copy_if", "copy_n", "move", "reverse_copy", "partial_sum", "adjacent_difference", 2)
+      .Cases("uninitialized_copy", "uninitialized_copy_n", "uninitialized_move", 2)
       .Case("transform", static_cast<unsigned>(arguments) - 2)
       .Default(-1u);
 }
@@ -231,8 +232,11 @@ void Collector::library_arguments(FunctionDecl const *function, Arguments argume
       if (!asks_caller(function)) object(call->getImplicitObjectArgument(), Use::written);
       iterators_.insert(call);
     } else if (only_writes(function) && type->isPointerType() && holds_state(type->getPointeeType())) {
-      if (asks_caller(function) || !begins_range(arguments, i)) continue;
-      range(arguments, i++, Use::fill_begin, Use::fill_end);
+      if (asks_caller(function)) continue;
+      if (begins_range(arguments, i))
+        range(arguments, i++, Use::fill_begin, Use::fill_end);
+      else
+        target(argument); // std::fill_n: its first
     } else if (type->isPointerType() && holds_state(type->getPointeeType()) && !is_character(type->getPointeeType())) {
       if (begins_range(arguments, i)) range(arguments, i++, Use::range_begin, Use::range_end);
     } else if (argument->isGLValue() && Reals::is_double(type)) {

@@ -19,8 +19,8 @@ namespace symreal::memory {
 namespace {
 
 constexpr std::uintptr_t page_size = 4096;
-constexpr std::uint32_t most_faults = 20000; // of a page: then it stays open
-constexpr std::size_t most_open = 64;        // pages that one instruction touches
+constexpr std::uint32_t most_of_page = 10000, most_faults = 40000; // then a page stays open
+constexpr std::size_t most_open = 64;                              // pages that one instruction touches
 constexpr std::size_t most_accesses = 1 << 14, table_size = 4 * most_accesses;
 
 struct Page {
@@ -42,6 +42,7 @@ struct alignas(page_size) Watch {
   std::size_t met_count;
   std::uintptr_t open[most_open];
   std::size_t open_count;
+  std::uint32_t faults; // on all pages
   bool are_names;
   struct sigaction previous_fault, previous_step;
   stack_t previous_stack;
@@ -116,7 +117,8 @@ void on_fault(int, siginfo_t *info, void *context) {
   if (!OwnWork::is_going_on() && is_watched(address))
     note(address, (registers[REG_ERR] & writes) != 0, static_cast<std::uintptr_t>(registers[REG_RIP]));
   protect(page->begin, PROT_READ | PROT_WRITE);
-  if (++page->faults > most_faults) return;
+  ++watch.faults;
+  if (++page->faults > most_of_page || watch.faults > most_faults) return;
   watch.open[watch.open_count++] = page->begin;
   registers[REG_EFL] |= single_step;
 }
@@ -180,19 +182,21 @@ Accesses end_watching_accesses() {
   sigaction(SIGSEGV, &watch.previous_fault, nullptr);
   sigaction(SIGTRAP, &watch.previous_step, nullptr);
   sigaltstack(&watch.previous_stack, nullptr);
-  Accesses accesses{{}, watch.met_count < most_accesses};
+  Accesses accesses{{}, watch.met_count < most_accesses && watch.faults <= most_faults};
   auto const base = reinterpret_cast<std::uintptr_t>(&__ehdr_start);
   for (std::size_t k = 0; k < table_size; ++k)
     if (Met const &met = watch.met[k]; met.address != 0)
       accesses.all.push_back({reinterpret_cast<char *>(met.address), met.is_read_first, met.is_written, met.is_named,
                               met.instruction - base});
-  for (std::size_t k = 0; k < watch.page_count; ++k) accesses.are_complete &= watch.pages[k].faults <= most_faults;
+  for (std::size_t k = 0; k < watch.page_count; ++k) accesses.are_complete &= watch.pages[k].faults <= most_of_page;
   std::ranges::sort(accesses.all, {}, &Access::address);
   munmap(watch.pages, watch.page_count * sizeof(Page));
   munmap(watch.bytes, watch.byte_count * sizeof(WatchedBytes));
   munmap(watch.met, table_size * sizeof(Met));
   return accesses;
 }
+
+void const *code_at(Access const &access) { return &__ehdr_start + access.instruction; }
 
 } // namespace symreal::memory
 
@@ -202,6 +206,7 @@ namespace symreal::memory {
 
 bool begin_watching_accesses(std::vector<WatchedBytes> const &) { return false; }
 void watch_names(bool) {}
+void const *code_at(Access const &) { return nullptr; }
 Accesses end_watching_accesses() { return {{}, true}; }
 
 } // namespace symreal::memory

@@ -27,6 +27,8 @@ struct Access {
   std::uintptr_t instruction; // of the first access, relative to where the program is loaded
 };
 
+void const *code_at(Access const &access);
+
 // False where this machine or program cannot be watched: nothing has begun then. `bytes`: by address, disjoint.
 bool begin_watching_accesses(std::vector<WatchedBytes> const &bytes);
 // What is read from now on is read to look up what a name means, such as the length of a section.

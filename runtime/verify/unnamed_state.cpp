@@ -8,6 +8,7 @@
 #include <chrono>
 #include <cstdio>
 #include <cstring>
+#include <dlfcn.h>
 #include <fstream>
 #include <set>
 #include <sys/mman.h>
@@ -45,7 +46,7 @@ std::vector<Candidate const *> tried;       // the bytes that were changed
 std::set<char const *> changeable, leading; // static variables; of the second kind what they lead to
 std::set<char const *> looked_up;           // by the names of inputs, parameters and what is constant
 
-constexpr unsigned seconds = 2; // for a run
+constexpr unsigned seconds = 2, seconds_watched = 10; // for a run
 constexpr std::size_t most_objects = 64;
 constexpr std::chrono::seconds most_time{4};
 
@@ -57,6 +58,8 @@ struct Trial {
 constexpr std::array trials = {Trial{0, 0x01}, Trial{6, 0x08}, Trial{2, 0x40}, Trial{7, 0x80},
                                Trial{3, 0x80}, Trial{0, 0x40}, Trial{0, 0x02}, Trial{1, 0x01}};
 
+constexpr Trial for_writes{0, 0x04}; // a count of owners stays one
+
 // The name in the source of a static variable of C, whatever the compiler adds: `name.1`, `function.name`.
 bool is_named(std::string const &linker_name, std::string const &name) {
   if (linker_name.starts_with("_Z")) return linker_name == name;
@@ -66,6 +69,14 @@ bool is_named(std::string const &linker_name, std::string const &name) {
 
 bool is_changeable(Change const &object) {
   return object.region != Region::static_object || changeable.contains(object.object);
+}
+
+// A lock is as it was when it is given back, whoever had it.
+bool is_of_locks(memory::Access const &access) {
+  Dl_info code;
+  if (dladdr(memory::code_at(access), &code) == 0 || !code.dli_sname) return false;
+  std::string_view const name = code.dli_sname;
+  return name.starts_with("pthread_") || name.starts_with("__pthread_");
 }
 
 // All that the program can point to.
@@ -97,7 +108,7 @@ void keep_candidates(MemoryImage const &image, Named const &named, memory::Acces
   told->are_all = accesses.are_complete;
   for (memory::Access const &one : accesses.all) {
     std::optional<Change> const object = image.object_at(one.address);
-    if (!object || !is_changeable(*object)) continue;
+    if (!object || !is_changeable(*object) || is_of_locks(one)) continue;
     auto const left = static_cast<std::size_t>(object->object + object->size - one.address);
     std::size_t const to_word = 8 - reinterpret_cast<std::uintptr_t>(one.address) % 8;
     std::size_t const room = read.room(one.address, std::min(left, to_word));
@@ -134,7 +145,7 @@ public:
     if (ran == Ran::here) return false;
     if (ran == Ran::badly) return replay_unexamined("the original did not end when it was run on"), true;
     outputs_ = replay_outputs();
-    ran = replay_in_fork(seconds);
+    ran = replay_in_fork(seconds_watched);
     if (ran == Ran::here) {
       if (watch_changeable(image_)) role = Role::watches;
       return false;
@@ -217,8 +228,8 @@ private:
     std::erase_if(all, [](Candidate const *one) { return !one->is_written; });
     if (all.empty()) return true;
     told->overwritten = nullptr;
-    Ran ran = try_one(all, trials[0]);
-    for (std::size_t k = 0; ran == Ran::badly && k < all.size() && !is_over(); ++k) ran = try_one({all[k]}, trials[0]);
+    Ran ran = try_one(all, for_writes);
+    for (std::size_t k = 0; ran == Ran::badly && k < all.size() && !is_over(); ++k) ran = try_one({all[k]}, for_writes);
     if (ran == Ran::here) return false;
     if (ran == Ran::well && told->overwritten) tell(object.where, *told->overwritten, false);
     return true;
@@ -270,11 +281,12 @@ void end_examined(MemoryImage const &image, std::function<Named()> const &named)
     memory::Accesses const accesses = memory::end_watching_accesses();
     keep_candidates(image, named(), accesses);
   }
-  if (role == Role::tries)
-    for (Candidate const *one : tried)
-      if (char const *before = image.before(one->address);
-          before && *one->address != static_cast<char>(*before ^ trials[0].flips))
-        told->overwritten = one;
+  if (role != Role::tries) return;
+  std::vector<memory::HeapBlock> const blocks = memory::heap_blocks();
+  for (Candidate const *one : tried)
+    if (char const *before = image.before(one->address); before && image.outlives(blocks, one->address) &&
+                                                         *one->address != static_cast<char>(*before ^ for_writes.flips))
+      told->overwritten = one;
 }
 
 } // namespace symreal::replay

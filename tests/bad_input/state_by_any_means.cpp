@@ -1,5 +1,5 @@
 // The same in C++: text through a conversion, a mutable member of a constant, the address of a pointer's target as an
-// integer; what an algorithm writes behind v.begin().
+// integer, what is in a tuple, how many constants a view shows; what algorithms write behind v.begin() or an array's begin.
 // RUN: rm -f %t.c
 // RUN: not %symreal generate %s -o %t.c -- -std=c++20 2>&1 | FileCheck %s --implicit-check-not="error:"
 // RUN: not ls %t.c
@@ -11,8 +11,11 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>
+#include <memory>
+#include <span>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <vector>
 
 #ifndef WRITES
@@ -23,13 +26,18 @@ struct Law {
 static std::string mode = "slow";
 static Law const law;
 static int here, there, *place = &here;
+static std::tuple<double, int> limits{2, 3};
+static double const numbers[4] = {1, 2, 3, 4};
+static std::span<double const> view(numbers, 2);
 void change(int to) {
   mode[0] = static_cast<char>(to);
   law.gain = to;
   place = to != 0 ? &there : &here;
+  limits = {to, to};
+  view = std::span<double const>(numbers, 3);
 }
 #ifdef NAMED
-#pragma symreal function input(x) constant(mode, law.gain, place) output(return)
+#pragma symreal function input(x) constant(mode, law.gain, place, limits, view) output(return)
 #else
 #pragma symreal function input(x) output(return)
 #endif
@@ -39,18 +47,23 @@ double kern(double x) {
   // CHECK-DAG: error: kernel 'kern' reads 'place', which is neither input nor parameter [SYM017]
   if (reinterpret_cast<std::uintptr_t>(place) == reinterpret_cast<std::uintptr_t>(&there)) return 2 * x;
   // CHECK-DAG: error: kernel 'kern' reads 'law.gain' (2), which is neither input nor parameter [SYM017]
-  return law.order * law.gain * x;
+  x *= law.order * law.gain;
+  // CHECK-DAG: error: kernel 'kern' reads 'limits' (2, 3), which are neither input nor parameter [SYM017]
+  x *= std::apply([](double a, int b) { return a * b; }, limits);
+  // CHECK-DAG: error: kernel 'kern' reads 'view', which is neither input nor parameter [SYM017]
+  return x * static_cast<double>(view.size());
 }
 
 #else
 static std::vector<int> copied = {1, 2};
 static std::vector<double> moved = {1, 2};
+static int filled[3], made[2] = {1, 2};
 static int const counts[2] = {1, 2};
-int found() { return copied[0]++ + static_cast<int>(moved[0]++); }
+int found() { return filled[0]++ + made[0]++ + copied[0]++ + static_cast<int>(moved[0]++); }
 #if defined(NAMED)
-#pragma symreal function input(x) scratch(copied, moved) output(return)
+#pragma symreal function input(x) scratch(copied, moved, filled, made) output(return)
 #elif defined(OUTPUT)
-#pragma symreal function input(x) scratch(copied) output(return, moved[0:2])
+#pragma symreal function input(x) scratch(copied, filled, made) output(return, moved[0:2])
 #else
 #pragma symreal function input(x) output(return)
 #endif
@@ -64,6 +77,10 @@ double kern(double x) {
 #endif
   // WRITTEN-DAG: error: the kernel writes 'moved', which is not an output [SYM053]
   std::copy(numbers, numbers + 2, moved.begin());
+  // WRITTEN-DAG: error: the kernel writes 'filled', which is not an output [SYM053]
+  std::fill_n(filled, 3, 0);
+  // WRITTEN-DAG: error: the kernel writes 'made', which is not an output [SYM053]
+  std::uninitialized_copy(counts, counts + 2, made);
   return 2 * x;
 }
 #endif

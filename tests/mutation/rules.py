@@ -85,6 +85,7 @@ RULES = [
          refused="SYM017"),
     Rule("fill", "notes ranges that a library writes without reading them", "fill.cpp", "bad_input/integers_read_by_libraries",
          refused="SYM053"),
+    Rule("target", "notes what a library writes through a pointer", "target.c", "bad_input/kept_same_bytes", refused="SYM053"),
     Rule("state", "notes uses of static objects", "state.cpp", "bad_input/undeclared_global", refused="SYM017"),
     Rule("local_state", "knows statics of one function that are written before they are read", "local_state.cpp",
          "tool/scratch_of_one_path"),

@@ -8,21 +8,20 @@
 // REDEFINE: %{of} = REFERENCE
 // RUN: %{finds}
 // REFERENCE: error: kernel 'kern': the outputs of the original depend on 'gain' ({{.*}}verify_unnamed.cpp:{{[0-9:]+}}), which no clause names [SYM017]
-// REDEFINE: %{of} = TUPLE
+// REDEFINE: %{of} = BITS
 // RUN: %{finds}
-// TUPLE: error: kernel 'kern': the outputs of the original depend on 'limits' ({{.*}}), which no clause names [SYM017]
+// BITS: error: kernel 'kern': the outputs of the original depend on 'limits' ({{.*}}), which no clause names [SYM017]
 // REDEFINE: %{of} = HEAP
 // RUN: %{finds}
 // HEAP: error: kernel 'kern': the outputs of the original depend on a block of 4 bytes on the heap ({{.*}}), which no clause names [SYM017]
-// REDEFINE: %{of} = FILLED
+// REDEFINE: %{of} = RANGE
 // RUN: %{finds}
-// FILLED: error: kernel 'kern': the original overwrites 'cells' ({{.*}}) with the bytes that it holds [SYM121]
-// REDEFINE: %{of} = UNINITIALISED
-// RUN: %{finds}
-// UNINITIALISED: error: kernel 'kern': the original overwrites 'cells' ({{.*}}) with the bytes that it holds [SYM121]
+// RANGE: error: kernel 'kern': the original overwrites 'cells' ({{.*}}) with the bytes that it holds [SYM121]
 
 // What is read and does not matter is no state, nor is what never changes, or what the clauses need to name numbers.
 // REDEFINE: %{of} = PRINTED
+// RUN: %{passes}
+// REDEFINE: %{of} = LOCKED
 // RUN: %{passes}
 // REDEFINE: %{of} = NEVER_CHANGED
 // RUN: %{passes}
@@ -37,8 +36,8 @@
 #include <cstdio>
 #include <map>
 #include <memory>
+#include <mutex>
 #include <string>
-#include <tuple>
 #include <vector>
 
 #if defined(REFERENCE)
@@ -52,12 +51,13 @@ double kern(double x) {
   return of * x;
 }
 
-#elif defined(TUPLE)
-static std::tuple<int, float> limits{1, 2};
-void change(int to) { limits = {to, 1}; }
-double kern(double x) {
-  return std::apply([](int a, float b) { return a + b; }, limits) * x;
-}
+#elif defined(BITS)
+struct Limits {
+  unsigned order : 3, sign : 1;
+};
+static Limits limits{2, 1};
+void change(int to) { limits.order = to & 7; }
+double kern(double x) { return limits.order * x; }
 
 #elif defined(HEAP)
 struct Settings {
@@ -68,32 +68,36 @@ static Settings *settings = new Settings;
 void change(int to) { *settings->order = to; }
 double kern(double x) { return x * __atomic_load_n(settings->find(), __ATOMIC_RELAXED); }
 
-#elif defined(FILLED)
-struct Cells {
-  int all[3] = {};
-  void clear() { std::fill_n(all, 3, 0); }
-};
-static Cells cells;
-int first() { return ++cells.all[0]; }
-double kern(double x) {
-  cells.clear();
-  return 2 * x;
-}
-
-#elif defined(UNINITIALISED)
+#elif defined(RANGE)
 static int cells[2] = {1, 2};
 static int const made[2] = {1, 2};
 int first() { return ++cells[0]; }
 double kern(double x) {
-  std::uninitialized_copy(made, made + 2, cells);
+  std::ranges::copy(made, cells);
   return 2 * x;
 }
 
 #elif defined(PRINTED)
-static std::tuple<int> told{1};
-void tell(int often) { told = often; }
+struct Told {
+  unsigned often : 3, late : 1;
+};
+static Told told{1, 0};
+void tell(int often) { told.often = often & 7; }
 double kern(double x) {
-  if (std::apply([](int often) { return often > 0; }, told)) std::puts("called");
+  if (told.often > 0) std::puts("called");
+  return 2 * x;
+}
+
+#elif defined(LOCKED)
+struct Guarded {
+  std::mutex mutex;
+  std::shared_ptr<int> order = std::make_shared<int>(2);
+};
+static Guarded *const guarded = new Guarded;
+static std::mutex other;
+double kern(double x) {
+  std::scoped_lock const lock(guarded->mutex, other);
+  std::shared_ptr<int> const copy = guarded->order;
   return 2 * x;
 }
 

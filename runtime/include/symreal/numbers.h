@@ -167,9 +167,20 @@ private:
       visit(object.axis(), const_cast<T &>(object).angle());
     } else if constexpr (requires { object.vector(); }) { // Eigen's Translation
       one(object.vector());
+    } else if constexpr (requires { std::tuple_size<T>::value; }) {
+      parts(object, std::make_index_sequence<std::tuple_size_v<T>>());
     } else if constexpr (std::is_aggregate_v<T> && std::is_trivially_copyable_v<T> && alignof(T) == 8) {
       words(object); // a plain structure without a name of its own, or of code that is not rewritten
     }
+  }
+
+  // Of a std::tuple, but for references to others' objects.
+  template <class T, std::size_t... k> void parts(T const &object, std::index_sequence<k...>) {
+    using std::get;
+    (part<std::tuple_element_t<k, T>>(get<k>(object)), ...);
+  }
+  template <class Declared, class T> void part(T const &object) {
+    if constexpr (!std::is_reference_v<Declared>) one(object);
   }
 
   template <class T> void strided(T const &object) {

@@ -170,7 +170,7 @@ bool State::counted(void const *object, detail::Visit visit) {
   Numbers numbers(first);
   visit(object, numbers);
   void const *part = first.address();
-  bool const is_own = part && (detail::is_own(part) || !outlives(part));
+  bool const is_own = part && (detail::is_own(part) || (!outlives(part) && !is_constant(part)));
   if (is_own) counted_.erase(object);
   return !is_own;
 }
