@@ -380,7 +380,7 @@ private:
     if (wrapped_) compare_wrapper(k, sample, generated);
     if (own_code_)
       keep_worst(result_.own_code_ulp, original, own_code_->run(with_seeds(sample.inputs), sample.parameters).outputs);
-    if (!code_.needs_program() && examined_ < most_examined) examine(sample); // the last, as it is no run of its own
+    if (!code_.needs_program() && examined_ < most_examined) examine(sample); // last: it runs the original again
   }
 
   void examine(Sample const &sample) {

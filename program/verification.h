@@ -92,8 +92,8 @@ struct Verification {
   std::vector<OutputComparison> called_beyond;
   std::vector<OutputComparison> wrapped; // per slot, the generated code behind its wrapper against itself; or empty
   std::vector<LeftState> left, left_by_wrapper;
-  // Of the original, on a few samples: objects that no clause names, on which its outputs depend, or which it
-  // overwrites with the bytes that they hold.
+  // Objects that no clause names, on a few samples: the outputs of the original depend on them, or it overwrites them
+  // with the bytes that they hold.
   std::vector<LeftState> unnamed, overwritten;
   std::string unexamined; // why not all was tried; empty if it was
   // Effects of the original outside of the program, in words, on a few samples: those that last, and others.

@@ -33,7 +33,7 @@ std::string annotation(Clause clause, ItemFact const &item) {
                      has_layout ? layout_arguments(item.layout) + ", " : "", evaluated(item));
 }
 
-// Of an argument that the caller may choose as it likes.
+// The macro for an argument that the caller may choose as it likes; empty for others.
 std::string choice(Baked const &baked) {
   bool const is_name = baked.expression.find_first_of(" *.-[(") == baked.expression.npos;
   if (baked.shape == "s") return is_name ? "SYMREAL_ORIGINAL_TEXT" : "";

@@ -31,7 +31,7 @@ void const *code_at(Access const &access);
 
 // False where this machine or program cannot be watched: nothing has begun then. `bytes`: by address, disjoint.
 bool begin_watching_accesses(std::vector<WatchedBytes> const &bytes);
-// What is read from now on is read to look up what a name means, such as the length of a section.
+// Reads from now on look up the meaning of a name, such as the length of a section; or no longer do.
 void watch_names(bool are_looked_up);
 struct Accesses {
   std::vector<Access> all; // by address

@@ -58,7 +58,7 @@ public:
   std::vector<Change> changes(std::vector<Known> known) const;
   // All objects of the image, by address, as if each had changed as a whole.
   std::vector<Change> objects() const;
-  // Those that the heap has given back since are no more.
+  // Whether the object there still exists: a block of the heap may have been given back.
   bool outlives(std::vector<HeapBlock> const &blocks, void const *address) const;
 
   // The static objects of functions that were initialised since, on their first use, and the temporaries that those

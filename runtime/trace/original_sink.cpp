@@ -83,7 +83,7 @@ public:
     kept.assign(bytes, size);
     holders_.push_back({bytes, size});
   }
-  // Those of the image: the system may not be asked while accesses are watched.
+  // The image has them: a system call would fail while accesses are watched.
   std::vector<memory::StaticObject> static_objects() const override {
     std::vector<memory::StaticObject> found;
     for (memory::Change const &one : image_.objects())

@@ -49,7 +49,7 @@ bool replay_is_fed();
 enum class Ran { here, well, badly };
 // `here` in the fork, which ends with the kernel or after so many seconds.
 Ran replay_in_fork(unsigned seconds);
-// Of the fork that ran last.
+// The outputs of the fork that ran last.
 std::vector<double> replay_outputs();
 void replay_unnamed(UnnamedObject const &object);
 void replay_unexamined(std::string_view why);
@@ -57,7 +57,7 @@ void replay_unexamined(std::string_view why);
 // A hash of the members of the returned object that are not numbers.
 void replay_returned(std::uint64_t hash);
 
-// What a change is to the client.
+// A change as the client is told of it.
 LeftBehind left_behind(memory::Change const &change);
 
 // Per input, in order: the output that is the same number, or -1.

@@ -30,7 +30,7 @@ struct Candidate {
   bool is_read, is_written;
 };
 
-// What a fork tells. Only one runs at a time.
+// Memory that the forks share with this process, to report. One fork runs at a time.
 struct Told {
   std::uint32_t count;
   bool are_all;                 // else there are more
@@ -50,8 +50,8 @@ constexpr unsigned seconds = 2, seconds_watched = 10; // for a run
 constexpr std::size_t most_objects = 64;
 constexpr std::chrono::seconds most_time{4};
 
-// What is tried with bytes of which nothing is known but where the first lies: a small integer, a truth value or a
-// letter become another one; a number of single or double precision another, larger, or negative.
+// A change of bytes of which only the first's address is known: a small integer, a truth value or a letter becomes
+// another one; a number of single or double precision another, larger, or negative one.
 struct Trial {
   unsigned char offset, flips;
 };

@@ -3,7 +3,8 @@
 // (access_watch.h). Further forks begin with other bytes there. If the outputs depend on them, the kernel reads state;
 // if bytes that were changed are overwritten, it writes state, be it with what was there.
 //
-// A number that is read and does not matter is no state, nor is a pointer: what it leads to is looked at itself.
+// Bytes that are read without effect on the outputs are not reported. Pointers are left as they are; their targets are
+// tried themselves.
 #pragma once
 
 #include "memory/memory_image.h"
@@ -14,7 +15,7 @@
 
 namespace symreal::replay {
 
-// What may be read, and what may be written, as the clauses say.
+// Bytes that the clauses let the kernel read, and write.
 struct Named {
   std::vector<memory::Known> read, written;
 };

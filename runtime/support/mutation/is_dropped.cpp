@@ -12,6 +12,7 @@ static constexpr std::string_view rules[] = {
     "baked",            // a wrapper compares what the recording has baked in
     "beyond_guards",    // a static integer that another path may read is state
     "check_bits",       // a number of which a part was overwritten is told from others
+    "chosen",           // constants that the caller hands over are looked at like other memory
     "constant_changed", // a constant that is read must still be what it was when the kernel ends
     "extents",          // and the extents of containers
     "generic",          // the controlling expression of _Generic has the type that it has in C

@@ -42,10 +42,10 @@ public:
   virtual void handed_over(void const *, std::size_t) {}
   // The kernel's own, though it lies with its caller.
   virtual void own(void const *, std::size_t) {}
-  // The caller's choice, which nothing is promised of.
+  // An argument that the caller may choose as it likes.
   virtual void chosen(void const *, std::size_t) {}
   virtual void end_object(std::vector<std::size_t> extents) = 0;
-  // Of the program.
+  // The program's static variables.
   virtual std::vector<memory::StaticObject> static_objects() const { return memory::find_static_objects(); }
   // The elements that follow were found by a solver, or are a residual. Whether they are wanted.
   virtual bool begin_implicit(std::string const &, Place const &) { return false; }
