@@ -103,20 +103,26 @@ void note(std::uintptr_t address, bool is_write, std::uintptr_t instruction) {
   met.is_written |= is_write;
 }
 
+void close_pages() {
+  while (watch.open_count != 0) protect(watch.open[--watch.open_count], PROT_NONE);
+}
+
 void on_fault(int, siginfo_t *info, void *context) {
   auto &registers = static_cast<ucontext_t *>(context)->uc_mcontext.gregs;
   auto const address = reinterpret_cast<std::uintptr_t>(info->si_addr);
   Page *page = page_of(address);
-  if (!page || watch.open_count == most_open) { // the program's own
+  if (watch.open_count == most_open) close_pages();
+  if (!page) { // the program's own
     struct sigaction action = {};
     action.sa_handler = SIG_DFL;
     sigaction(SIGSEGV, &action, nullptr);
     return;
   }
   constexpr greg_t writes = 2, single_step = 0x100;
-  if (!OwnWork::is_going_on() && is_watched(address))
-    note(address, (registers[REG_ERR] & writes) != 0, static_cast<std::uintptr_t>(registers[REG_RIP]));
   protect(page->begin, PROT_READ | PROT_WRITE);
+  if (OwnWork::is_going_on()) return void(watch.open[watch.open_count++] = page->begin); // until it ends
+  if (is_watched(address))
+    note(address, (registers[REG_ERR] & writes) != 0, static_cast<std::uintptr_t>(registers[REG_RIP]));
   ++watch.faults;
   if (++page->faults > most_of_page || watch.faults > most_faults) return;
   watch.open[watch.open_count++] = page->begin;
@@ -126,7 +132,7 @@ void on_fault(int, siginfo_t *info, void *context) {
 void on_step(int, siginfo_t *, void *context) {
   constexpr greg_t single_step = 0x100;
   static_cast<ucontext_t *>(context)->uc_mcontext.gregs[REG_EFL] &= ~single_step;
-  while (watch.open_count != 0) protect(watch.open[--watch.open_count], PROT_NONE);
+  close_pages();
 }
 
 bool catch_signals() {
@@ -171,12 +177,14 @@ bool begin_watching_accesses(std::vector<WatchedBytes> const &bytes) {
   for (std::uintptr_t const page : pages) watch.pages[watch.page_count++] = {page * page_size, 0};
   for (WatchedBytes const &one : bytes) watch.bytes[watch.byte_count++] = one;
   for (std::size_t k = 0; k < watch.page_count; ++k) protect(watch.pages[k].begin, PROT_NONE);
+  OwnWork::call_at_end(close_pages);
   return true;
 }
 
 void watch_names(bool are_looked_up) { watch.are_names = are_looked_up; }
 
 Accesses end_watching_accesses() {
+  OwnWork::call_at_end(nullptr);
   for (std::size_t k = 0; k < watch.page_count; ++k) protect(watch.pages[k].begin, PROT_READ | PROT_WRITE);
   OwnWork const own;
   sigaction(SIGSEGV, &watch.previous_fault, nullptr);

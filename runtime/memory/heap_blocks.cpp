@@ -21,6 +21,7 @@ void __libc_free(void *block);
 namespace symreal::memory {
 
 __thread int OwnWork::depth_ = 0;
+void (*OwnWork::at_end_)() = nullptr;
 
 namespace {
 

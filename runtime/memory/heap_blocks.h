@@ -18,13 +18,18 @@ struct HeapBlock {
 class OwnWork {
 public:
   OwnWork() { ++depth_; }
-  ~OwnWork() { --depth_; }
+  ~OwnWork() {
+    if (--depth_ == 0 && at_end_) at_end_();
+  }
   OwnWork(OwnWork const &) = delete;
   OwnWork &operator=(OwnWork const &) = delete;
   static bool is_going_on() { return depth_ != 0; }
+  // Called when the outermost one ends; null: nothing is.
+  static void call_at_end(void (*function)()) { at_end_ = function; }
 
 private:
   static __thread int depth_;
+  static void (*at_end_)();
 };
 
 // What lives as long as its thread, or longer.
