@@ -57,13 +57,13 @@ double kern(double x) {
 #else
 static std::vector<int> copied = {1, 2};
 static std::vector<double> moved = {1, 2};
-static int filled[3], made[2] = {1, 2};
+static int filled[3], erased[3], made[2] = {1, 2};
 static int const counts[2] = {1, 2};
-int found() { return filled[0]++ + made[0]++ + copied[0]++ + static_cast<int>(moved[0]++); }
+int found() { return filled[0]++ + erased[0]++ + made[0]++ + copied[0]++ + static_cast<int>(moved[0]++); }
 #if defined(NAMED)
-#pragma symreal function input(x) scratch(copied, moved, filled, made) output(return)
+#pragma symreal function input(x) scratch(copied, moved, filled, erased, made) output(return)
 #elif defined(OUTPUT)
-#pragma symreal function input(x) scratch(copied, filled, made) output(return, moved[0:2])
+#pragma symreal function input(x) scratch(copied, filled, erased, made) output(return, moved[0:2])
 #else
 #pragma symreal function input(x) output(return)
 #endif
@@ -79,6 +79,8 @@ double kern(double x) {
   std::copy(numbers, numbers + 2, moved.begin());
   // WRITTEN-DAG: error: the kernel writes 'filled', which is not an output [SYM053]
   std::fill_n(filled, 3, 0);
+  // WRITTEN-DAG: error: the kernel writes 'erased', which is not an output [SYM053]
+  std::fill(erased, erased + 3, 0);
   // WRITTEN-DAG: error: the kernel writes 'made', which is not an output [SYM053]
   std::uninitialized_copy(counts, counts + 2, made);
   return 2 * x;

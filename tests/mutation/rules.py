@@ -83,7 +83,7 @@ RULES = [
          "bad_input/constants_of_the_caller", refused="SYM017"),
     Rule("refers", "follows members that are references to them", "refers.cpp", "bad_input/constants_of_the_caller",
          refused="SYM017"),
-    Rule("fill", "notes ranges that a library writes without reading them", "fill.cpp", "bad_input/integers_read_by_libraries",
+    Rule("fill", "notes ranges that a library writes without reading them", "fill.cpp", "bad_input/state_by_any_means.cpp",
          refused="SYM053"),
     Rule("target", "notes what a library writes through a pointer", "target.c", "bad_input/kept_same_bytes", refused="SYM053"),
     Rule("state", "notes uses of static objects", "state.cpp", "bad_input/undeclared_global", refused="SYM017"),

@@ -83,7 +83,7 @@ void note(Effect::Kind kind, char const *what) {
 
 constexpr char allow = 0, block = 1;
 char selector = allow; // which the kernel of the system reads at each system call
-bool is_watching = false, is_discarding = false;
+bool has_begun = false, is_watching = false, is_discarding = false;
 struct sigaction previous;
 // The handler's own stack: what it leaves would show where the stacks of two processes are compared (trace/join).
 alignas(16) char handler_stack[1 << 16];
@@ -203,6 +203,7 @@ constexpr Call calls[] = {
     {SYS_fork, Does::other, "starts a process"},
     {SYS_vfork, Does::other, "starts a process"},
     {SYS_execve, Does::other, "starts a program"},
+    {SYS_wait4, Does::other, "waits for a process"},
     {SYS_kill, Does::other, "sends a signal"},
     {SYS_socket, Does::other, "opens a socket"},
     {SYS_umask, Does::other, "changes the mask of permissions"},
@@ -243,8 +244,15 @@ bool lasts(Does does, long const (&arguments)[6]) {
   return true;
 }
 
+// And no thread of this one.
+bool starts_process(long number, long const (&arguments)[6]) {
+  if (number == SYS_clone) return (arguments[0] & CLONE_THREAD) == 0;
+  return number == SYS_clone3 && (*reinterpret_cast<std::uint64_t const *>(arguments[0]) & CLONE_THREAD) == 0;
+}
+
 // `closed`: the path of what the call has closed.
 void note(long number, long const (&arguments)[6], long result, char const *closed) {
+  if (starts_process(number, arguments)) number = SYS_fork;
   Call const *row = row_of(number);
   if (!row && std::ranges::find(harmless, number) != std::end(harmless)) return;
   Does const does = row ? row->does : Does::other;
@@ -388,7 +396,7 @@ void begin_calls() {
   action.sa_flags = SA_SIGINFO | SA_ONSTACK;
   action.sa_sigaction = on_call;
   sigaction(SIGSYS, &action, &previous);
-  is_watching = dispatch();
+  has_begun = is_watching = dispatch();
   if (is_watching)
     selector = block;
   else
@@ -416,10 +424,9 @@ Effect effect_of(Noted const &one) {
 }
 
 void end_calls(std::vector<Effect> &effects) {
-  bool const was_watching = is_watching;
   selector = allow;
   is_watching = false;
-  if (!was_watching) return;
+  if (!std::exchange(has_begun, false)) return; // what was noted before a thread began counts
   prctl(PR_SET_SYSCALL_USER_DISPATCH, 0, 0, 0, 0);
   give_back_handler();
   compare_signals(effects);
