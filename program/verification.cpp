@@ -5,6 +5,7 @@
 #include "emit/origins/origins.h"
 #include "graph/evaluate.h"
 #include "graph/implicit.h"
+#include "memory/static_objects.h"
 #include "program/guard_verification.h"
 #include "program/later_calls.h"
 #include "program/next_call.h"
@@ -69,10 +70,8 @@ std::string local_name(std::string const &linker_name) {
     std::size_t const scope = name.rfind("::");
     return scope == name.npos ? "" : name.substr(scope + 2);
   }
-  std::size_t const dot = linker_name.find('.'); // name.1 of gcc's C, function.name of Clang's
-  if (dot == linker_name.npos) return "";
-  bool const is_number = linker_name.find_first_not_of("0123456789", dot + 1) == linker_name.npos;
-  return is_number ? linker_name.substr(0, dot) : linker_name.substr(dot + 1);
+  std::string const name = memory::name_in_c(linker_name);
+  return name == linker_name ? "" : name;
 }
 
 class Verifier {

@@ -64,30 +64,28 @@ template <class T> T *own_memory(std::size_t count) {
   return memory == MAP_FAILED ? nullptr : static_cast<T *>(memory);
 }
 
-Page *page_of(std::uintptr_t address) {
-  std::uintptr_t const begin = address / page_size * page_size;
-  std::size_t low = 0, high = watch.page_count;
+std::uintptr_t begin_of(Page const &page) { return page.begin; }
+std::uintptr_t begin_of(WatchedBytes const &bytes) { return reinterpret_cast<std::uintptr_t>(bytes.begin); }
+
+// The last element that begins at the address or before it, or null. Instantiated in this file alone, so that it is
+// called directly.
+template <class T> T *last_before(T *all, std::size_t count, std::uintptr_t address) {
+  std::size_t low = 0, high = count;
   while (low < high) {
     std::size_t const middle = low + (high - low) / 2;
-    (watch.pages[middle].begin < begin ? low = middle + 1 : high = middle);
+    (begin_of(all[middle]) <= address ? low = middle + 1 : high = middle);
   }
-  return low < watch.page_count && watch.pages[low].begin == begin ? &watch.pages[low] : nullptr;
+  return low == 0 ? nullptr : &all[low - 1];
+}
+
+Page *page_of(std::uintptr_t address) {
+  Page *page = last_before(watch.pages, watch.page_count, address);
+  return page && address - page->begin < page_size ? page : nullptr;
 }
 
 bool is_watched(std::uintptr_t address) {
-  std::size_t low = 0, high = watch.byte_count;
-  while (low < high) {
-    std::size_t const middle = low + (high - low) / 2;
-    WatchedBytes const &one = watch.bytes[middle];
-    auto const begin = reinterpret_cast<std::uintptr_t>(one.begin);
-    if (address < begin)
-      high = middle;
-    else if (address - begin < one.size)
-      return true;
-    else
-      low = middle + 1;
-  }
-  return false;
+  WatchedBytes const *bytes = last_before(watch.bytes, watch.byte_count, address);
+  return bytes && address - begin_of(*bytes) < bytes->size;
 }
 
 void note(std::uintptr_t address, bool is_write, std::uintptr_t instruction) {

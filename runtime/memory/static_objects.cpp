@@ -152,6 +152,13 @@ std::string without_tags(std::string name) {
   return name;
 }
 
+std::string name_in_c(std::string const &linker_name) {
+  std::size_t const dot = linker_name.starts_with("_Z") ? linker_name.npos : linker_name.find('.');
+  if (dot == linker_name.npos) return linker_name;
+  bool const is_number = linker_name.find_first_not_of("0123456789", dot + 1) == linker_name.npos;
+  return is_number ? linker_name.substr(0, dot) : linker_name.substr(dot + 1);
+}
+
 std::string guarded_by(std::string const &name) { return name.starts_with("_ZGV") ? "_Z" + name.substr(4) : ""; }
 
 // _ZGR <name of the reference> [<sequence number>] _

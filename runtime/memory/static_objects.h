@@ -26,6 +26,10 @@ std::vector<StaticObject> find_constants();
 // Without the tag for the types of the newer standard library, which compilers add to different names.
 std::string without_tags(std::string name);
 
+// A static variable of C as the source has it: gcc makes `name.1` of one in a function, Clang `function.name`. Other
+// names, those of C++ among them, are as they were.
+std::string name_in_c(std::string const &linker_name);
+
 // The object that the compiler guards with this one, which says whether it is initialised; empty for other names.
 std::string guarded_by(std::string const &name);
 // Whether the temporary lives as long as the reference, by the names that the linker knows.

@@ -285,8 +285,7 @@ void symreal_original_statics(char const *names) {
   OwnWork const own;
   std::string const wanted = " " + symreal::memory::without_tags(names) + " ";
   for (symreal::memory::StaticObject const &one : Kernel::current().sink().static_objects()) {
-    bool const is_c = !one.name.starts_with("_Z"); // gcc numbers the static variables of functions
-    std::string const name = is_c ? one.name.substr(0, one.name.find('.')) : one.name;
+    std::string const name = symreal::memory::name_in_c(one.name);
     if (wanted.find(" " + name + " ") != wanted.npos) Kernel::current().sink().bytes(one.begin, one.size);
   }
 }

@@ -60,13 +60,6 @@ constexpr std::array trials = {Trial{0, 0x01}, Trial{6, 0x08}, Trial{2, 0x40}, T
 
 constexpr Trial for_writes{0, 0x04}; // a count of owners stays one
 
-// The name in the source of a static variable of C, whatever the compiler adds: `name.1`, `function.name`.
-bool is_named(std::string const &linker_name, std::string const &name) {
-  if (linker_name.starts_with("_Z")) return linker_name == name;
-  std::size_t const dot = linker_name.find('.');
-  return linker_name.substr(0, dot) == name || (dot != linker_name.npos && linker_name.substr(dot + 1) == name);
-}
-
 bool is_changeable(Change const &object) {
   return object.region != Region::static_object || changeable.contains(object.object);
 }
@@ -244,12 +237,13 @@ private:
 
 void begin_examination(MemoryImage const &image, std::string const &names) {
   memory::OwnWork const own;
+  std::vector<Change> const objects = image.objects();
   std::ifstream file(names);
   for (std::string line; std::getline(file, line);) {
     bool const is_leading = line.starts_with('*');
     std::string const name = memory::without_tags(line.substr(is_leading ? 1 : 0));
-    for (Change const &one : image.objects())
-      if (one.region == Region::static_object && is_named(one.name, name))
+    for (Change const &one : objects)
+      if (one.region == Region::static_object && memory::name_in_c(one.name) == name)
         (is_leading ? leading : changeable).insert(one.object);
   }
   is_watching = watch_changeable(image);

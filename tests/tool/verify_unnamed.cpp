@@ -18,7 +18,8 @@
 // RUN: %{finds}
 // RANGE: error: kernel 'kern': the original overwrites 'cells' ({{.*}}) with the bytes that it holds [SYM121]
 
-// What is read and does not matter is no state, nor is what never changes, or what the clauses need to name numbers.
+// Bytes that are read without effect on the outputs are not reported, nor is what never changes, or what the clauses need
+// to name numbers.
 // REDEFINE: %{of} = PRINTED
 // RUN: %{passes}
 // REDEFINE: %{of} = LOCKED

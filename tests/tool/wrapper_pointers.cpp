@@ -47,7 +47,7 @@ static double first() { return kern(numbers, numbers + 2); }
 static double other() { return kern(numbers, numbers + 1); }
 
 #elif defined(CONSTANT)
-// Where the numbers cannot be written, the kernel is recorded on a copy of them, in which both pointers lie.
+// The kernel is recorded on a copy of numbers that cannot be written, in which both pointers lie.
 static double const fixed[3] = {1, 2, 3};
 #pragma symreal function input(x[0:2]) output(return)
 static double kern(double const *x, double const *end) {

@@ -174,7 +174,7 @@ private:
     }
   }
 
-  // Of a std::tuple, but for references to others' objects.
+  // The elements of a std::tuple; references lead to objects of others.
   template <class T, std::size_t... k> void parts(T const &object, std::index_sequence<k...>) {
     using std::get;
     (part<std::tuple_element_t<k, T>>(get<k>(object)), ...);
