@@ -4,9 +4,9 @@ include(CMakePackageConfigHelpers)
 
 install(TARGETS symreal symreal-compiler RUNTIME DESTINATION bin)
 install(FILES ${PROJECT_BINARY_DIR}/tool/symreal-cc DESTINATION bin)
-install(TARGETS symreal_runtime ARCHIVE DESTINATION lib/symreal)
+install(TARGETS symreal_runtime symreal_generate ARCHIVE DESTINATION lib/symreal)
 install(TARGETS symreal-record-instructions LIBRARY DESTINATION lib/symreal)
-install(DIRECTORY runtime/include/ DESTINATION lib/symreal/include)
+install(DIRECTORY engine/include/ runtime/include/ DESTINATION lib/symreal/include)
 install(FILES ${PROJECT_BINARY_DIR}/runtime/include/symreal/names_hide.h
   ${PROJECT_BINARY_DIR}/runtime/include/symreal/names_show.h DESTINATION lib/symreal/include/symreal)
 install(FILES LICENSE README.md DESTINATION share/doc/symreal)
@@ -15,13 +15,13 @@ install(DIRECTORY docs DESTINATION share/doc/symreal)
 # find_package(Symreal): in the installed tree, and in the build tree.
 set(package_paths SYMREAL_TOOL_DIR SYMREAL_RUNTIME_FILE SYMREAL_RUNTIME_HEADERS SYMREAL_CMAKE_DIR)
 set(SYMREAL_TOOL_DIR bin)
-set(SYMREAL_RUNTIME_FILE lib/symreal/libsymreal_runtime.a)
+set(SYMREAL_RUNTIME_FILE lib/symreal/libsymreal_generate.a)
 set(SYMREAL_RUNTIME_HEADERS lib/symreal/include)
 set(SYMREAL_CMAKE_DIR lib/cmake/Symreal)
 configure_package_config_file(cmake/SymrealConfig.cmake.in ${PROJECT_BINARY_DIR}/installed/SymrealConfig.cmake
   INSTALL_DESTINATION lib/cmake/Symreal PATH_VARS ${package_paths})
 set(SYMREAL_TOOL_DIR ${PROJECT_BINARY_DIR}/tool)
-set(SYMREAL_RUNTIME_FILE ${PROJECT_BINARY_DIR}/runtime/libsymreal_runtime.a)
+set(SYMREAL_RUNTIME_FILE ${PROJECT_BINARY_DIR}/runtime/libsymreal_generate.a)
 set(SYMREAL_RUNTIME_HEADERS ${PROJECT_BINARY_DIR}/runtime/include)
 set(SYMREAL_CMAKE_DIR ${PROJECT_SOURCE_DIR}/cmake)
 configure_package_config_file(cmake/SymrealConfig.cmake.in ${PROJECT_BINARY_DIR}/SymrealConfig.cmake

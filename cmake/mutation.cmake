@@ -2,9 +2,9 @@
 # in another way.
 option(SYMREAL_MUTATION "Build tools whose rules can be dropped, one at a time, to test what notices" OFF)
 if(SYMREAL_MUTATION)
-  target_sources(symreal_runtime_support PRIVATE ${PROJECT_SOURCE_DIR}/runtime/support/mutation/is_dropped.cpp)
+  target_sources(symreal_engine_support PRIVATE ${PROJECT_SOURCE_DIR}/engine/support/mutation/is_dropped.cpp)
   target_sources(symreal_rewrite_decide PRIVATE ${PROJECT_SOURCE_DIR}/rewrite/decide/mutation/drop_rule.cpp)
-  foreach(folder runtime rewrite program tool)
+  foreach(folder engine runtime rewrite program verify tool)
     file(GLOB_RECURSE files CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${folder}/*.cpp)
     set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${files})
     foreach(file ${files})

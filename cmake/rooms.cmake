@@ -1,5 +1,5 @@
-# A room is a folder and a target: symreal_room(runtime/passes SEES graph ops) makes the library symreal_passes of the
-# sources in runtime/passes. A room includes from itself, from the rooms that it names, and from those that these see.
+# A room is a folder and a target: symreal_room(engine/graph SEES engine/ops) makes the library symreal_engine_graph of the
+# sources in engine/graph. A room includes from itself, from the rooms that it names, and from those that these see.
 # tests/style/rooms.test compares the includes with what is said here, which `rooms.txt` of the build tree repeats.
 function(symreal_room folder)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SEES;SOURCES")
@@ -21,6 +21,19 @@ function(symreal_room folder)
   endif()
   list(JOIN arg_SEES " " words)
   set_property(GLOBAL APPEND_STRING PROPERTY SYMREAL_ROOMS "${folder} ${words}\n")
+endfunction()
+
+# A room that symbolic programs are linked with. Each gets the same flags, so that they share a precompiled header.
+function(symreal_linked_into_programs room)
+  set_property(GLOBAL APPEND PROPERTY SYMREAL_LINKED_INTO_PROGRAMS ${room})
+  # The values that are folded here must be those of the reference: no contraction, no compile-time libm, NaN payloads
+  # kept.
+  target_compile_options(${room} PRIVATE -ffp-contract=off -fno-builtin -fno-fast-math)
+  # Programs of several shared libraries have it in each, and use one; it is loaded with the program.
+  set_target_properties(${room} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+  target_compile_options(${room} PRIVATE -ftls-model=initial-exec)
+  target_link_libraries(${room} PUBLIC symreal_headers)
+  add_dependencies(${room} symreal_hidden_names)
 endfunction()
 
 # The first target precompiles the header, for itself and for the others. Their flags must be its own.

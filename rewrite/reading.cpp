@@ -1,9 +1,9 @@
 #include "rewrite/reading.h"
 
+#include "engine/support/parallel.h"
+#include "engine/support/progress.h"
 #include "rewrite/facts/merge.h"
 #include "rewrite/unit/reachable_sources.h"
-#include "support/parallel.h"
-#include "support/progress.h"
 
 #include <numeric>
 

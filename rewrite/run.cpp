@@ -1,3 +1,4 @@
+#include "engine/support/mutation/is_dropped.h"
 #include "rewrite/collected.h"
 #include "rewrite/decide/decide.h"
 #include "rewrite/pragma/configured.h"
@@ -5,7 +6,6 @@
 #include "rewrite/rewrite.h"
 #include "rewrite/source/source_map.h"
 #include "rewrite/unit/rewritten_choices.h"
-#include "support/mutation/is_dropped.h"
 
 #include <algorithm>
 

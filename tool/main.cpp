@@ -1,8 +1,8 @@
 // The command line: symreal SUBCOMMAND [options] files [-- compiler flags].
-#include "diagnostics/diagnostic.h"
-#include "program/read_files.h"
-#include "support/files.h"
-#include "support/version.h"
+#include "engine/diagnostics/diagnostic.h"
+#include "engine/support/files.h"
+#include "engine/support/version.h"
+#include "program/build/read_files.h"
 #include "tool/commands/subcommands.h"
 #include "tool/configuration/unknown_words.h"
 

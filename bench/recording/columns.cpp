@@ -1,6 +1,6 @@
 // What the columns of a recording cost: the same operations recorded without them, with carried values, and with values
 // and source places. Interleaved rounds; medians and quartiles of nanoseconds an operation, and the ratio to the first.
-#include "trace/nodes/pool.h"
+#include "runtime/trace/nodes/pool.h"
 
 #include <algorithm>
 #include <chrono>

@@ -3,10 +3,10 @@
 // GRAPH is what a symbolic program left for its driver. A line a stage and round, separated by tabs: the stage, seconds
 // of the processor, operations, megabytes: the most that this process held during the stage. Before them what the
 // program executed, and how many nodes the graph has.
-#include "emit/emit.h"
-#include "graph/graph_binary.h"
-#include "passes/pass.h"
-#include "support/files.h"
+#include "engine/emit/emit.h"
+#include "engine/graph/graph_binary.h"
+#include "engine/optimise/passes/pass.h"
+#include "engine/support/files.h"
 
 #include <cstdio>
 #include <cstdlib>

@@ -3,7 +3,7 @@
 // silent.
 #include "rewrite/collect/collector.h"
 
-#include "support/mutation/is_dropped.h"
+#include "engine/support/mutation/is_dropped.h"
 
 namespace symreal::rewrite {
 using namespace clang;

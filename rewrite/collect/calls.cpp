@@ -1,6 +1,6 @@
+#include "engine/support/installation.h"
 #include "rewrite/collect/collector.h"
 #include "rewrite/model/text_functions.h"
-#include "support/installation.h"
 
 namespace symreal::rewrite {
 using namespace clang;

@@ -1,4 +1,4 @@
-#include "ops/operation.h"
+#include "engine/ops/operation.h"
 #include "rewrite/collect/symbolic_ints.h"
 #include "rewrite/model/conditions.h"
 #include "rewrite/model/table_elements.h"

@@ -13,7 +13,7 @@ namespace {
 bool is_watched(llvm::StringRef name) {
   static llvm::StringSet<> const names = {
 #define OUTSIDE(result, symbol, name, parameters, arguments) #symbol,
-#include "support/outside.def"
+#include "engine/support/outside.def"
 #undef OUTSIDE
   };
   return names.contains(name);

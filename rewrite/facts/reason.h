@@ -1,7 +1,7 @@
 // What is in the way of a select: the table in reasons.def.
 #pragma once
 
-#include "diagnostics/diagnostic.h"
+#include "engine/diagnostics/diagnostic.h"
 
 #include <string>
 #include <vector>

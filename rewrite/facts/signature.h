@@ -1,7 +1,7 @@
 // What is known of a kernel's function, so that another file can call it or define it in its place.
 #pragma once
 
-#include "diagnostics/diagnostic.h"
+#include "engine/diagnostics/diagnostic.h"
 
 #include <cstddef>
 #include <optional>

@@ -1,6 +1,6 @@
 #include "rewrite/model/reals.h"
 
-#include "ops/operation.h"
+#include "engine/ops/operation.h"
 #include "rewrite/model/library.h"
 #include "rewrite/source/walk.h"
 

@@ -1,6 +1,6 @@
 #include "rewrite/pragma/external_derivatives.h"
 
-#include "support/quoted.h"
+#include "engine/support/quoted.h"
 
 namespace symreal::rewrite {
 

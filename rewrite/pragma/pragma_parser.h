@@ -5,7 +5,7 @@
 //   item      := expression in which `[low:length]` may stand where an index may; low may be missing and is then 0
 #pragma once
 
-#include "diagnostics/diagnostic.h"
+#include "engine/diagnostics/diagnostic.h"
 
 #include <cstddef>
 #include <string>

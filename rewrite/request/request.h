@@ -1,7 +1,7 @@
 // What is asked of the rewriter: the sources as their builds compile them, and what may be rewritten.
 #pragma once
 
-#include "diagnostics/diagnostic.h"
+#include "engine/diagnostics/diagnostic.h"
 
 #include <memory>
 #include <optional>

@@ -1,9 +1,9 @@
 #include "rewrite/source/token_watch.h"
 
+#include "engine/support/files.h"
+#include "engine/support/installation.h"
 #include "rewrite/source/arithmetic.h"
 #include "rewrite/source/keyword_names.h"
-#include "support/files.h"
-#include "support/installation.h"
 
 #include <sstream>
 

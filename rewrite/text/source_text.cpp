@@ -1,8 +1,8 @@
 #include "rewrite/text/source_text.h"
 
+#include "engine/support/mutation/is_dropped.h"
 #include "rewrite/request/request.h"
 #include "rewrite/text/raw_tokens.h"
-#include "support/mutation/is_dropped.h"
 
 #include <cctype>
 #include <cmath>

@@ -1,7 +1,7 @@
 // C and C++ as text, where there is no parser.
 #pragma once
 
-#include "support/quoted.h"
+#include "engine/support/quoted.h"
 
 #include <cstddef>
 #include <string>

@@ -1,5 +1,6 @@
 #include "rewrite/unit/collect_source.h"
 
+#include "engine/support/installation.h"
 #include "rewrite/collect/choices.h"
 #include "rewrite/facts/merge.h"
 #include "rewrite/pragma/configured.h"
@@ -11,7 +12,6 @@
 #include "rewrite/source/spelled_types.h"
 #include "rewrite/source/token_watch.h"
 #include "rewrite/unit/visitor.h"
-#include "support/installation.h"
 
 #include <algorithm>
 

@@ -1,12 +1,12 @@
 #include "rewrite/unit/kept_facts.h"
 
+#include "engine/support/installation.h"
 #include "rewrite/facts/bytes.h"
 #include "rewrite/facts/fact_bytes.h"
 #include "rewrite/pragma/configured.h"
 #include "rewrite/source/source_map.h"
 #include "rewrite/unit/collect_source.h"
 #include "rewrite/unit/tool_identity.h"
-#include "support/installation.h"
 
 #include <clang/Basic/Version.h>
 #include <llvm/ADT/StringExtras.h>

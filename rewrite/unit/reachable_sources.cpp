@@ -1,6 +1,6 @@
 #include "rewrite/unit/reachable_sources.h"
 
-#include "diagnostics/diagnostic.h"
+#include "engine/diagnostics/diagnostic.h"
 
 #include <algorithm>
 #include <cctype>

@@ -1,10 +1,10 @@
 #include "rewrite/unit/rewritten_choices.h"
 
+#include "engine/support/parallel.h"
+#include "engine/support/progress.h"
 #include "rewrite/collect/choices.h"
 #include "rewrite/facts/merge.h"
 #include "rewrite/unit/collect_source.h"
-#include "support/parallel.h"
-#include "support/progress.h"
 
 namespace symreal::rewrite {
 namespace {

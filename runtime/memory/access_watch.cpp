@@ -1,6 +1,6 @@
-#include "memory/access_watch.h"
+#include "runtime/memory/access_watch.h"
 
-#include "memory/heap_blocks.h"
+#include "runtime/memory/heap_blocks.h"
 
 #include <algorithm>
 

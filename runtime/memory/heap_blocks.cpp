@@ -1,4 +1,4 @@
-#include "memory/heap_blocks.h"
+#include "runtime/memory/heap_blocks.h"
 
 #include <algorithm>
 #include <functional>

@@ -1,4 +1,4 @@
-#include "memory/mapped_memory.h"
+#include "runtime/memory/mapped_memory.h"
 
 #include <atomic>
 

@@ -1,6 +1,6 @@
-#include "memory/memory_image.h"
+#include "runtime/memory/memory_image.h"
 
-#include "memory/stack.h"
+#include "runtime/memory/stack.h"
 
 #include <algorithm>
 #include <cstring>

@@ -3,8 +3,8 @@
 // it tells what the kernel has left behind, by whatever means it was written: numbers, integers, pointers, text.
 #pragma once
 
-#include "memory/heap_blocks.h"
-#include "memory/static_objects.h"
+#include "runtime/memory/heap_blocks.h"
+#include "runtime/memory/static_objects.h"
 
 #include <optional>
 #include <set>

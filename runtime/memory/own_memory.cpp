@@ -1,7 +1,7 @@
-#include "memory/own_memory.h"
+#include "runtime/memory/own_memory.h"
 
-#include "diagnostics/diagnostic.h"
-#include "memory/stack.h"
+#include "engine/diagnostics/diagnostic.h"
+#include "runtime/memory/stack.h"
 
 #include <algorithm>
 #include <link.h>

@@ -1,7 +1,7 @@
 // Which memory is the kernel's own, or constant, whatever the kernel does.
 #pragma once
 
-#include "memory/heap_blocks.h"
+#include "runtime/memory/heap_blocks.h"
 
 #include <symreal/state.h>
 

@@ -1,4 +1,4 @@
-#include "memory/stack.h"
+#include "runtime/memory/stack.h"
 
 #include <pthread.h>
 

@@ -1,4 +1,4 @@
-#include "memory/static_objects.h"
+#include "runtime/memory/static_objects.h"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 // What the annotations of a program call (<symreal/annotate.h>).
-#include "memory/heap_blocks.h"
-#include "support/mutation/is_dropped.h"
-#include "trace/sinks.h"
+#include "engine/support/mutation/is_dropped.h"
+#include "runtime/memory/heap_blocks.h"
+#include "runtime/trace/sinks.h"
 
 namespace symreal {
 

@@ -1,9 +1,9 @@
 // The parts of decisions that record nothing in the user's name.
-#include "memory/own_memory.h"
-#include "trace/decisions/explored_path.h"
-#include "trace/nodes/pool.h"
-#include "trace/report/events.h"
-#include "trace/state/state.h"
+#include "runtime/memory/own_memory.h"
+#include "runtime/trace/decisions/explored_path.h"
+#include "runtime/trace/nodes/pool.h"
+#include "runtime/trace/report/events.h"
+#include "runtime/trace/state/state.h"
 
 #include <symreal/branch.h>
 #include <symreal/extremes.h>

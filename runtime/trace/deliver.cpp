@@ -1,14 +1,10 @@
-#include "trace/deliver.h"
+#include "runtime/trace/deliver.h"
 
-#include "differentiate/differentiate.h"
-#include "emit/emit.h"
-#include "emit/language/banner.h"
-#include "graph/frozen.h"
-#include "graph/graph_binary.h"
-#include "passes/pass.h"
-#include "support/files.h"
-#include "support/number.h"
-#include "trace/report/events.h"
+#include "engine/graph/frozen.h"
+#include "engine/graph/graph_binary.h"
+#include "engine/support/files.h"
+#include "engine/support/number.h"
+#include "runtime/trace/report/events.h"
 
 #include <atomic>
 #include <cstdio>
@@ -37,28 +33,6 @@ static void hand_to_driver(Graph const &graph, std::string const &output_file) {
     std::cout.flush();
     _exit(0);
   }
-}
-
-// As --frozen would decide, which is $SYMREAL_FROZEN here.
-static void report_frozen(Graph const &graph) {
-  char const *wanted = std::getenv("SYMREAL_FROZEN");
-  std::string const policy = wanted ? wanted : "state";
-  for (Frozen const &state : graph.frozen)
-    if (std::optional<Severity> const severity = frozen_severity(state, policy))
-      report({DiagnosticId::frozen_state, state.place, frozen_message(graph.kernel, state), {}, *severity});
-}
-
-static void generate_here(Graph const &graph, std::string const &output_file) {
-  report_frozen(graph);
-  if (anything_wrong()) give_up(); // what is wrong is printed; nothing is generated
-  std::vector<std::string> const passes = default_passes();
-  Graph const wanted = differentiate(graph, graph.wishes, [](Diagnostic const &warning) { report(warning); });
-  std::filesystem::path const path = output_file.empty() ? graph.kernel + ".c" : output_file;
-  Graph const optimised = run_passes(wanted, passes, FloatingPoint::finite);
-  std::vector<EmittedFile> const files =
-      emit(schedule(optimised), *find_language("c"), {.base_name = path.stem().string()});
-  for (EmittedFile const &file : files) require_ours((path.parent_path() / file.name).string(), file.text);
-  for (EmittedFile const &file : files) write_if_changed((path.parent_path() / file.name).string(), file.text);
 }
 
 void deliver(Graph const &graph, std::string const &output_file) {

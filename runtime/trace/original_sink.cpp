@@ -1,18 +1,18 @@
 // The original: its own text, annotated by <symreal/original.h>. It is fed and read like the replay, and what a kernel
 // leaves in the memory that outlives it is told as well.
-#include "memory/own_memory.h"
-#include "memory/static_objects.h"
-#include "trace/kernel/again.h"
-#include "trace/kernel/object_layout.h"
-#include "trace/nodes/pool.h"
-#include "trace/outside/stream_formats.h"
-#include "trace/outside/world.h"
-#include "trace/report/call_stack.h"
-#include "trace/sinks.h"
-#include "verify/replay_protocol.h"
-#include "verify/replay_server.h"
-#include "verify/returned_object.h"
-#include "verify/unnamed_state.h"
+#include "runtime/memory/own_memory.h"
+#include "runtime/memory/static_objects.h"
+#include "runtime/replay/replay_protocol.h"
+#include "runtime/replay/replay_server.h"
+#include "runtime/replay/returned_object.h"
+#include "runtime/replay/unnamed_state.h"
+#include "runtime/trace/kernel/again.h"
+#include "runtime/trace/kernel/object_layout.h"
+#include "runtime/trace/nodes/pool.h"
+#include "runtime/trace/outside/stream_formats.h"
+#include "runtime/trace/outside/world.h"
+#include "runtime/trace/report/call_stack.h"
+#include "runtime/trace/sinks.h"
 
 #include <symreal/original.h>
 

@@ -1,7 +1,7 @@
 // Replay: the same annotations on ordinary doubles, fed and read by the client of verify/replay_server.h.
-#include "memory/own_memory.h"
-#include "trace/sinks.h"
-#include "verify/replay_server.h"
+#include "runtime/memory/own_memory.h"
+#include "runtime/replay/replay_server.h"
+#include "runtime/trace/sinks.h"
 
 namespace symreal::trace {
 

@@ -1,7 +1,7 @@
 // The sinks of the programs that one source is compiled as, one each.
 #pragma once
 
-#include "trace/kernel/kernel.h"
+#include "runtime/trace/kernel/kernel.h"
 
 namespace symreal::trace {
 

@@ -1,8 +1,8 @@
 // What the instructions of the original read and write, where the pass of oracle/ tells it. It is judged as what a
 // rewritten text notes (symreal/state.h), if the driver wants code from this recording and not only a comparison.
-#include "trace/watched_memory.h"
+#include "runtime/trace/watched_memory.h"
 
-#include "trace/nodes/pool.h"
+#include "runtime/trace/nodes/pool.h"
 
 #include <symreal/state.h>
 

@@ -1,6 +1,6 @@
 // A graph as a symbolic program hands it over. One that is taken is written as text, and read again.
+#include "engine/graph/graph_binary.h"
 #include "fuzzer.h"
-#include "graph/graph_binary.h"
 #include "temporary_file.h"
 
 using namespace symreal;

@@ -1,5 +1,5 @@
 // Measured costs of operations.
-#include "analysis/costs/costs.h"
+#include "engine/analysis/costs/costs.h"
 #include "fuzzer.h"
 
 using namespace symreal;

@@ -2,7 +2,7 @@
 // takes it or throws a diagnostic.
 #pragma once
 
-#include "diagnostics/diagnostic.h"
+#include "engine/diagnostics/diagnostic.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,6 +1,6 @@
 // A schedule as text. One that is taken is written and read again.
+#include "engine/plan/schedule/schedule_text.h"
 #include "fuzzer.h"
-#include "schedule/schedule_text.h"
 
 using namespace symreal;
 

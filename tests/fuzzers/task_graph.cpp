@@ -1,5 +1,5 @@
 // A task graph in the format of the Standard Task Graph set. One that is taken is written and read again.
-#include "analysis/tasks/stg.h"
+#include "engine/analysis/tasks/stg.h"
 #include "fuzzer.h"
 
 using namespace symreal;

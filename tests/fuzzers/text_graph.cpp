@@ -1,8 +1,8 @@
 // A graph as text. One that is taken is written and read again, and goes through the passes of each mode into C.
-#include "emit/emit.h"
+#include "engine/emit/emit.h"
+#include "engine/graph/graph_text.h"
+#include "engine/optimise/passes/pass.h"
 #include "fuzzer.h"
-#include "graph/graph_text.h"
-#include "passes/pass.h"
 
 using namespace symreal;
 

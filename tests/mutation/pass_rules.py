@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""pass_rules.py BUILD [--count N] [--seed K] [--tests REGEX] [-jJ]: changes the rules of the passes (runtime/passes/rules.def), one
+"""pass_rules.py BUILD [--count N] [--seed K] [--tests REGEX] [-jJ]: changes the rules of the passes (engine/optimise/passes/rules.def), one
 at a time, and tells what notices: the unit tests, and of what these do not notice, the tests of the tool that REGEX names.
 
 The changes: the row is left out; another letter, number or operation in the replacement; a letter that must stand for one node
@@ -66,7 +66,7 @@ class Build:
     def __init__(self, directory):
         self.directory = directory
         commands = json.loads((directory / "compile_commands.json").read_text())
-        compile_rule = next(one["command"] for one in commands if one["file"].endswith("runtime/passes/rule.cpp"))
+        compile_rule = next(one["command"] for one in commands if one["file"].endswith("engine/optimise/passes/rule.cpp"))
         self.compile = shlex.split(compile_rule.split(" -o ")[0])
         if "ccache" in self.compile[0]:
             self.compile.pop(0)
@@ -90,7 +90,7 @@ class Build:
             (work / "passes").mkdir()
             (work / "passes" / "rules.def").write_text(text)
             compiler, *options = self.compile
-            done = subprocess.run([compiler, f"-I{work}", *options, "-o", work / "rule.o", "-c", ROOT / "runtime/passes/rule.cpp"],
+            done = subprocess.run([compiler, f"-I{work}", *options, "-o", work / "rule.o", "-c", ROOT / "engine/optimise/passes/rule.cpp"],
                                   cwd=self.directory, capture_output=True, text=True)
             if done.returncode != 0:
                 return "does not compile"
@@ -136,7 +136,7 @@ def main():
     parser.add_argument("--tests", default="passes/", help="tests of the tool that are asked as well")
     parser.add_argument("-j", type=int, default=1)
     asked = parser.parse_args()
-    table = (ROOT / "runtime/passes/rules.def").read_text().splitlines()
+    table = (ROOT / "engine/optimise/passes/rules.def").read_text().splitlines()
     chance = random.Random(asked.seed)
     turns = []
     for number, line in enumerate(table):

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 @dataclass
 class Rule:
-    name: str            # as SYMREAL_DROP_RULE has it (rewrite/decide/mutation, runtime/support/mutation)
+    name: str            # as SYMREAL_DROP_RULE has it (rewrite/decide/mutation, engine/support/mutation)
     what: str            # what the tool does
     program: str         # in Inputs
     tests: str           # a regular expression for lit

@@ -12,7 +12,7 @@ import sys
 root, symreal = pathlib.Path(sys.argv[1]).resolve(), sys.argv[2]
 rows = json.loads(subprocess.check_output([symreal, "explain", "--json"], text=True))
 summaries = {row["id"]: row["summary"] for row in rows}
-table = (root / "runtime/diagnostics/diagnostics.def").read_text()
+table = (root / "engine/diagnostics/diagnostics.def").read_text()
 numbers = dict(re.findall(r"^DIAGNOSTIC\((\w+), (\d+)", table, re.MULTILINE))
 
 

@@ -41,9 +41,8 @@ for name in subprocess.check_output(["git", "ls-files", "*.cpp", "*.h"], cwd=sou
         found = re.match(r'\s*#\s*include "([^"]+)"', line)
         if not found:
             continue
-        target = next((t for t in (pathlib.PurePath(found[1]), pathlib.PurePath("runtime") / found[1])
-                       if (source / t).is_file() and "/" in found[1]), None)
-        other = room_of(target) if target else None
+        target = pathlib.PurePath(found[1])
+        other = room_of(target) if (source / target).is_file() else None
         if other and other != room:
             includes[room, other] += 1
             if other not in below[room]:

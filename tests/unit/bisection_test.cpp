@@ -1,8 +1,8 @@
 // Which pass, and which rewrite, is the first that is wrong.
-#include "program/bisection.h"
+#include "verify/bisection.h"
 
-#include "graph/graph_text.h"
-#include "passes/sweep.h"
+#include "engine/graph/graph_text.h"
+#include "engine/optimise/passes/sweep.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "program/bounded_compilation.h"
+#include "program/build/bounded_compilation.h"
 
 #include <gtest/gtest.h>
 #include <map>

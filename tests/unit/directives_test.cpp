@@ -1,4 +1,4 @@
-#include "program/directives.h"
+#include "program/build/directives.h"
 
 #include <gtest/gtest.h>
 

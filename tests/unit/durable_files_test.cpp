@@ -1,8 +1,8 @@
-#include "program/durable_files.h"
+#include "program/build/durable_files.h"
 
-#include "diagnostics/diagnostic.h"
-#include "program/workspace.h"
-#include "support/files.h"
+#include "engine/diagnostics/diagnostic.h"
+#include "engine/support/files.h"
+#include "program/build/workspace.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
-#include "program/events.h"
-#include "program/workspace.h"
+#include "program/build/workspace.h"
+#include "program/record/events.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Attempts at joins that fail are bounded by what the paths take, whatever the program does.
-#include "program/explore.h"
+#include "program/record/explore.h"
 
-#include "graph/node_table.h"
+#include "engine/graph/node_table.h"
 
 #include <algorithm>
 #include <charconv>

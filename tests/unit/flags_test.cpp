@@ -1,4 +1,4 @@
-#include "program/compile.h"
+#include "program/build/compile.h"
 
 #include <gtest/gtest.h>
 

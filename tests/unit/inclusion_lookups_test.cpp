@@ -1,4 +1,4 @@
-#include "program/inclusion_lookups.h"
+#include "program/build/inclusion_lookups.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "program/make_rule.h"
+#include "program/build/make_rule.h"
 
 #include <gtest/gtest.h>
 

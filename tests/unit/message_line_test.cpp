@@ -1,4 +1,4 @@
-#include "program/message_line.h"
+#include "program/build/message_line.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Which paths given samples take.
-#include "program/met_paths.h"
+#include "program/record/met_paths.h"
 
 #include "tests/unit/runtime/own_file.h"
 

@@ -1,9 +1,9 @@
 // The functions of numbers with as many bits as asked for.
-#include "graph/evaluate.h"
-#include "graph/extended.h"
-#include "graph/graph_text.h"
-#include "program/exact_errors.h"
+#include "engine/graph/evaluate.h"
+#include "engine/graph/extended.h"
+#include "engine/graph/graph_text.h"
 #include "tests/unit/runtime/operation_samples.h"
+#include "verify/exact_errors.h"
 
 #include <cmath>
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-#include "program/overlay.h"
-#include "program/workspace.h"
+#include "program/build/overlay.h"
+#include "program/build/workspace.h"
 
 #include <gtest/gtest.h>
 

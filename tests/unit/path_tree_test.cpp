@@ -1,4 +1,4 @@
-#include "program/path_tree.h"
+#include "program/record/path_tree.h"
 
 #include <gtest/gtest.h>
 

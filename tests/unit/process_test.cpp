@@ -1,4 +1,4 @@
-#include "program/process.h"
+#include "program/build/process.h"
 
 #include <gtest/gtest.h>
 

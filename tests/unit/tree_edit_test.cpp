@@ -1,8 +1,8 @@
-#include "program/tree_edit.h"
+#include "program/build/tree_edit.h"
 
-#include "diagnostics/diagnostic.h"
-#include "program/workspace.h"
-#include "support/files.h"
+#include "engine/diagnostics/diagnostic.h"
+#include "engine/support/files.h"
+#include "program/build/workspace.h"
 
 #include <filesystem>
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // Which costs, and what the levelled schedule is for.
 #pragma once
 
-#include "analysis/figures/figures.h"
+#include "engine/analysis/figures/figures.h"
 #include "tool/options/cost_option.h"
 
 #include <CLI/CLI.hpp>

@@ -1,6 +1,6 @@
 #include "tool/analysis/blocks_report.h"
 
-#include "graph/graph_text.h"
+#include "engine/graph/graph_text.h"
 
 #include <fmt/format.h>
 #include <fmt/ostream.h>

@@ -1,7 +1,7 @@
 // The blocks of a kernel, for the user: text, JSON, a table of operations; and whether threads pay.
 #pragma once
 
-#include "analysis/threads/advice.h"
+#include "engine/analysis/threads/advice.h"
 
 #include <nlohmann/json_fwd.hpp>
 

@@ -1,4 +1,4 @@
-#include "graph/graph_text.h"
+#include "engine/graph/graph_text.h"
 #include "tool/analysis/figures_report.h"
 #include "tool/analysis/path_lines.h"
 

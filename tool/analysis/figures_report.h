@@ -1,7 +1,7 @@
 // The figures of a graph, for the user: text, JSON, tables of numbers.
 #pragma once
 
-#include "analysis/figures/figures.h"
+#include "engine/analysis/figures/figures.h"
 
 #include <nlohmann/json_fwd.hpp>
 

@@ -1,7 +1,7 @@
 // --parallel: threads that share an evaluation, where measured costs say that it pays.
 #pragma once
 
-#include "analysis/sharing/sharing.h"
+#include "engine/analysis/sharing/sharing.h"
 #include "tool/options/options.h"
 
 #include <string>

@@ -1,8 +1,8 @@
 // The critical path by source line: operations that follow each other and come from one line are one entry.
 #pragma once
 
-#include "analysis/figures/figures.h"
-#include "graph/operation_counts.h"
+#include "engine/analysis/figures/figures.h"
+#include "engine/graph/operation_counts.h"
 
 #include <string>
 #include <vector>

@@ -1,6 +1,6 @@
 #include "tool/analysis/plot.h"
 
-#include "support/number.h"
+#include "engine/support/number.h"
 
 #include <algorithm>
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 // The three plots of a graph, side by side: operations under way if all begin early, late, or levelled.
 #pragma once
 
-#include "analysis/figures/figures.h"
+#include "engine/analysis/figures/figures.h"
 
 #include <string>
 

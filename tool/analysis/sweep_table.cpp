@@ -1,8 +1,8 @@
 #include "tool/analysis/sweep_table.h"
 
-#include "analysis/growth/growth.h"
-#include "graph/statistics.h"
-#include "support/number.h"
+#include "engine/analysis/growth/growth.h"
+#include "engine/graph/statistics.h"
+#include "engine/support/number.h"
 
 #include <array>
 #include <fmt/format.h>

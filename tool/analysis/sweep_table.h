@@ -1,7 +1,7 @@
 // The figures of a family of programs by its size, and how they grow.
 #pragma once
 
-#include "analysis/figures/figures.h"
+#include "engine/analysis/figures/figures.h"
 
 #include <nlohmann/json_fwd.hpp>
 

@@ -1,6 +1,6 @@
 #include "tool/calls/driver_program.h"
 
-#include "support/files.h"
+#include "engine/support/files.h"
 #include "tool/calls/call_binding.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // The program that calls kernels which no program calls: main, beside the sources that define them. It lies in no file.
 #pragma once
 
-#include "program/front.h"
+#include "program/record/front.h"
 #include "tool/report/console.h"
 
 #include <functional>

@@ -1,7 +1,7 @@
 #include "tool/commands/analyzed_graph.h"
 
-#include "graph/graph_text.h"
-#include "support/files.h"
+#include "engine/graph/graph_text.h"
+#include "engine/support/files.h"
 #include "tool/commands/optimise.h"
 
 namespace symreal::tool {

@@ -1,7 +1,7 @@
 // The graph that `analyze` and `plot` read: as it stands, or after passes.
 #pragma once
 
-#include "graph/graph.h"
+#include "engine/graph/graph.h"
 #include "tool/options/options.h"
 
 #include <string>

@@ -1,5 +1,5 @@
-#include "diagnostics/diagnostic.h"
-#include "program/cache_directory.h"
+#include "engine/diagnostics/diagnostic.h"
+#include "program/build/cache_directory.h"
 #include "tool/commands/subcommands.h"
 
 #include <fmt/format.h>

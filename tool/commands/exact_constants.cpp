@@ -1,12 +1,12 @@
 #include "tool/commands/exact_constants.h"
 
-#include "graph/complex_function.h"
-#include "graph/evaluate.h"
-#include "graph/names.h"
-#include "passes/snap.h"
-#include "program/exact_values.h"
-#include "support/number.h"
-#include "verify/samples.h"
+#include "engine/graph/complex_function.h"
+#include "engine/graph/evaluate.h"
+#include "engine/graph/names.h"
+#include "engine/optimise/passes/snap.h"
+#include "engine/support/number.h"
+#include "runtime/replay/samples.h"
+#include "verify/exact_values.h"
 
 #include <algorithm>
 #include <fmt/format.h>

@@ -1,9 +1,9 @@
 // What --snap makes of a recorded graph, and what is said about it.
 #pragma once
 
-#include "diagnostics/diagnostic.h"
-#include "graph/graph.h"
-#include "passes/pass.h"
+#include "engine/diagnostics/diagnostic.h"
+#include "engine/graph/graph.h"
+#include "engine/optimise/passes/pass.h"
 
 namespace symreal::tool {
 

@@ -1,4 +1,4 @@
-#include "diagnostics/diagnostic.h"
+#include "engine/diagnostics/diagnostic.h"
 #include "tool/commands/subcommands.h"
 
 #include <iostream>

@@ -1,9 +1,9 @@
-#include "analysis/costs/measuring.h"
+#include "engine/analysis/costs/measuring.h"
 
-#include "program/process.h"
-#include "program/read_files.h"
-#include "program/workspace.h"
-#include "support/files.h"
+#include "engine/support/files.h"
+#include "program/build/process.h"
+#include "program/build/read_files.h"
+#include "program/build/workspace.h"
 #include "tool/commands/subcommands.h"
 #include "tool/output/outputs.h"
 

@@ -1,8 +1,8 @@
 #include "tool/commands/optimise.h"
 
-#include "graph/statistics.h"
-#include "passes/pass.h"
-#include "support/progress.h"
+#include "engine/graph/statistics.h"
+#include "engine/optimise/passes/pass.h"
+#include "engine/support/progress.h"
 #include "tool/output/outputs.h"
 
 #include <iostream>

@@ -1,7 +1,7 @@
 // The back half of every run: recorded graph ──passes──▶ optimised graph, with what each pass did.
 #pragma once
 
-#include "reroll/reroll.h"
+#include "engine/plan/reroll/reroll.h"
 #include "tool/commands/exact_constants.h"
 #include "tool/options/language_option.h"
 #include "tool/options/options.h"

@@ -1,7 +1,7 @@
-#include "program/oracle.h"
+#include "program/record/oracle.h"
 
-#include "graph/names.h"
-#include "support/number.h"
+#include "engine/graph/names.h"
+#include "engine/support/number.h"
 #include "tool/calls/driver_program.h"
 #include "tool/commands/subcommands.h"
 #include "tool/report/console.h"

@@ -1,8 +1,8 @@
 #include "tool/analysis/plot.h"
 
-#include "program/process.h"
-#include "program/workspace.h"
-#include "support/files.h"
+#include "engine/support/files.h"
+#include "program/build/process.h"
+#include "program/build/workspace.h"
 #include "tool/analysis/analysis_options.h"
 #include "tool/commands/analyzed_graph.h"
 #include "tool/commands/subcommands.h"

@@ -1,7 +1,7 @@
 // What `generate` gives of each kernel, as it is written and as it is told.
 #pragma once
 
-#include "program/front.h"
+#include "program/record/front.h"
 #include "tool/commands/bundle.h"
 #include "tool/commands/optimise.h"
 

@@ -5,8 +5,8 @@
 #include "tool/html/report_data.h"
 #include "tool/output/outputs.h"
 
-#include "graph/graph_text.h"
-#include "support/files.h"
+#include "engine/graph/graph_text.h"
+#include "engine/support/files.h"
 
 #include <filesystem>
 #include <iostream>

@@ -1,4 +1,4 @@
-#include "program/symbolic_check.h"
+#include "program/build/symbolic_check.h"
 #include "tool/commands/subcommands.h"
 #include "tool/options/project_options.h"
 #include "tool/report/reached.h"

@@ -1,5 +1,5 @@
-#include "analysis/gantt/gantt.h"
-#include "analysis/tasks/stg.h"
+#include "engine/analysis/gantt/gantt.h"
+#include "engine/analysis/tasks/stg.h"
 #include "tool/commands/subcommands.h"
 #include "tool/output/outputs.h"
 #include "tool/scheduling/timetable_output.h"

@@ -1,6 +1,6 @@
 #include "tool/commands/sweep.h"
 
-#include "graph/names.h"
+#include "engine/graph/names.h"
 #include "tool/calls/driver_program.h"
 
 #include <fmt/format.h>

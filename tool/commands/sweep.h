@@ -1,7 +1,7 @@
 // Records a family of programs: one size after the other, through the stages of `generate` up to the optimised graph.
 #pragma once
 
-#include "program/front.h"
+#include "program/record/front.h"
 #include "tool/analysis/sweep_table.h"
 #include "tool/report/console.h"
 

@@ -1,4 +1,4 @@
-#include "program/tree_edit.h"
+#include "program/build/tree_edit.h"
 #include "tool/commands/subcommands.h"
 #include "tool/options/recovery.h"
 

@@ -1,7 +1,7 @@
 #include "tool/commands/verify_numeric.h"
 
-#include "diagnostics/diagnostic.h"
-#include "program/numeric_identity.h"
+#include "engine/diagnostics/diagnostic.h"
+#include "verify/numeric_identity.h"
 
 #include <algorithm>
 #include <iostream>

@@ -1,6 +1,6 @@
 #include "tool/configuration/yaml.h"
 
-#include "support/files.h"
+#include "engine/support/files.h"
 #include "tool/configuration/yaml_fix.h"
 
 #include <set>

@@ -1,7 +1,7 @@
 // Reads YAML strictly: every value has the expected form, every key is known, and errors have a place.
 #pragma once
 
-#include "diagnostics/diagnostic.h"
+#include "engine/diagnostics/diagnostic.h"
 #include "rewrite/rewrite.h"
 
 #include <yaml-cpp/yaml.h>

@@ -1,7 +1,7 @@
 #include "tool/configuration/yaml_fix.h"
 
-#include "support/items.h"
-#include "support/quoted.h"
+#include "engine/support/items.h"
+#include "engine/support/quoted.h"
 
 namespace symreal::tool {
 namespace {

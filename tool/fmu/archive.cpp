@@ -1,6 +1,6 @@
 #include "tool/fmu/archive.h"
 
-#include "diagnostics/diagnostic.h"
+#include "engine/diagnostics/diagnostic.h"
 
 #include <zip.h>
 

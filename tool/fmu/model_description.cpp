@@ -1,7 +1,7 @@
 #include "tool/fmu/model_description.h"
 
-#include "support/number.h"
-#include "support/version.h"
+#include "engine/support/number.h"
+#include "engine/support/version.h"
 
 #include <cmath>
 #include <fmt/format.h>

@@ -1,9 +1,9 @@
 #include "tool/fmu/unit_library.h"
 
-#include "diagnostics/diagnostic.h"
-#include "program/process.h"
-#include "program/workspace.h"
-#include "support/files.h"
+#include "engine/diagnostics/diagnostic.h"
+#include "engine/support/files.h"
+#include "program/build/process.h"
+#include "program/build/workspace.h"
 
 #include <sys/utsname.h>
 

@@ -1,7 +1,7 @@
 #include "tool/fmu/unit_variables.h"
 
-#include "graph/names.h"
-#include "graph/states.h"
+#include "engine/graph/names.h"
+#include "engine/graph/states.h"
 
 #include <set>
 

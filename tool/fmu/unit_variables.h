@@ -1,7 +1,7 @@
 // The variables of a functional mock-up unit: the numbers of a graph, each with what FMI says of it.
 #pragma once
 
-#include "graph/graph.h"
+#include "engine/graph/graph.h"
 
 #include <string>
 #include <vector>

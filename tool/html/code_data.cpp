@@ -1,4 +1,4 @@
-#include "emit/emit.h"
+#include "engine/emit/emit.h"
 #include "tool/html/data.h"
 
 #include <set>

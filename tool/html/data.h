@@ -1,12 +1,12 @@
 // What a page shows, as JSON: each function is a part of it.
 #pragma once
 
-#include "graph/graph.h"
+#include "engine/graph/graph.h"
 #include "tool/html/sources.h"
 #include "tool/scheduling/timetable_output.h"
 
-#include "analysis/figures/figures.h"
-#include "ops/floating_point.h"
+#include "engine/analysis/figures/figures.h"
+#include "engine/ops/floating_point.h"
 
 #include <nlohmann/json.hpp>
 

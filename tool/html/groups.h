@@ -1,7 +1,7 @@
 // What the picture of a graph collapses: nodes by source line, and these by function.
 #pragma once
 
-#include "graph/graph.h"
+#include "engine/graph/graph.h"
 #include "tool/html/sources.h"
 
 #include <nlohmann/json.hpp>

@@ -1,6 +1,6 @@
 #include "tool/html/page.h"
 
-#include "diagnostics/diagnostic.h"
+#include "engine/diagnostics/diagnostic.h"
 #include "tool/html/assets.h"
 
 #include <algorithm>

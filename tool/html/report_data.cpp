@@ -1,6 +1,6 @@
 #include "tool/html/report_data.h"
 
-#include "support/version.h"
+#include "engine/support/version.h"
 #include "tool/analysis/figures_report.h"
 #include "tool/html/data.h"
 

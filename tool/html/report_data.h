@@ -1,8 +1,8 @@
 // All that a report shows, from a graph and its optimised form to JSON.
 #pragma once
 
-#include "analysis/figures/figures.h"
-#include "ops/floating_point.h"
+#include "engine/analysis/figures/figures.h"
+#include "engine/ops/floating_point.h"
 #include "tool/html/sources.h"
 #include "tool/report/report.h"
 

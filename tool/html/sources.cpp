@@ -1,6 +1,6 @@
 #include "tool/html/sources.h"
 
-#include "support/files.h"
+#include "engine/support/files.h"
 
 #include <algorithm>
 

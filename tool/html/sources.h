@@ -1,7 +1,7 @@
 // The sources that a graph names: their text, and which function a line stands in.
 #pragma once
 
-#include "graph/graph.h"
+#include "engine/graph/graph.h"
 #include "tool/html/functions.h"
 
 #include <map>

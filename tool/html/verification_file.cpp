@@ -1,4 +1,4 @@
-#include "support/files.h"
+#include "engine/support/files.h"
 #include "tool/html/report_data.h"
 
 namespace symreal::tool {

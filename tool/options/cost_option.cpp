@@ -1,6 +1,6 @@
 #include "tool/options/cost_option.h"
 
-#include "support/files.h"
+#include "engine/support/files.h"
 
 namespace symreal::tool {
 

@@ -1,7 +1,7 @@
 // The costs of operations, by the words of an option.
 #pragma once
 
-#include "analysis/costs/costs.h"
+#include "engine/analysis/costs/costs.h"
 
 #include <string>
 

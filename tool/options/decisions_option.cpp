@@ -1,7 +1,7 @@
 #include "tool/options/decisions_option.h"
 
-#include "program/durable_files.h"
-#include "support/files.h"
+#include "engine/support/files.h"
+#include "program/build/durable_files.h"
 #include "tool/options/options.h"
 
 namespace symreal::tool {

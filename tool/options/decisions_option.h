@@ -2,7 +2,7 @@
 // values.
 #pragma once
 
-#include "program/explore.h"
+#include "program/record/explore.h"
 
 #include <CLI/CLI.hpp>
 

@@ -1,6 +1,6 @@
 #include "tool/options/differentiate_option.h"
 
-#include "differentiate/differentiate.h"
+#include "engine/optimise/differentiate/differentiate.h"
 
 namespace symreal::tool {
 

@@ -1,6 +1,6 @@
 #include "tool/options/language_option.h"
 
-#include "diagnostics/diagnostic.h"
+#include "engine/diagnostics/diagnostic.h"
 #include "tool/options/options.h"
 
 #include <algorithm>

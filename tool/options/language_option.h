@@ -1,7 +1,7 @@
 // --lang: the languages of the result.
 #pragma once
 
-#include "emit/languages/languages.h"
+#include "engine/emit/languages/languages.h"
 
 #include <CLI/CLI.hpp>
 

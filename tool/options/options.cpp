@@ -1,13 +1,13 @@
 #include "tool/options/options.h"
 
-#include "diagnostics/diagnostic.h"
-#include "graph/names.h"
-#include "passes/pass.h"
-#include "passes/snap.h"
-#include "program/object_cache.h"
-#include "program/process.h"
-#include "program/read_files.h"
-#include "support/number.h"
+#include "engine/diagnostics/diagnostic.h"
+#include "engine/graph/names.h"
+#include "engine/optimise/passes/pass.h"
+#include "engine/optimise/passes/snap.h"
+#include "engine/support/number.h"
+#include "program/build/object_cache.h"
+#include "program/build/process.h"
+#include "program/build/read_files.h"
 #include "tool/options/cost_option.h"
 
 namespace symreal::tool {

@@ -1,10 +1,10 @@
 // Options that several subcommands share, and how they are told to CLI11.
 #pragma once
 
-#include "ops/floating_point.h"
-#include "passes/pass.h"
-#include "program/front.h"
-#include "schedule/schedule.h"
+#include "engine/ops/floating_point.h"
+#include "engine/optimise/passes/pass.h"
+#include "engine/plan/schedule/schedule.h"
+#include "program/record/front.h"
 #include "tool/options/project_options.h"
 
 #include <CLI/CLI.hpp>

@@ -1,7 +1,7 @@
 #include "tool/options/project_options.h"
 
-#include "diagnostics/diagnostic.h"
-#include "program/read_files.h"
+#include "engine/diagnostics/diagnostic.h"
+#include "program/build/read_files.h"
 #include "tool/options/recovery.h"
 
 #include <algorithm>

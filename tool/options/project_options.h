@@ -1,7 +1,7 @@
 // Which sources a subcommand reads, and how they are compiled.
 #pragma once
 
-#include "program/cache_directory.h"
+#include "program/build/cache_directory.h"
 #include "rewrite/rewrite.h"
 #include "tool/configuration/configuration.h"
 

@@ -1,6 +1,6 @@
 #include "tool/options/recovery.h"
 
-#include "diagnostics/diagnostic.h"
+#include "engine/diagnostics/diagnostic.h"
 
 #include <iostream>
 

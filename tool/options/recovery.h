@@ -1,7 +1,7 @@
 // What a killed rewrite left behind is put in order before anything else is done with the tree.
 #pragma once
 
-#include "program/tree_edit.h"
+#include "program/build/tree_edit.h"
 
 namespace symreal::tool {
 

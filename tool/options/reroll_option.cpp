@@ -1,7 +1,7 @@
 #include "tool/options/reroll_option.h"
 
-#include "diagnostics/diagnostic.h"
-#include "passes/pass.h"
+#include "engine/diagnostics/diagnostic.h"
+#include "engine/optimise/passes/pass.h"
 
 #include <algorithm>
 

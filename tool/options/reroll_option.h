@@ -1,7 +1,7 @@
 // --reroll: repeats become loops.
 #pragma once
 
-#include "reroll/reroll.h"
+#include "engine/plan/reroll/reroll.h"
 #include "tool/options/options.h"
 
 namespace symreal::tool {

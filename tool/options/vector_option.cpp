@@ -1,6 +1,6 @@
 #include "tool/options/vector_option.h"
 
-#include "diagnostics/diagnostic.h"
+#include "engine/diagnostics/diagnostic.h"
 
 namespace symreal::tool {
 

@@ -1,7 +1,7 @@
 // --vector=N: operations side by side as vectors of N numbers.
 #pragma once
 
-#include "lanes/lanes.h"
+#include "engine/plan/lanes/lanes.h"
 #include "tool/options/options.h"
 
 namespace symreal::tool {

@@ -7,7 +7,7 @@
 // for the file itself: $(wildcard ...). That form also has the .symreal.yaml that is not there.
 #pragma once
 
-#include "program/front.h"
+#include "program/record/front.h"
 #include "tool/options/project_options.h"
 
 #include <string>

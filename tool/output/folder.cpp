@@ -1,8 +1,8 @@
 #include "tool/output/folder.h"
 
-#include "diagnostics/diagnostic.h"
-#include "emit/language/banner.h"
-#include "support/files.h"
+#include "engine/diagnostics/diagnostic.h"
+#include "engine/emit/language/banner.h"
+#include "engine/support/files.h"
 
 #include <cerrno>
 #include <cstring>

@@ -1,7 +1,7 @@
 // A folder that is written as a whole.
 #pragma once
 
-#include "program/durable_files.h"
+#include "program/build/durable_files.h"
 #include "tool/output/outputs.h"
 
 #include <string>

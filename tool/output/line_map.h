@@ -1,7 +1,7 @@
 // The map from lines of generated code to source lines, as JSON.
 #pragma once
 
-#include "emit/language/emitted.h"
+#include "engine/emit/language/emitted.h"
 
 #include <string>
 

@@ -1,9 +1,9 @@
 // The files that a run leaves: all of them or none, and none in the place of a file that it has read.
 #pragma once
 
-#include "lanes/lanes.h"
-#include "reroll/reroll.h"
-#include "schedule/schedule.h"
+#include "engine/plan/lanes/lanes.h"
+#include "engine/plan/reroll/reroll.h"
+#include "engine/plan/schedule/schedule.h"
 #include "tool/options/language_option.h"
 #include "tool/options/options.h"
 

@@ -1,11 +1,11 @@
 #include "tool/output/wrapper.h"
 
-#include "graph/names.h"
-#include "program/baked_values.h"
-#include "program/wrapper_text.h"
-#include "support/files.h"
-#include "support/mutation/is_dropped.h"
-#include "support/quoted.h"
+#include "engine/graph/names.h"
+#include "engine/support/files.h"
+#include "engine/support/mutation/is_dropped.h"
+#include "engine/support/quoted.h"
+#include "program/wrapper/baked_values.h"
+#include "program/wrapper/wrapper_text.h"
 #include "tool/output/fallback.h"
 
 #include <algorithm>

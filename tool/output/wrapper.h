@@ -9,8 +9,8 @@
 //                       no other file can define
 #pragma once
 
-#include "diagnostics/diagnostic.h"
-#include "program/front.h"
+#include "engine/diagnostics/diagnostic.h"
+#include "program/record/front.h"
 #include "tool/output/outputs.h"
 
 #include <vector>

@@ -1,7 +1,7 @@
 // Puts what the pragmas of kernels lack into the project's configuration.
 #pragma once
 
-#include "program/record.h"
+#include "program/record/record.h"
 
 #include <map>
 #include <string>

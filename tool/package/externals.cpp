@@ -1,6 +1,6 @@
 #include "tool/package/externals.h"
 
-#include "graph/complex_function.h"
+#include "engine/graph/complex_function.h"
 
 namespace symreal::tool {
 

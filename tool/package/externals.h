@@ -1,7 +1,7 @@
 // What is handed on whole must bring along what it calls.
 #pragma once
 
-#include "graph/graph.h"
+#include "engine/graph/graph.h"
 
 namespace symreal::tool {
 

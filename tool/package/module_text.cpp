@@ -1,11 +1,11 @@
 #include "tool/package/module_text.h"
 
-#include "emit/languages/languages.h"
-#include "emit/languages/python_module.h"
-#include "emit/print/module.h"
-#include "emit/print/recorded.h"
-#include "emit/print/source.h"
-#include "graph/evaluate.h"
+#include "engine/emit/languages/languages.h"
+#include "engine/emit/languages/python_module.h"
+#include "engine/emit/print/module.h"
+#include "engine/emit/print/recorded.h"
+#include "engine/emit/print/source.h"
+#include "engine/graph/evaluate.h"
 #include "tool/package/python_patterns.h"
 
 namespace symreal::tool {

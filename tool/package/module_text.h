@@ -1,7 +1,7 @@
 // The Python sources of a package.
 #pragma once
 
-#include "emit/print/emission.h"
+#include "engine/emit/print/emission.h"
 
 #include <string>
 

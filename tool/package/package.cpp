@@ -1,9 +1,9 @@
 #include "tool/package/package.h"
 
-#include "emit/emit.h"
-#include "emit/print/module.h"
-#include "emit/print/source.h"
-#include "graph/names.h"
+#include "engine/emit/emit.h"
+#include "engine/emit/print/module.h"
+#include "engine/emit/print/source.h"
+#include "engine/graph/names.h"
 #include "tool/package/externals.h"
 #include "tool/package/module_text.h"
 #include "tool/package/project_patterns.h"

@@ -1,11 +1,11 @@
 #include "tool/report/certificate.h"
 
-#include "emit/language/banner.h"
-#include "graph/graph_text.h"
-#include "program/durable_files.h"
-#include "support/files.h"
-#include "support/math_library.h"
-#include "support/version.h"
+#include "engine/emit/language/banner.h"
+#include "engine/graph/graph_text.h"
+#include "engine/support/files.h"
+#include "engine/support/math_library.h"
+#include "engine/support/version.h"
+#include "program/build/durable_files.h"
 
 #include <filesystem>
 #include <fmt/format.h>

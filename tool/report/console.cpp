@@ -1,8 +1,8 @@
 #include "tool/report/console.h"
 
-#include "program/interruption.h"
-#include "support/number.h"
-#include "support/progress.h"
+#include "engine/support/number.h"
+#include "engine/support/progress.h"
+#include "program/build/interruption.h"
 
 #include <cstdlib>
 #include <fmt/format.h>

@@ -4,7 +4,7 @@
 // again and again; elsewhere in a line of its own now and then.
 #pragma once
 
-#include "program/front.h"
+#include "program/record/front.h"
 
 #include <chrono>
 #include <condition_variable>

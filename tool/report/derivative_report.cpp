@@ -1,7 +1,7 @@
 #include "tool/report/derivative_report.h"
 
-#include "graph/names.h"
-#include "support/number.h"
+#include "engine/graph/names.h"
+#include "engine/support/number.h"
 #include "tool/report/number_list.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // What a verification says of derivatives.
 #pragma once
 
-#include "program/derivative_verification.h"
+#include "verify/derivative_verification.h"
 
 #include <nlohmann/json_fwd.hpp>
 

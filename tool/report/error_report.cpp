@@ -1,6 +1,6 @@
 #include "tool/report/error_report.h"
 
-#include "graph/names.h"
+#include "engine/graph/names.h"
 
 #include <algorithm>
 #include <fmt/format.h>

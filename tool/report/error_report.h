@@ -1,8 +1,8 @@
 // What a verification says of the errors of the original and of the generated code, against exact values.
 #pragma once
 
-#include "graph/graph.h"
-#include "program/exact_errors.h"
+#include "engine/graph/graph.h"
+#include "verify/exact_errors.h"
 
 #include <nlohmann/json_fwd.hpp>
 

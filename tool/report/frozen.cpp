@@ -1,6 +1,6 @@
 #include "tool/report/frozen.h"
 
-#include "graph/frozen.h"
+#include "engine/graph/frozen.h"
 #include "tool/options/options.h"
 
 namespace symreal::tool {

@@ -1,7 +1,7 @@
 // State that a kernel read and that is neither input nor parameter: what becomes of it by --frozen.
 #pragma once
 
-#include "program/record.h"
+#include "program/record/record.h"
 #include "tool/report/console.h"
 
 #include <CLI/CLI.hpp>

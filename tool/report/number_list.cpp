@@ -1,6 +1,6 @@
 #include "tool/report/number_list.h"
 
-#include "support/number.h"
+#include "engine/support/number.h"
 
 namespace symreal::tool {
 

@@ -1,6 +1,6 @@
 #include "tool/report/readiness.h"
 
-#include "support/version.h"
+#include "engine/support/version.h"
 
 #include <nlohmann/json.hpp>
 #include <set>

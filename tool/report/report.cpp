@@ -1,9 +1,9 @@
 #include "tool/report/report.h"
 
-#include "emit/language/words.h"
-#include "graph/frozen.h"
-#include "graph/statistics.h"
-#include "support/number.h"
+#include "engine/emit/language/words.h"
+#include "engine/graph/frozen.h"
+#include "engine/graph/statistics.h"
+#include "engine/support/number.h"
 #include "tool/report/source_lines.h"
 
 #include <algorithm>

@@ -1,9 +1,9 @@
 // What a run on a kernel did, for the user: a table, or JSON.
 #pragma once
 
-#include "graph/graph.h"
-#include "graph/operation_counts.h"
-#include "program/explore.h"
+#include "engine/graph/graph.h"
+#include "engine/graph/operation_counts.h"
+#include "program/record/explore.h"
 
 #include <nlohmann/json_fwd.hpp>
 

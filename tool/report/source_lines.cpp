@@ -1,6 +1,6 @@
 #include "tool/report/source_lines.h"
 
-#include "graph/statistics.h"
+#include "engine/graph/statistics.h"
 
 #include <algorithm>
 #include <fmt/ostream.h>

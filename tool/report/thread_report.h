@@ -1,7 +1,7 @@
 // What a verification says of threads that share an evaluation.
 #pragma once
 
-#include "program/verification.h"
+#include "verify/verification.h"
 
 #include <nlohmann/json_fwd.hpp>
 

@@ -1,8 +1,8 @@
 // A record of a verification as JSON, and back. Numbers that JSON has not are text: "nan", "inf", "-inf".
-#include "graph/extended.h"
-#include "graph/names.h"
-#include "support/files.h"
-#include "support/number.h"
+#include "engine/graph/extended.h"
+#include "engine/graph/names.h"
+#include "engine/support/files.h"
+#include "engine/support/number.h"
 #include "tool/report/derivative_report.h"
 #include "tool/report/error_report.h"
 #include "tool/report/thread_report.h"

@@ -2,7 +2,7 @@
 // that records of other shards are joined with.
 #pragma once
 
-#include "program/verification.h"
+#include "verify/verification.h"
 
 #include <nlohmann/json_fwd.hpp>
 

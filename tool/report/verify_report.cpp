@@ -1,8 +1,8 @@
 #include "tool/report/verify_report.h"
 
-#include "graph/extended.h"
-#include "graph/names.h"
-#include "support/number.h"
+#include "engine/graph/extended.h"
+#include "engine/graph/names.h"
+#include "engine/support/number.h"
 #include "tool/report/derivative_report.h"
 #include "tool/report/error_report.h"
 #include "tool/report/number_list.h"

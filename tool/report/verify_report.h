@@ -1,7 +1,7 @@
 // The result of a verification, for the user.
 #pragma once
 
-#include "program/verification.h"
+#include "verify/verification.h"
 
 #include <optional>
 #include <ostream>

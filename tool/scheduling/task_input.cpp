@@ -1,10 +1,10 @@
 #include "tool/scheduling/task_input.h"
 
-#include "analysis/tasks/operation_tasks.h"
-#include "analysis/tasks/stg.h"
-#include "diagnostics/diagnostic.h"
-#include "graph/graph_text.h"
-#include "support/files.h"
+#include "engine/analysis/tasks/operation_tasks.h"
+#include "engine/analysis/tasks/stg.h"
+#include "engine/diagnostics/diagnostic.h"
+#include "engine/graph/graph_text.h"
+#include "engine/support/files.h"
 #include "tool/options/options.h"
 
 #include <algorithm>

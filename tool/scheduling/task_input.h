@@ -1,8 +1,8 @@
 // What `symreal schedule` reads: a task graph as text, or a recorded graph, whose operations are the tasks.
 #pragma once
 
-#include "analysis/tasks/task_graph.h"
-#include "ops/operation.h"
+#include "engine/analysis/tasks/task_graph.h"
+#include "engine/ops/operation.h"
 
 #include <string>
 #include <vector>

@@ -1,7 +1,7 @@
 // What `symreal schedule` says and writes.
 #pragma once
 
-#include "analysis/scheduling/scheduler.h"
+#include "engine/analysis/scheduling/scheduler.h"
 #include "tool/scheduling/unit_option.h"
 
 #include <nlohmann/json_fwd.hpp>

@@ -1,6 +1,6 @@
 #include "tool/scheduling/unit_option.h"
 
-#include "diagnostics/diagnostic.h"
+#include "engine/diagnostics/diagnostic.h"
 
 #include <algorithm>
 #include <charconv>

@@ -1,7 +1,7 @@
 // --units: how many units there are, and of which kinds.
 #pragma once
 
-#include "analysis/scheduling/timetable.h"
+#include "engine/analysis/scheduling/timetable.h"
 #include "tool/scheduling/task_input.h"
 
 namespace symreal::tool {

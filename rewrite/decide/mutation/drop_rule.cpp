@@ -1,6 +1,6 @@
 #include "rewrite/decide/mutation/drop_rule.h"
 
-#include "support/mutation/is_dropped.h"
+#include "engine/support/mutation/is_dropped.h"
 
 #include <cstdlib>
 #include <functional>

@@ -1,8 +1,8 @@
 // Functions of complex numbers: calls of pure external functions that are always at hand.
-#include "graph/complex_function.h"
-#include "trace/decisions/policy.h"
-#include "trace/nodes/externals.h"
-#include "trace/nodes/pool.h"
+#include "engine/graph/complex_function.h"
+#include "runtime/trace/decisions/policy.h"
+#include "runtime/trace/nodes/externals.h"
+#include "runtime/trace/nodes/pool.h"
 
 #include <symreal/complex.h>
 

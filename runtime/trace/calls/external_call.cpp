@@ -1,9 +1,9 @@
 // Calls of functions that are not recorded: run with the carried values, and kept as nodes.
-#include "graph/graph_line.h"
-#include "trace/decisions/policy.h"
-#include "trace/nodes/externals.h"
-#include "trace/nodes/pool.h"
-#include "trace/report/events.h"
+#include "engine/graph/graph_line.h"
+#include "runtime/trace/decisions/policy.h"
+#include "runtime/trace/nodes/externals.h"
+#include "runtime/trace/nodes/pool.h"
+#include "runtime/trace/report/events.h"
 
 #include <symreal/external.h>
 

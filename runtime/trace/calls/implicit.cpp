@@ -1,9 +1,9 @@
-#include "trace/calls/implicit.h"
+#include "runtime/trace/calls/implicit.h"
 
-#include "graph/implicit.h"
-#include "trace/nodes/externals.h"
-#include "trace/nodes/pool.h"
-#include "trace/report/events.h"
+#include "engine/graph/implicit.h"
+#include "runtime/trace/nodes/externals.h"
+#include "runtime/trace/nodes/pool.h"
+#include "runtime/trace/report/events.h"
 
 namespace symreal::trace {
 

@@ -2,7 +2,7 @@
 // an implicit function. See graph/implicit.h.
 #pragma once
 
-#include "diagnostics/diagnostic.h"
+#include "engine/diagnostics/diagnostic.h"
 
 #include <symreal/real_number.h>
 

@@ -1,12 +1,12 @@
 // Reads of arrays at symbolic indices.
-#include "graph/opaque.h"
-#include "support/number.h"
-#include "trace/decisions/explored_path.h"
-#include "trace/decisions/policy.h"
-#include "trace/describe/describe.h"
-#include "trace/nodes/externals.h"
-#include "trace/nodes/pool.h"
-#include "trace/report/events.h"
+#include "engine/graph/opaque.h"
+#include "engine/support/number.h"
+#include "runtime/trace/decisions/explored_path.h"
+#include "runtime/trace/decisions/policy.h"
+#include "runtime/trace/describe/describe.h"
+#include "runtime/trace/nodes/externals.h"
+#include "runtime/trace/nodes/pool.h"
+#include "runtime/trace/report/events.h"
 
 #include <symreal/decisions.h>
 #include <symreal/external.h>

@@ -1,6 +1,6 @@
-#include "trace/decisions/arms.h"
+#include "runtime/trace/decisions/arms.h"
 
-#include "support/files.h"
+#include "engine/support/files.h"
 
 #include <algorithm>
 #include <cerrno>

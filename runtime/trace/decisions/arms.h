@@ -7,7 +7,7 @@
 // The one in which all ways have come together goes on as the program.
 #pragma once
 
-#include "trace/decisions/arrival.h"
+#include "runtime/trace/decisions/arrival.h"
 
 #include <array>
 #include <optional>

@@ -1,9 +1,9 @@
-#include "trace/decisions/arrival.h"
+#include "runtime/trace/decisions/arrival.h"
 
-#include "trace/decisions/policy.h"
-#include "trace/nodes/externals.h"
-#include "trace/report/call_stack.h"
-#include "trace/report/events.h"
+#include "runtime/trace/decisions/policy.h"
+#include "runtime/trace/nodes/externals.h"
+#include "runtime/trace/report/call_stack.h"
+#include "runtime/trace/report/events.h"
 
 #include <symreal/text.h>
 

@@ -2,10 +2,10 @@
 // must know of it to go on for both.
 #pragma once
 
-#include "trace/decisions/guards.h"
-#include "trace/join/process_image.h"
-#include "trace/nodes/pool.h"
-#include "trace/state/state.h"
+#include "runtime/trace/decisions/guards.h"
+#include "runtime/trace/join/process_image.h"
+#include "runtime/trace/nodes/pool.h"
+#include "runtime/trace/state/state.h"
 
 #include <vector>
 

@@ -1,8 +1,8 @@
-#include "trace/decisions/checkpoint.h"
+#include "runtime/trace/decisions/checkpoint.h"
 
-#include "memory/heap_blocks.h"
-#include "trace/decisions/explored_path.h"
-#include "trace/decisions/join.h"
+#include "runtime/memory/heap_blocks.h"
+#include "runtime/trace/decisions/explored_path.h"
+#include "runtime/trace/decisions/join.h"
 
 #include <cerrno>
 #include <csignal>

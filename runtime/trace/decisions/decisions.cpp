@@ -1,17 +1,17 @@
 // Where a program leaves the real numbers: branches and conversions. The program goes on with its carried value. By
 // policy the outcome becomes a guard of the kernel, or the place is reported and the driver makes an error of it, so
 // that nothing is baked in silently.
-#include "graph/guard_words.h"
-#include "graph/infinity.h"
-#include "memory/heap_blocks.h"
-#include "support/number.h"
-#include "trace/decisions/explored_path.h"
-#include "trace/decisions/guards.h"
-#include "trace/decisions/policy.h"
-#include "trace/describe/describe.h"
-#include "trace/nodes/pool.h"
-#include "trace/report/events.h"
-#include "trace/state/state.h"
+#include "engine/graph/guard_words.h"
+#include "engine/graph/infinity.h"
+#include "engine/support/number.h"
+#include "runtime/memory/heap_blocks.h"
+#include "runtime/trace/decisions/explored_path.h"
+#include "runtime/trace/decisions/guards.h"
+#include "runtime/trace/decisions/policy.h"
+#include "runtime/trace/describe/describe.h"
+#include "runtime/trace/nodes/pool.h"
+#include "runtime/trace/report/events.h"
+#include "runtime/trace/state/state.h"
 
 #include <symreal/symbolic_int.h>
 

@@ -1,15 +1,15 @@
-#include "trace/decisions/explored_path.h"
+#include "runtime/trace/decisions/explored_path.h"
 
-#include "memory/heap_blocks.h"
-#include "trace/decisions/guards.h"
-#include "trace/decisions/policy.h"
-#include "trace/decisions/range_test.h"
-#include "trace/decisions/zero_test.h"
-#include "trace/describe/describe.h"
-#include "trace/kernel/kernel.h"
-#include "trace/nodes/pool.h"
-#include "trace/report/call_stack.h"
-#include "trace/report/events.h"
+#include "runtime/memory/heap_blocks.h"
+#include "runtime/trace/decisions/guards.h"
+#include "runtime/trace/decisions/policy.h"
+#include "runtime/trace/decisions/range_test.h"
+#include "runtime/trace/decisions/zero_test.h"
+#include "runtime/trace/describe/describe.h"
+#include "runtime/trace/kernel/kernel.h"
+#include "runtime/trace/nodes/pool.h"
+#include "runtime/trace/report/call_stack.h"
+#include "runtime/trace/report/events.h"
 
 #include <algorithm>
 #include <charconv>

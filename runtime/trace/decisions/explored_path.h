@@ -18,9 +18,9 @@
 // ends the program.
 #pragma once
 
-#include "trace/decisions/guards.h"
-#include "trace/decisions/join.h"
-#include "trace/decisions/known_outcomes.h"
+#include "runtime/trace/decisions/guards.h"
+#include "runtime/trace/decisions/join.h"
+#include "runtime/trace/decisions/known_outcomes.h"
 
 #include <symreal/real_number.h>
 

@@ -1,11 +1,11 @@
-#include "trace/decisions/guards.h"
+#include "runtime/trace/decisions/guards.h"
 
-#include "graph/guard_words.h"
-#include "memory/heap_blocks.h"
-#include "trace/decisions/policy.h"
-#include "trace/describe/describe.h"
-#include "trace/nodes/pool.h"
-#include "trace/report/call_stack.h"
+#include "engine/graph/guard_words.h"
+#include "runtime/memory/heap_blocks.h"
+#include "runtime/trace/decisions/policy.h"
+#include "runtime/trace/describe/describe.h"
+#include "runtime/trace/nodes/pool.h"
+#include "runtime/trace/report/call_stack.h"
 
 #include <map>
 

@@ -1,7 +1,7 @@
 // The conditions on which the recorded path of a kernel rests.
 #pragma once
 
-#include "graph/graph.h"
+#include "engine/graph/graph.h"
 
 #include <symreal/real_number.h>
 

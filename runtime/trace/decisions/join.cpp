@@ -1,10 +1,10 @@
-#include "trace/decisions/join.h"
+#include "runtime/trace/decisions/join.h"
 
-#include "memory/mapped_memory.h"
-#include "memory/own_memory.h"
-#include "support/page_allocator.h"
-#include "trace/decisions/policy.h"
-#include "trace/report/events.h"
+#include "engine/support/page_allocator.h"
+#include "runtime/memory/mapped_memory.h"
+#include "runtime/memory/own_memory.h"
+#include "runtime/trace/decisions/policy.h"
+#include "runtime/trace/report/events.h"
 
 #include <algorithm>
 #include <cerrno>

@@ -7,8 +7,8 @@
 // on as the program. If they do not, the program goes on as if nobody had tried, and the decision is one between paths.
 #pragma once
 
-#include "trace/decisions/checkpoint.h"
-#include "trace/decisions/region.h"
+#include "runtime/trace/decisions/checkpoint.h"
+#include "runtime/trace/decisions/region.h"
 
 #include <unistd.h>
 

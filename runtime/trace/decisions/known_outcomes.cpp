@@ -1,6 +1,6 @@
-#include "trace/decisions/known_outcomes.h"
+#include "runtime/trace/decisions/known_outcomes.h"
 
-#include "graph/relations.h"
+#include "engine/graph/relations.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 // constants have their order.
 #pragma once
 
-#include "graph/node_table.h"
+#include "engine/graph/node_table.h"
 
 #include <map>
 #include <optional>

@@ -1,9 +1,9 @@
-#include "trace/decisions/policy.h"
+#include "runtime/trace/decisions/policy.h"
 
-#include "trace/decisions/explored_path.h"
-#include "trace/decisions/guards.h"
-#include "trace/nodes/pool.h"
-#include "trace/report/events.h"
+#include "runtime/trace/decisions/explored_path.h"
+#include "runtime/trace/decisions/guards.h"
+#include "runtime/trace/nodes/pool.h"
+#include "runtime/trace/report/events.h"
 
 #include <cstdlib>
 #include <cstring>

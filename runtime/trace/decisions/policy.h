@@ -1,7 +1,7 @@
 // What becomes of a decision on a symbolic value, and under which conditions the program's statements are executed.
 #pragma once
 
-#include "ops/floating_point.h"
+#include "engine/ops/floating_point.h"
 
 #include <symreal/decisions.h>
 

@@ -1,8 +1,8 @@
-#include "trace/decisions/range_test.h"
+#include "runtime/trace/decisions/range_test.h"
 
-#include "graph/relations.h"
-#include "passes/value_range.h"
-#include "trace/decisions/policy.h"
+#include "engine/graph/relations.h"
+#include "engine/graph/value_range.h"
+#include "runtime/trace/decisions/policy.h"
 
 #include <algorithm>
 #include <map>

@@ -2,8 +2,8 @@
 // the input x.
 #pragma once
 
-#include "graph/graph.h"
-#include "graph/node_table.h"
+#include "engine/graph/graph.h"
+#include "engine/graph/node_table.h"
 
 #include <optional>
 

@@ -1,6 +1,6 @@
-#include "trace/decisions/region.h"
+#include "runtime/trace/decisions/region.h"
 
-#include "trace/decisions/policy.h"
+#include "runtime/trace/decisions/policy.h"
 
 #include <algorithm>
 #include <ctime>

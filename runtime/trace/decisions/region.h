@@ -6,7 +6,7 @@
 // round, and waits longer.
 #pragma once
 
-#include "trace/decisions/arms.h"
+#include "runtime/trace/decisions/arms.h"
 
 #include <map>
 #include <memory>

@@ -1,5 +1,5 @@
 // The entry of decisions: it puts what the caller wants preserved where it can be seen and changed.
-#include "trace/join/stand.h"
+#include "runtime/trace/join/stand.h"
 
 #include <symreal/real_number.h>
 

@@ -1,4 +1,4 @@
-#include "trace/decisions/zero_test.h"
+#include "runtime/trace/decisions/zero_test.h"
 
 #include <limits>
 

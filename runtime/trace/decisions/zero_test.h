@@ -1,7 +1,7 @@
 // Tests of a computed number for exact zero, as in `pivot != 0` and `norm <= DBL_MIN`.
 #pragma once
 
-#include "graph/node_table.h"
+#include "engine/graph/node_table.h"
 
 #include <optional>
 

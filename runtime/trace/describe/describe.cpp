@@ -1,10 +1,10 @@
-#include "trace/describe/describe.h"
+#include "runtime/trace/describe/describe.h"
 
-#include "graph/names.h"
-#include "support/number.h"
-#include "trace/kernel/kernel.h"
-#include "trace/nodes/externals.h"
-#include "trace/nodes/pool.h"
+#include "engine/graph/names.h"
+#include "engine/support/number.h"
+#include "runtime/trace/kernel/kernel.h"
+#include "runtime/trace/nodes/externals.h"
+#include "runtime/trace/nodes/pool.h"
 
 #include <symreal/integer_functions.h>
 

@@ -1,8 +1,8 @@
-#include "trace/join/process_image.h"
+#include "runtime/trace/join/process_image.h"
 
-#include "memory/heap_blocks.h"
-#include "memory/stack.h"
-#include "memory/static_objects.h"
+#include "runtime/memory/heap_blocks.h"
+#include "runtime/memory/stack.h"
+#include "runtime/memory/static_objects.h"
 
 #include <algorithm>
 #include <cstring>

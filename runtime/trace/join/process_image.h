@@ -3,9 +3,9 @@
 // they differ in nothing but real numbers, or the two go different ways from here.
 #pragma once
 
-#include "trace/join/message.h"
-#include "trace/join/stand.h"
-#include "trace/nodes/pool.h"
+#include "runtime/trace/join/message.h"
+#include "runtime/trace/join/stand.h"
+#include "runtime/trace/nodes/pool.h"
 
 #include <symreal/real_number.h>
 

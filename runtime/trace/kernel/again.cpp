@@ -1,6 +1,6 @@
-#include "trace/kernel/again.h"
+#include "runtime/trace/kernel/again.h"
 
-#include "memory/heap_blocks.h"
+#include "runtime/memory/heap_blocks.h"
 
 #include <symreal/original.h>
 

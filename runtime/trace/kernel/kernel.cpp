@@ -1,10 +1,10 @@
-#include "trace/kernel/kernel.h"
+#include "runtime/trace/kernel/kernel.h"
 
-#include "memory/heap_blocks.h"
-#include "support/mutation/is_dropped.h"
-#include "support/number.h"
-#include "trace/report/crash.h"
-#include "trace/report/events.h"
+#include "engine/support/mutation/is_dropped.h"
+#include "engine/support/number.h"
+#include "runtime/memory/heap_blocks.h"
+#include "runtime/trace/report/crash.h"
+#include "runtime/trace/report/events.h"
 
 #include <cmath>
 #include <cstdlib>

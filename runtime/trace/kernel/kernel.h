@@ -7,8 +7,8 @@
 // are inert.
 #pragma once
 
-#include "graph/graph.h"
-#include "memory/static_objects.h"
+#include "engine/graph/graph.h"
+#include "runtime/memory/static_objects.h"
 
 #include <symreal/annotate.h>
 

@@ -1,8 +1,8 @@
-#include "trace/kernel/object_layout.h"
+#include "runtime/trace/kernel/object_layout.h"
 
-#include "diagnostics/diagnostic.h"
-#include "memory/own_memory.h"
-#include "trace/kernel/kernel.h"
+#include "engine/diagnostics/diagnostic.h"
+#include "runtime/memory/own_memory.h"
+#include "runtime/trace/kernel/kernel.h"
 
 #include <cstdlib>
 #include <cstring>

@@ -1,8 +1,8 @@
 // The private copies that input pointers of function kernels are rebound to where the caller's data cannot be written.
 // Everywhere else inputs are annotated in place, so that pointers keep their identity, and what overlaps overlaps.
-#include "memory/heap_blocks.h"
-#include "support/page_allocator.h"
-#include "trace/kernel/kernel.h"
+#include "engine/support/page_allocator.h"
+#include "runtime/memory/heap_blocks.h"
+#include "runtime/trace/kernel/kernel.h"
 
 #include <algorithm>
 #include <cstdint>

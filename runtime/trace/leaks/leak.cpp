@@ -1,8 +1,8 @@
-#include "trace/leaks/leak.h"
+#include "runtime/trace/leaks/leak.h"
 
-#include "trace/describe/describe.h"
-#include "trace/nodes/pool.h"
-#include "trace/report/events.h"
+#include "runtime/trace/describe/describe.h"
+#include "runtime/trace/nodes/pool.h"
+#include "runtime/trace/report/events.h"
 
 #include <bit>
 #include <cmath>

@@ -1,5 +1,5 @@
 // Machines that the trap does not know.
-#include "trace/leaks/trap.h"
+#include "runtime/trace/leaks/trap.h"
 
 namespace symreal::trace {
 

@@ -1,8 +1,8 @@
-#include "trace/nodes/externals.h"
+#include "runtime/trace/nodes/externals.h"
 
-#include "memory/heap_blocks.h"
-#include "support/same_bits.h"
-#include "trace/nodes/pool.h"
+#include "engine/support/same_bits.h"
+#include "runtime/memory/heap_blocks.h"
+#include "runtime/trace/nodes/pool.h"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 // The tables and external functions that a recording refers to, by number.
 #pragma once
 
-#include "graph/graph.h"
+#include "engine/graph/graph.h"
 
 #include <symreal/real_number.h>
 

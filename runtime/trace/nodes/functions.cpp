@@ -1,5 +1,5 @@
 // The functions of <cmath> on RealNumber (symreal/real_math.h) that are rows of the operation table.
-#include "trace/nodes/pool.h"
+#include "runtime/trace/nodes/pool.h"
 
 #include <symreal/real_math.h>
 

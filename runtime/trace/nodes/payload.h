@@ -8,7 +8,7 @@
 // differ in one byte would all have the same check bits, or none.
 #pragma once
 
-#include "graph/node.h"
+#include "engine/graph/node.h"
 
 #include <symreal/real_number.h>
 

@@ -1,9 +1,9 @@
-#include "trace/nodes/pool.h"
+#include "runtime/trace/nodes/pool.h"
 
-#include "memory/heap_blocks.h"
-#include "support/mutation/is_dropped.h"
-#include "trace/nodes/torn_numbers.h"
-#include "trace/report/events.h"
+#include "engine/support/mutation/is_dropped.h"
+#include "runtime/memory/heap_blocks.h"
+#include "runtime/trace/nodes/torn_numbers.h"
+#include "runtime/trace/report/events.h"
 
 #include <atomic>
 #include <bit>

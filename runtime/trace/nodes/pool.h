@@ -5,8 +5,8 @@
 // generation in each node tells one pool's nodes from another's.
 #pragma once
 
-#include "graph/node_table.h"
-#include "trace/nodes/payload.h"
+#include "engine/graph/node_table.h"
+#include "runtime/trace/nodes/payload.h"
 
 #include <symreal/annotate.h>
 #include <symreal/symbolic.h>

@@ -1,10 +1,10 @@
-#include "trace/nodes/torn_numbers.h"
+#include "runtime/trace/nodes/torn_numbers.h"
 
-#include "memory/own_memory.h"
-#include "support/mutation/is_dropped.h"
-#include "trace/nodes/pool.h"
-#include "trace/report/events.h"
-#include "trace/report/written_place.h"
+#include "engine/support/mutation/is_dropped.h"
+#include "runtime/memory/own_memory.h"
+#include "runtime/trace/nodes/pool.h"
+#include "runtime/trace/report/events.h"
+#include "runtime/trace/report/written_place.h"
 
 #include <symreal/state.h>
 

@@ -2,7 +2,7 @@
 // that change it are replaced in the whole symbolic program and in the original, and call the library's.
 //
 // Weak, so that a program with a function of such a name has its own.
-#include "trace/outside/world.h"
+#include "runtime/trace/outside/world.h"
 
 #ifdef __GLIBC__
 
@@ -21,7 +21,7 @@ char symreal_effect_hooks = 0;
     if (when) symreal::trace::note_effect(what);                                                                       \
     return original arguments;                                                                                         \
   }
-#include "trace/outside/effects.def"
+#include "runtime/trace/outside/effects.def"
 #undef EFFECT
 
 // The library links this one into each program, so the library has no other to call.

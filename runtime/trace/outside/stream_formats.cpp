@@ -1,4 +1,4 @@
-#include "trace/outside/stream_formats.h"
+#include "runtime/trace/outside/stream_formats.h"
 
 #include <iostream>
 #include <utility>

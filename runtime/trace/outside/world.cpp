@@ -1,7 +1,7 @@
-#include "trace/outside/world.h"
+#include "runtime/trace/outside/world.h"
 
-#include "memory/heap_blocks.h"
-#include "trace/outside/stream_formats.h"
+#include "runtime/memory/heap_blocks.h"
+#include "runtime/trace/outside/stream_formats.h"
 
 #include <algorithm>
 #include <array>

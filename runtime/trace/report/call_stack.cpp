@@ -1,4 +1,4 @@
-#include "trace/report/call_stack.h"
+#include "runtime/trace/report/call_stack.h"
 
 #include <unwind.h>
 

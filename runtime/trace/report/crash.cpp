@@ -1,7 +1,7 @@
-#include "trace/report/crash.h"
+#include "runtime/trace/report/crash.h"
 
-#include "trace/report/call_stack.h"
-#include "trace/report/events.h"
+#include "runtime/trace/report/call_stack.h"
+#include "runtime/trace/report/events.h"
 
 #include <csignal>
 #include <cstdint>

@@ -1,9 +1,9 @@
-#include "trace/report/events.h"
+#include "runtime/trace/report/events.h"
 
-#include "memory/heap_blocks.h"
-#include "support/files.h"
-#include "support/mutation/is_dropped.h"
-#include "trace/report/call_stack.h"
+#include "engine/support/files.h"
+#include "engine/support/mutation/is_dropped.h"
+#include "runtime/memory/heap_blocks.h"
+#include "runtime/trace/report/call_stack.h"
 
 #include <algorithm>
 #include <cstdio>

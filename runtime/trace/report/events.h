@@ -15,7 +15,7 @@
 //   scratch     name    a static integer of a function that the kernel, which ends here, writes before it reads it
 #pragma once
 
-#include "diagnostics/diagnostic.h"
+#include "engine/diagnostics/diagnostic.h"
 
 #include <cstdint>
 #include <initializer_list>

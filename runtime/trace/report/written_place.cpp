@@ -1,4 +1,4 @@
-#include "trace/report/written_place.h"
+#include "runtime/trace/report/written_place.h"
 
 #include <charconv>
 

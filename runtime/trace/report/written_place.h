@@ -1,7 +1,7 @@
 // Places as the rewriter writes them into a program.
 #pragma once
 
-#include "diagnostics/diagnostic.h"
+#include "engine/diagnostics/diagnostic.h"
 
 #include <string_view>
 

@@ -3,8 +3,8 @@
 // sanitizer brings its own.
 //
 // Weak, so that a program with an allocator of its own links; the recording notices that it is not told.
-#include "memory/heap_blocks.h"
-#include "trace/state/state.h"
+#include "runtime/memory/heap_blocks.h"
+#include "runtime/trace/state/state.h"
 
 #ifdef __GLIBC__
 

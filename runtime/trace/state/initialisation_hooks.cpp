@@ -3,9 +3,9 @@
 // that does.
 //
 // Weak, so that a program with functions of such names has its own.
-#include "memory/heap_blocks.h"
-#include "memory/own_memory.h"
-#include "trace/state/state.h"
+#include "runtime/memory/heap_blocks.h"
+#include "runtime/memory/own_memory.h"
+#include "runtime/trace/state/state.h"
 
 #ifdef __GLIBC__
 

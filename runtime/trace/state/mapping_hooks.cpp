@@ -2,9 +2,9 @@
 // program, as the heap's are; the heap gets its own memory by other names.
 //
 // Weak, so that a program with a function of such a name has its own.
-#include "memory/heap_blocks.h"
-#include "memory/mapped_memory.h"
-#include "trace/state/state.h"
+#include "runtime/memory/heap_blocks.h"
+#include "runtime/memory/mapped_memory.h"
+#include "runtime/trace/state/state.h"
 
 #include <cstddef>
 #include <cstdint>

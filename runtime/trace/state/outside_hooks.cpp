@@ -4,11 +4,11 @@
 // library's.
 //
 // Weak, so that a program with a function of such a name has its own.
-#include "memory/heap_blocks.h"
-#include "memory/own_memory.h"
-#include "support/mutation/is_dropped.h"
-#include "trace/outside/world.h"
-#include "trace/state/state.h"
+#include "engine/support/mutation/is_dropped.h"
+#include "runtime/memory/heap_blocks.h"
+#include "runtime/memory/own_memory.h"
+#include "runtime/trace/outside/world.h"
+#include "runtime/trace/state/state.h"
 
 #ifdef __GLIBC__
 
@@ -56,7 +56,7 @@ char symreal_outside_hooks = 0;
     if (!is_of_runtime arguments) note(name, value, symreal::is_dropped(#symbol));                                     \
     return value;                                                                                                      \
   }
-#include "support/outside.def"
+#include "engine/support/outside.def"
 #undef OUTSIDE
 
 // Those with any number of arguments; the names are those that the headers of the C library give them.

@@ -1,5 +1,5 @@
 // Numbers that a function kernel returns or keeps, once it has ended.
-#include "trace/nodes/pool.h"
+#include "runtime/trace/nodes/pool.h"
 
 #include <symreal/annotate.h>
 

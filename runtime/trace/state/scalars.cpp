@@ -1,4 +1,4 @@
-#include "trace/state/scalars.h"
+#include "runtime/trace/state/scalars.h"
 
 #include <bit>
 #include <cstring>

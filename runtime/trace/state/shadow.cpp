@@ -1,7 +1,7 @@
-#include "trace/state/shadow.h"
+#include "runtime/trace/state/shadow.h"
 
-#include "diagnostics/diagnostic.h"
-#include "memory/own_memory.h"
+#include "engine/diagnostics/diagnostic.h"
+#include "runtime/memory/own_memory.h"
 
 namespace symreal::trace {
 

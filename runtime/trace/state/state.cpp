@@ -1,13 +1,13 @@
-#include "trace/state/state.h"
+#include "runtime/trace/state/state.h"
 
-#include "memory/object_end.h"
-#include "memory/own_memory.h"
-#include "support/mutation/is_dropped.h"
-#include "support/number.h"
-#include "trace/nodes/pool.h"
-#include "trace/report/call_stack.h"
-#include "trace/report/events.h"
-#include "trace/report/written_place.h"
+#include "engine/support/mutation/is_dropped.h"
+#include "engine/support/number.h"
+#include "runtime/memory/object_end.h"
+#include "runtime/memory/own_memory.h"
+#include "runtime/trace/nodes/pool.h"
+#include "runtime/trace/report/call_stack.h"
+#include "runtime/trace/report/events.h"
+#include "runtime/trace/report/written_place.h"
 
 #include <algorithm>
 #include <cstdlib>

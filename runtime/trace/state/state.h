@@ -2,12 +2,12 @@
 // baked in, or lost, unless annotated. <symreal/state.h> says what is told here, and when.
 #pragma once
 
-#include "graph/graph.h"
-#include "memory/memory_image.h"
-#include "memory/own_memory.h"
-#include "trace/nodes/torn_numbers.h"
-#include "trace/state/scalars.h"
-#include "trace/state/shadow.h"
+#include "engine/graph/graph.h"
+#include "runtime/memory/memory_image.h"
+#include "runtime/memory/own_memory.h"
+#include "runtime/trace/nodes/torn_numbers.h"
+#include "runtime/trace/state/scalars.h"
+#include "runtime/trace/state/shadow.h"
 
 #include <symreal/state.h>
 

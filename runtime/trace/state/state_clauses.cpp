@@ -1,8 +1,8 @@
 // The finished clauses for what a kernel reads and leaves, as far as it has names that its pragma can use: variables of
 // namespaces and files, and inputs.
-#include "memory/static_objects.h"
-#include "trace/report/events.h"
-#include "trace/state/state.h"
+#include "runtime/memory/static_objects.h"
+#include "runtime/trace/report/events.h"
+#include "runtime/trace/state/state.h"
 
 #include <algorithm>
 

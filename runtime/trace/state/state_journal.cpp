@@ -1,5 +1,5 @@
 // What two processes have learned of the state on their ways to one place, as if one had gone both ways.
-#include "trace/state/state.h"
+#include "runtime/trace/state/state.h"
 
 #include <algorithm>
 

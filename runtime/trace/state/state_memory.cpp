@@ -1,10 +1,10 @@
 // The memory that outlives a kernel, compared with what it was: text, bytes, and all that code which was not rewritten
 // has written there. Such code tells the State nothing.
-#include "support/mutation/is_dropped.h"
-#include "trace/nodes/externals.h"
-#include "trace/nodes/pool.h"
-#include "trace/report/events.h"
-#include "trace/state/state.h"
+#include "engine/support/mutation/is_dropped.h"
+#include "runtime/trace/nodes/externals.h"
+#include "runtime/trace/nodes/pool.h"
+#include "runtime/trace/report/events.h"
+#include "runtime/trace/state/state.h"
 
 #include <algorithm>
 #include <bit>

@@ -1,7 +1,7 @@
 // What the macros of a rewritten program tell: on to the State of the thread.
-#include "memory/object_end.h"
-#include "memory/own_memory.h"
-#include "trace/state/state.h"
+#include "runtime/memory/object_end.h"
+#include "runtime/memory/own_memory.h"
+#include "runtime/trace/state/state.h"
 
 #include <symreal/environment.h>
 

@@ -1,10 +1,10 @@
-#include "trace/text/environment.h"
+#include "runtime/trace/text/environment.h"
 
-#include "memory/own_memory.h"
-#include "trace/describe/describe.h"
-#include "trace/nodes/pool.h"
-#include "trace/report/events.h"
-#include "trace/report/written_place.h"
+#include "runtime/memory/own_memory.h"
+#include "runtime/trace/describe/describe.h"
+#include "runtime/trace/nodes/pool.h"
+#include "runtime/trace/report/events.h"
+#include "runtime/trace/report/written_place.h"
 
 #include <symreal/environment.h>
 

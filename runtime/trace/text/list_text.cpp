@@ -1,6 +1,6 @@
 // The text of a list of arguments in which symbolic values stand for numbers: a function of the library would print the
 // bytes of their nodes.
-#include "support/mutation/is_dropped.h"
+#include "engine/support/mutation/is_dropped.h"
 
 #include <symreal/standard_library.h>
 #include <symreal/text.h>

@@ -1,6 +1,6 @@
 // A name is read into nodes and printed again. Substitutions (S_, S0_, ...) count what stands before, so all that
 // could be one is a node, and has a key: its name in full.
-#include "trace/text/mangled_types.h"
+#include "runtime/trace/text/mangled_types.h"
 
 #include <algorithm>
 #include <cctype>

@@ -1,11 +1,11 @@
-#include "trace/text/text_marks.h"
+#include "runtime/trace/text/text_marks.h"
 
-#include "memory/own_memory.h"
-#include "support/items.h"
-#include "trace/describe/describe.h"
-#include "trace/nodes/pool.h"
-#include "trace/report/events.h"
-#include "trace/report/written_place.h"
+#include "engine/support/items.h"
+#include "runtime/memory/own_memory.h"
+#include "runtime/trace/describe/describe.h"
+#include "runtime/trace/nodes/pool.h"
+#include "runtime/trace/report/events.h"
+#include "runtime/trace/report/written_place.h"
 
 #include <fstream>
 #include <iostream>

@@ -1,9 +1,9 @@
 // The runtime's classes have the names of what they stand for: the texts that typeid gives are overwritten, so that
 // whatever reads them, be it a library, finds the original's.
-#include "memory/own_memory.h"
-#include "trace/report/events.h"
-#include "trace/report/written_place.h"
-#include "trace/text/mangled_types.h"
+#include "runtime/memory/own_memory.h"
+#include "runtime/trace/report/events.h"
+#include "runtime/trace/report/written_place.h"
+#include "runtime/trace/text/mangled_types.h"
 
 #include <symreal/environment.h>
 #include <symreal/type_names.h>

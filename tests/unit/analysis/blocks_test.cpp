@@ -1,4 +1,4 @@
-#include "analysis/blocks/block_figures.h"
+#include "engine/analysis/blocks/block_figures.h"
 
 #include "random_tasks.h"
 

@@ -1,4 +1,4 @@
-#include "analysis/costs/measuring.h"
+#include "engine/analysis/costs/measuring.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
-#include "analysis/scheduling/exact.h"
+#include "engine/analysis/scheduling/exact.h"
 
-#include "analysis/scheduling/bounds.h"
-#include "analysis/scheduling/exact_communicating.h"
-#include "analysis/scheduling/improvement.h"
+#include "engine/analysis/scheduling/bounds.h"
+#include "engine/analysis/scheduling/exact_communicating.h"
+#include "engine/analysis/scheduling/improvement.h"
 #include "exhaustive.h"
 #include "random_graphs.h"
 

@@ -1,7 +1,7 @@
 // The shortest length by trying everything, as plainly as possible: what the scheduler is compared with.
 #pragma once
 
-#include "analysis/scheduling/timetable.h"
+#include "engine/analysis/scheduling/timetable.h"
 
 #include <algorithm>
 #include <limits>

@@ -1,4 +1,4 @@
-#include "analysis/growth/growth.h"
+#include "engine/analysis/growth/growth.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "analysis/levels/levelled.h"
+#include "engine/analysis/levels/levelled.h"
 
 #include "random_tasks.h"
 

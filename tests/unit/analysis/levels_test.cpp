@@ -1,4 +1,4 @@
-#include "analysis/levels/levels.h"
+#include "engine/analysis/levels/levels.h"
 
 #include "random_tasks.h"
 

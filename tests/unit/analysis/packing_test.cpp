@@ -1,4 +1,4 @@
-#include "analysis/scheduling/packing.h"
+#include "engine/analysis/scheduling/packing.h"
 
 #include "exhaustive.h"
 #include "random_graphs.h"

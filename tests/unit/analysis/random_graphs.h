@@ -1,8 +1,8 @@
 // Task graphs for tests, the same ones for the same numbers.
 #pragma once
 
-#include "analysis/scheduling/random.h"
-#include "analysis/tasks/task_graph.h"
+#include "engine/analysis/scheduling/random.h"
+#include "engine/analysis/tasks/task_graph.h"
 
 namespace symreal {
 

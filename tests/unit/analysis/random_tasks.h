@@ -1,7 +1,7 @@
 // Random task graphs of every shape: chains, layers, tasks that last no time.
 #pragma once
 
-#include "analysis/tasks/task_graph.h"
+#include "engine/analysis/tasks/task_graph.h"
 
 #include <random>
 

@@ -1,4 +1,4 @@
-#include "analysis/levels/ready_tasks.h"
+#include "engine/analysis/levels/ready_tasks.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "analysis/scheduling/scheduler.h"
+#include "engine/analysis/scheduling/scheduler.h"
 
 #include "exhaustive.h"
 #include "random_graphs.h"

@@ -1,4 +1,4 @@
-#include "analysis/sharing/slices.h"
+#include "engine/analysis/sharing/slices.h"
 
 #include "random_tasks.h"
 

@@ -1,6 +1,6 @@
-#include "analysis/tasks/stg.h"
+#include "engine/analysis/tasks/stg.h"
 
-#include "diagnostics/diagnostic.h"
+#include "engine/diagnostics/diagnostic.h"
 #include "random_graphs.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-#include "analysis/scheduling/parts.h"
-#include "analysis/scheduling/timetable.h"
+#include "engine/analysis/scheduling/parts.h"
+#include "engine/analysis/scheduling/timetable.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // The bytes that code reads and writes, by the addresses that it meets.
-#include "memory/access_watch.h"
+#include "runtime/memory/access_watch.h"
 
 #include <cstring>
 #include <gtest/gtest.h>

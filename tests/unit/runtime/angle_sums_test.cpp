@@ -1,13 +1,13 @@
 // Sines and cosines of sums of angles: the field knows them, deriving them keeps the error bound, and never costs more.
-#include "algebra/angle_forms.h"
-#include "algebra/angle_sums.h"
-#include "algebra/recovery.h"
-#include "graph/evaluate.h"
-#include "graph/extended.h"
-#include "graph/node_table.h"
-#include "graph/statistics.h"
-#include "graph/validate.h"
-#include "passes/pass.h"
+#include "engine/graph/evaluate.h"
+#include "engine/graph/extended.h"
+#include "engine/graph/node_table.h"
+#include "engine/graph/statistics.h"
+#include "engine/graph/validate.h"
+#include "engine/optimise/algebra/angle_forms.h"
+#include "engine/optimise/algebra/angle_sums.h"
+#include "engine/optimise/algebra/recovery.h"
+#include "engine/optimise/passes/pass.h"
 
 #include <cmath>
 #include <gtest/gtest.h>

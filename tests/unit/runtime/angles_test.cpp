@@ -1,6 +1,6 @@
 // Which sines and cosines function compute begins with.
+#include "engine/plan/schedule/angles.h"
 #include "graph_builder.h"
-#include "schedule/angles.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>

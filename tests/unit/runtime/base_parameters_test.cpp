@@ -1,8 +1,8 @@
 // Which parameters can be left out, and what becomes of the others.
-#include "algebra/base_parameters.h"
-#include "algebra/graph_network.h"
-#include "graph/evaluate.h"
-#include "graph/graph_text.h"
+#include "engine/graph/evaluate.h"
+#include "engine/graph/graph_text.h"
+#include "engine/optimise/algebra/base_parameters.h"
+#include "engine/optimise/algebra/graph_network.h"
 
 #include "graph_words.h"
 

@@ -1,10 +1,10 @@
 // Passes on the bodies of loops: what they save, and that the loops compute the same.
-#include "graph/evaluate.h"
+#include "engine/graph/evaluate.h"
+#include "engine/optimise/passes/pass.h"
+#include "engine/plan/reroll/reroll.h"
+#include "engine/plan/schedule/angles.h"
 #include "graph_builder.h"
 #include "loop_run.h"
-#include "passes/pass.h"
-#include "reroll/reroll.h"
-#include "schedule/angles.h"
 
 #include <algorithm>
 #include <cmath>

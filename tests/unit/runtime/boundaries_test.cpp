@@ -1,7 +1,7 @@
 // Decisions of a graph, and the samples that stand at their boundaries.
-#include "graph/evaluate.h"
-#include "graph/graph_text.h"
-#include "verify/boundaries.h"
+#include "engine/graph/evaluate.h"
+#include "engine/graph/graph_text.h"
+#include "runtime/replay/boundaries.h"
 
 #include <cmath>
 #include <gtest/gtest.h>

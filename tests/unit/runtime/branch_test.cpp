@@ -4,9 +4,9 @@
 #define MBD_SYMBOLIC
 #include <symreal/real.h>
 
-#include "graph/evaluate.h"
-#include "trace/decisions/guards.h"
-#include "trace/nodes/pool.h"
+#include "engine/graph/evaluate.h"
+#include "runtime/trace/decisions/guards.h"
+#include "runtime/trace/nodes/pool.h"
 
 #include <array>
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // Long functions: what crosses their parts, and where results are stored.
 #include "compiled_graph.h"
-#include "graph/evaluate.h"
-#include "graph/graph_text.h"
+#include "engine/graph/evaluate.h"
+#include "engine/graph/graph_text.h"
 
 #include <algorithm>
 #include <regex>

@@ -1,7 +1,7 @@
 // Emitted C, C++ or Rust, compiled with every warning an error and loaded.
 #pragma once
 
-#include "emit/emit.h"
+#include "engine/emit/emit.h"
 
 #include <cstdlib>
 #include <dlfcn.h>

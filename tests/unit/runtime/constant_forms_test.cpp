@@ -1,4 +1,4 @@
-#include "algebra/constant_forms.h"
+#include "engine/optimise/algebra/constant_forms.h"
 
 #include <gtest/gtest.h>
 #include <random>

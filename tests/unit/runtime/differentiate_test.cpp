@@ -1,13 +1,13 @@
-#include "differentiate/differentiate.h"
+#include "engine/optimise/differentiate/differentiate.h"
 
-#include "differentiate/differences.h"
-#include "differentiate/dual_numbers.h"
-#include "differentiate/rules.h"
-#include "graph/evaluate.h"
-#include "graph/extended.h"
-#include "graph/graph_text.h"
-#include "graph/statistics.h"
-#include "graph/validate.h"
+#include "engine/graph/evaluate.h"
+#include "engine/graph/extended.h"
+#include "engine/graph/graph_text.h"
+#include "engine/graph/statistics.h"
+#include "engine/graph/validate.h"
+#include "engine/optimise/differentiate/differences.h"
+#include "engine/optimise/differentiate/dual_numbers.h"
+#include "engine/optimise/differentiate/rules.h"
 #include "operation_samples.h"
 
 #include <algorithm>

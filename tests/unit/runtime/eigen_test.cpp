@@ -5,7 +5,7 @@
 
 #include <Eigen/Dense>
 
-#include "trace/nodes/pool.h"
+#include "runtime/trace/nodes/pool.h"
 
 #include <gtest/gtest.h>
 #include <random>

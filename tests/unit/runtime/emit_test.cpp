@@ -1,10 +1,10 @@
-#include "emit/emit.h"
+#include "engine/emit/emit.h"
 
 #include "compiled_graph.h"
-#include "graph/evaluate.h"
-#include "graph/graph_text.h"
+#include "engine/graph/evaluate.h"
+#include "engine/graph/graph_text.h"
+#include "engine/support/number.h"
 #include "operation_samples.h"
-#include "support/number.h"
 
 #include <bit>
 #include <cmath>

@@ -1,8 +1,8 @@
 // Graphs in extended precision, and what counts as near to the exact value.
-#include "graph/evaluate.h"
-#include "graph/extended.h"
-#include "graph/graph_text.h"
-#include "verify/compare.h"
+#include "engine/graph/evaluate.h"
+#include "engine/graph/extended.h"
+#include "engine/graph/graph_text.h"
+#include "runtime/replay/compare.h"
 
 #include <cmath>
 #include <gtest/gtest.h>

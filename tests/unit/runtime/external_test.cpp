@@ -1,5 +1,5 @@
-#include "trace/nodes/externals.h"
-#include "trace/nodes/pool.h"
+#include "runtime/trace/nodes/externals.h"
+#include "runtime/trace/nodes/pool.h"
 
 #include <symreal/decisions.h>
 #include <symreal/external.h>

@@ -1,7 +1,7 @@
 // Each way of finding structure by itself: what it finds in small networks.
-#include "algebra/factoring.h"
-#include "algebra/resubstitution.h"
-#include "algebra/windows.h"
+#include "engine/optimise/algebra/factoring.h"
+#include "engine/optimise/algebra/resubstitution.h"
+#include "engine/optimise/algebra/windows.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 // The binary form of a graph keeps all that the text form keeps, and says so where it cannot be read.
-#include "graph/graph_binary.h"
+#include "engine/graph/graph_binary.h"
 
-#include "graph/graph_text.h"
+#include "engine/graph/graph_text.h"
+#include "engine/support/files.h"
 #include "own_file.h"
-#include "support/files.h"
 
 #include <filesystem>
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 // A graph of one array of inputs and one of outputs, operation by operation: make(Op::add, make.input(0), ...).
 #pragma once
 
-#include "graph/graph.h"
-#include "graph/node_table.h"
+#include "engine/graph/graph.h"
+#include "engine/graph/node_table.h"
 
 #include <algorithm>
 #include <vector>

@@ -1,7 +1,7 @@
 // A graph in messages of tests.
 #pragma once
 
-#include "graph/graph_text.h"
+#include "engine/graph/graph_text.h"
 
 #include <sstream>
 #include <string>

@@ -1,6 +1,6 @@
 // The decoder of operands, on what the assembler makes of instructions.
 #ifdef __x86_64__
-#include "trace/leaks/x86_64/instruction.h"
+#include "runtime/trace/leaks/x86_64/instruction.h"
 
 #include <gtest/gtest.h>
 

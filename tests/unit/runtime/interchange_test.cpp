@@ -1,10 +1,10 @@
 // Chains that wait for themselves become loops whose iterations wait for nothing, and what they store shares places.
+#include "engine/plan/reroll/bodies.h"
+#include "engine/plan/reroll/interchange.h"
+#include "engine/plan/reroll/reroll.h"
+#include "engine/plan/reroll/storage.h"
 #include "graph_builder.h"
 #include "loop_run.h"
-#include "reroll/bodies.h"
-#include "reroll/interchange.h"
-#include "reroll/reroll.h"
-#include "reroll/storage.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
-#include "graph/node_table.h"
-#include "ops/operation.h"
-#include "trace/decisions/known_outcomes.h"
+#include "engine/graph/node_table.h"
+#include "engine/ops/operation.h"
+#include "runtime/trace/decisions/known_outcomes.h"
 
 #include <array>
 #include <gtest/gtest.h>

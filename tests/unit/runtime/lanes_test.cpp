@@ -1,7 +1,7 @@
 // What --vector finds in small graphs, and that its proof sees a fault. The proof runs in every laned().
+#include "engine/plan/lanes/check.h"
+#include "engine/plan/lanes/lanes.h"
 #include "graph_builder.h"
-#include "lanes/check.h"
-#include "lanes/lanes.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>

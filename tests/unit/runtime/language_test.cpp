@@ -1,8 +1,8 @@
 // What a table can say of a language that is not like C: a made-up one, in the manner of Fortran.
-#include "emit/emit.h"
-#include "emit/language/language.h"
-#include "emit/language/pattern.h"
-#include "graph/graph_text.h"
+#include "engine/emit/emit.h"
+#include "engine/emit/language/language.h"
+#include "engine/emit/language/pattern.h"
+#include "engine/graph/graph_text.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // Who stores the results of a function of loops: the loops themselves, copies at the end, or a mirror.
-#include "graph/evaluate.h"
+#include "engine/graph/evaluate.h"
+#include "engine/plan/reroll/reroll.h"
 #include "graph_builder.h"
 #include "loop_run.h"
-#include "reroll/reroll.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>

@@ -1,11 +1,11 @@
 // A function of loops, run as generated code runs it.
 #pragma once
 
-#include "graph/evaluate.h"
-#include "reroll/loop_program.h"
-#include "reroll/mirrors.h"
-#include "reroll/nest.h"
-#include "schedule/schedule.h"
+#include "engine/graph/evaluate.h"
+#include "engine/plan/reroll/loop_program.h"
+#include "engine/plan/reroll/mirrors.h"
+#include "engine/plan/reroll/nest.h"
+#include "engine/plan/schedule/schedule.h"
 
 #include <cmath>
 #include <gtest/gtest.h>

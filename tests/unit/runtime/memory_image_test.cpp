@@ -1,4 +1,4 @@
-#include "memory/memory_image.h"
+#include "runtime/memory/memory_image.h"
 
 #include <cstring>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "reroll/nest.h"
+#include "engine/plan/reroll/nest.h"
 
 #include <gtest/gtest.h>
 

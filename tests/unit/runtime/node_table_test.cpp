@@ -1,4 +1,4 @@
-#include "graph/node_table.h"
+#include "engine/graph/node_table.h"
 
 #include <gtest/gtest.h>
 #include <set>

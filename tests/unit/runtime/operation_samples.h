@@ -1,7 +1,7 @@
 // Operands for table-driven tests: drawn from an operation's domain, with corners, always the same.
 #pragma once
 
-#include "ops/operation.h"
+#include "engine/ops/operation.h"
 
 #include <array>
 #include <cmath>

@@ -1,9 +1,9 @@
-#include "ops/operation.h"
+#include "engine/ops/operation.h"
 
-#include "graph/evaluate.h"
-#include "graph/graph_text.h"
+#include "engine/graph/evaluate.h"
+#include "engine/graph/graph_text.h"
+#include "engine/optimise/passes/term.h"
 #include "operation_samples.h"
-#include "passes/term.h"
 
 #include <bit>
 #include <cmath>

@@ -1,7 +1,7 @@
-#include "trace/nodes/payload.h"
+#include "runtime/trace/nodes/payload.h"
 
-#include "trace/nodes/pool.h"
-#include "trace/nodes/torn_numbers.h"
+#include "runtime/trace/nodes/pool.h"
+#include "runtime/trace/nodes/torn_numbers.h"
 
 #include <symreal/symbolic.h>
 

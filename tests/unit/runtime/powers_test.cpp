@@ -1,8 +1,8 @@
 // Integer and half-integer powers as multiplications: how few, how exact, and never dearer than the calls.
-#include "graph/evaluate.h"
-#include "graph/node_table.h"
-#include "passes/addition_sequence.h"
-#include "passes/pass.h"
+#include "engine/graph/evaluate.h"
+#include "engine/graph/node_table.h"
+#include "engine/optimise/passes/addition_sequence.h"
+#include "engine/optimise/passes/pass.h"
 
 #include <cmath>
 #include <gtest/gtest.h>

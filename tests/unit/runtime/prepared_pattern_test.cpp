@@ -1,5 +1,5 @@
-#include "emit/language/prepared_pattern.h"
-#include "emit/languages/languages.h"
+#include "engine/emit/language/prepared_pattern.h"
+#include "engine/emit/languages/languages.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // What crosses from preprocess to compute: the cheapest of all choices, and the same numbers.
-#include "graph/node_table.h"
-#include "graph/validate.h"
-#include "passes/min_cut.h"
-#include "passes/pass.h"
+#include "engine/graph/node_table.h"
+#include "engine/graph/validate.h"
+#include "engine/optimise/passes/min_cut.h"
+#include "engine/optimise/passes/pass.h"
 
 #include <gtest/gtest.h>
 #include <random>

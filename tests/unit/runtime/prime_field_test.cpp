@@ -1,5 +1,5 @@
-#include "algebra/prime_field.h"
-#include "algebra/value.h"
+#include "engine/optimise/algebra/prime_field.h"
+#include "engine/optimise/algebra/value.h"
 
 #include <gtest/gtest.h>
 #include <random>

@@ -1,4 +1,4 @@
-#include "support/progress.h"
+#include "engine/support/progress.h"
 
 #include <gtest/gtest.h>
 #include <optional>

@@ -2,8 +2,8 @@
 // function of real numbers, with errors of rounding that are about those of the original, and never more to compute
 // than the graph had or mode finite leaves. 2000 graphs at effort 0, or as many as SYMREAL_RANDOM_GRAPHS says; a third
 // of that at effort 1, a two-hundredth at 2.
-#include "algebra/recovery.h"
-#include "graph/evaluate.h"
+#include "engine/graph/evaluate.h"
+#include "engine/optimise/algebra/recovery.h"
 
 #include "graph_words.h"
 #include "promises.h"

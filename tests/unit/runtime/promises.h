@@ -1,7 +1,7 @@
 // What the tests of the modes' promises on random graphs have in common.
 #pragma once
 
-#include "passes/pass.h"
+#include "engine/optimise/passes/pass.h"
 
 #include <cstdlib>
 #include <gtest/gtest.h>

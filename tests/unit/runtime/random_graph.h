@@ -2,8 +2,8 @@
 // sines and cosines of one angle, quotients, selects.
 #pragma once
 
-#include "graph/graph.h"
-#include "graph/node_table.h"
+#include "engine/graph/graph.h"
+#include "engine/graph/node_table.h"
 
 #include <random>
 

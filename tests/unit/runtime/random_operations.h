@@ -1,8 +1,8 @@
 // Random straight-line programs of all operations on numbers.
 #pragma once
 
-#include "graph/graph.h"
-#include "graph/node_table.h"
+#include "engine/graph/graph.h"
+#include "engine/graph/node_table.h"
 
 #include <random>
 #include <span>

@@ -1,8 +1,8 @@
 #include <symreal/annotate.h>
 #include <symreal/symbolic.h>
 
-#include "trace/decisions/guards.h"
-#include "trace/nodes/pool.h"
+#include "runtime/trace/decisions/guards.h"
+#include "runtime/trace/nodes/pool.h"
 
 #include <symreal/decisions.h>
 

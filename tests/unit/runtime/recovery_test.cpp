@@ -1,9 +1,9 @@
 // What recovery makes of a graph computes the same, never takes more operations, and is always the same.
-#include "algebra/recovery.h"
-#include "graph/graph_text.h"
-#include "graph/statistics.h"
-#include "graph/validate.h"
-#include "passes/pass.h"
+#include "engine/graph/graph_text.h"
+#include "engine/graph/statistics.h"
+#include "engine/graph/validate.h"
+#include "engine/optimise/algebra/recovery.h"
+#include "engine/optimise/passes/pass.h"
 
 #include "graph_words.h"
 #include "random_graph.h"

@@ -1,10 +1,10 @@
 // What iterations wait for, and that they wait for less.
-#include "graph/evaluate.h"
+#include "engine/graph/evaluate.h"
+#include "engine/plan/reroll/bodies.h"
+#include "engine/plan/reroll/recurrences.h"
+#include "engine/plan/reroll/reroll.h"
 #include "graph_builder.h"
 #include "loop_run.h"
-#include "reroll/bodies.h"
-#include "reroll/recurrences.h"
-#include "reroll/reroll.h"
 
 #include <algorithm>
 #include <cmath>

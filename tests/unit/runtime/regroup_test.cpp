@@ -1,9 +1,9 @@
 // Passes that regroup sums and products keep values and work; balance never lengthens the longest path.
-#include "graph/evaluate.h"
-#include "graph/extended.h"
-#include "graph/graph_text.h"
-#include "graph/validate.h"
-#include "passes/pass.h"
+#include "engine/graph/evaluate.h"
+#include "engine/graph/extended.h"
+#include "engine/graph/graph_text.h"
+#include "engine/graph/validate.h"
+#include "engine/optimise/passes/pass.h"
 
 #include "graph_builder.h"
 #include "graph_words.h"

@@ -1,5 +1,5 @@
 // What is known of signs after some equations, and after some are undone.
-#include "reroll/relative_signs.h"
+#include "engine/plan/reroll/relative_signs.h"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 // What --reroll finds in small graphs, and that its proof sees a fault. The proof runs in every rerolled().
+#include "engine/plan/reroll/check.h"
+#include "engine/plan/reroll/reroll.h"
 #include "graph_builder.h"
-#include "reroll/check.h"
-#include "reroll/reroll.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>

@@ -2,8 +2,8 @@
 // much its operands' errors move it, and its own rounding. So what is ill-conditioned has a large bound by itself.
 #pragma once
 
-#include "graph/extended.h"
-#include "graph/graph.h"
+#include "engine/graph/extended.h"
+#include "engine/graph/graph.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 // Random chains of stages that are alike, each or every second or third one: the proof of each, and how many become
 // rows.
+#include "engine/plan/reroll/reroll.h"
 #include "graph_builder.h"
 #include "loop_run.h"
-#include "reroll/reroll.h"
 
 #include <gtest/gtest.h>
 #include <random>

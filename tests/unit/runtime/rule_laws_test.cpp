@@ -1,6 +1,6 @@
 // The laws of rewriting at the head of rules.def hold for every row: no rule makes a program dearer, and rules come to
 // an end, whatever the order in which they are applied.
-#include "passes/rule.h"
+#include "engine/optimise/passes/rule.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>

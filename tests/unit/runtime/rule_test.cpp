@@ -1,6 +1,6 @@
 // Every rule of the table is valid in its mode: both sides are computed on drawn operands. The two sides of a fast rule
 // are equal but for rounding, and differ at the row's counterexample.
-#include "passes/rule.h"
+#include "engine/optimise/passes/rule.h"
 
 #include "operation_samples.h"
 

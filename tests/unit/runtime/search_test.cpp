@@ -1,6 +1,6 @@
 // An effort is a bound on work that grows no faster than the graph, whatever its form.
-#include "algebra/graph_network.h"
-#include "algebra/search.h"
+#include "engine/optimise/algebra/graph_network.h"
+#include "engine/optimise/algebra/search.h"
 
 #include "graph_builder.h"
 

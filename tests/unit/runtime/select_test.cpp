@@ -1,7 +1,7 @@
 // Selects in generated code: the arm that is not taken is not computed, however deep they nest.
 #include "compiled_graph.h"
-#include "graph/evaluate.h"
-#include "graph/graph_text.h"
+#include "engine/graph/evaluate.h"
+#include "engine/graph/graph_text.h"
 
 #include <cfenv>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "reroll/side_by_side.h"
+#include "engine/plan/reroll/side_by_side.h"
 
 #include <gtest/gtest.h>
 

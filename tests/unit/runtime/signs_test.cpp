@@ -1,9 +1,9 @@
 // Signs that differ from iteration to iteration: which factors go, and that the results are the same numbers.
+#include "engine/plan/reroll/bodies.h"
+#include "engine/plan/reroll/reroll.h"
+#include "engine/plan/reroll/signs.h"
 #include "graph_builder.h"
 #include "loop_run.h"
-#include "reroll/bodies.h"
-#include "reroll/reroll.h"
-#include "reroll/signs.h"
 
 #include <algorithm>
 #include <array>

@@ -1,8 +1,8 @@
 // Numbers of single precision: how they are printed, rounded and compared.
-#include "emit/languages/languages.h"
-#include "graph/evaluate.h"
-#include "graph/graph_text.h"
-#include "verify/compare.h"
+#include "engine/emit/languages/languages.h"
+#include "engine/graph/evaluate.h"
+#include "engine/graph/graph_text.h"
+#include "runtime/replay/compare.h"
 
 #include <cmath>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "trace/state/state.h"
+#include "runtime/trace/state/state.h"
 
 #include <gtest/gtest.h>
 

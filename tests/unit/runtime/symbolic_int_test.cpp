@@ -3,10 +3,10 @@
 #include <symreal/symbolic.h>
 
 #include "compiled_graph.h"
-#include "graph/evaluate.h"
-#include "graph/validate.h"
-#include "passes/pass.h"
-#include "trace/nodes/pool.h"
+#include "engine/graph/evaluate.h"
+#include "engine/graph/validate.h"
+#include "engine/optimise/passes/pass.h"
+#include "runtime/trace/nodes/pool.h"
 
 #include <bit>
 #include <cmath>

@@ -1,8 +1,8 @@
 // What tests of the trap share. Each body runs in a process of its own, since a leak is remembered.
 #pragma once
 
-#include "trace/leaks/trap.h"
-#include "trace/nodes/pool.h"
+#include "runtime/trace/leaks/trap.h"
+#include "runtime/trace/nodes/pool.h"
 
 #include <bit>
 #include <cmath>

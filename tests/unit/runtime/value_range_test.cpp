@@ -1,6 +1,6 @@
-#include "graph/evaluate.h"
-#include "graph/graph_text.h"
-#include "passes/value_range.h"
+#include "engine/graph/evaluate.h"
+#include "engine/graph/graph_text.h"
+#include "engine/graph/value_range.h"
 
 #include <gtest/gtest.h>
 

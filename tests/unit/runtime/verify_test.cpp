@@ -1,5 +1,5 @@
-#include "verify/compare.h"
-#include "verify/samples.h"
+#include "runtime/replay/compare.h"
+#include "runtime/replay/samples.h"
 
 #include <gtest/gtest.h>
 

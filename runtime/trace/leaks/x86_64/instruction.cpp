@@ -1,6 +1,6 @@
-#include "trace/leaks/x86_64/instruction.h"
+#include "runtime/trace/leaks/x86_64/instruction.h"
 
-#include "trace/leaks/x86_64/instruction_table.h"
+#include "runtime/trace/leaks/x86_64/instruction_table.h"
 
 #include <bit>
 #include <cstring>

@@ -1,4 +1,4 @@
-#include "trace/leaks/x86_64/masked_step.h"
+#include "runtime/trace/leaks/x86_64/masked_step.h"
 
 namespace symreal::trace::x86_64 {
 

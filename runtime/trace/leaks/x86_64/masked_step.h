@@ -2,7 +2,7 @@
 // follows.
 #pragma once
 
-#include "trace/leaks/x86_64/saved_state.h"
+#include "runtime/trace/leaks/x86_64/saved_state.h"
 
 #include <array>
 

@@ -1,4 +1,4 @@
-#include "trace/leaks/x86_64/saved_state.h"
+#include "runtime/trace/leaks/x86_64/saved_state.h"
 
 #include <cpuid.h>
 #include <cstring>

@@ -2,7 +2,7 @@
 // afterwards.
 #pragma once
 
-#include "trace/leaks/x86_64/instruction.h"
+#include "runtime/trace/leaks/x86_64/instruction.h"
 
 #include <ucontext.h>
 

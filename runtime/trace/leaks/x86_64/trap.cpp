@@ -1,9 +1,9 @@
-#include "trace/leaks/trap.h"
+#include "runtime/trace/leaks/trap.h"
 
-#include "trace/leaks/leak.h"
-#include "trace/leaks/x86_64/masked_step.h"
-#include "trace/leaks/x86_64/x87.h"
-#include "trace/report/events.h"
+#include "runtime/trace/leaks/leak.h"
+#include "runtime/trace/leaks/x86_64/masked_step.h"
+#include "runtime/trace/leaks/x86_64/x87.h"
+#include "runtime/trace/report/events.h"
 
 #include <cerrno>
 #include <cfenv>

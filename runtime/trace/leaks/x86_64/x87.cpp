@@ -1,4 +1,4 @@
-#include "trace/leaks/x86_64/x87.h"
+#include "runtime/trace/leaks/x86_64/x87.h"
 
 #include <cstring>
 

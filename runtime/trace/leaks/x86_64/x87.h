@@ -2,7 +2,7 @@
 // operation itself was not carried out, it is carried out now.
 #pragma once
 
-#include "trace/leaks/x86_64/saved_state.h"
+#include "runtime/trace/leaks/x86_64/saved_state.h"
 
 namespace symreal::trace::x86_64 {
 

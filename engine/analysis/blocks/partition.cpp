@@ -1,0 +1,107 @@
+#include "engine/analysis/blocks/partition.h"
+
+#include "engine/diagnostics/diagnostic.h"
+
+#include <algorithm>
+#include <array>
+#include <metis.h>
+#include <numeric>
+
+namespace symreal {
+
+namespace {
+
+constexpr double tolerance = 1.05;          // largest against mean work, at which components are shared out as they are
+constexpr std::uint32_t most_halved = 8;    // up to so many blocks METIS cuts in two again and again
+constexpr Time most_weight = Time{1} << 30; // of all tasks together: METIS counts in 32 bits
+
+// Longest first, each to the block with the least work.
+std::vector<BlockId> share_out(Components const &components, std::uint32_t count) {
+  std::vector<std::uint32_t> order(components.work.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::ranges::stable_sort(order, [&](auto a, auto b) { return components.work[a] > components.work[b]; });
+  std::vector<std::pair<Time, BlockId>> heap; // the block with the least work on top
+  for (BlockId block = 0; block < count; ++block) heap.emplace_back(0, block);
+  std::vector<BlockId> block_of(components.work.size());
+  for (std::uint32_t component : order) {
+    std::ranges::pop_heap(heap, std::greater<>());
+    block_of[component] = heap.back().second;
+    heap.back().first += components.work[component];
+    std::ranges::push_heap(heap, std::greater<>());
+  }
+  std::vector<BlockId> result;
+  for (std::uint32_t component : components.of_task) result.push_back(block_of[component]);
+  return result;
+}
+
+std::vector<Time> work_of(TaskGraph const &graph, std::vector<BlockId> const &block, std::uint32_t count) {
+  std::vector<Time> work(count);
+  for (TaskId task = 0; task < graph.size(); ++task) work[block[task]] += graph.duration[task];
+  return work;
+}
+
+bool is_even(std::vector<Time> const &work) {
+  Time const all = std::accumulate(work.begin(), work.end(), Time{0});
+  return static_cast<double>(*std::ranges::max_element(work)) * static_cast<double>(work.size()) <=
+         tolerance * static_cast<double>(all);
+}
+
+std::vector<BlockId> cut_by_metis(TaskGraph const &graph, std::uint32_t count) {
+  Successors const next = successors(graph);
+  Time const all = std::accumulate(graph.duration.begin(), graph.duration.end(), Time{0});
+  Time const divisor = all / most_weight + 1;
+  std::vector<idx_t> first = {0}, neighbour, weight, block(graph.size());
+  for (TaskId task = 0; task < graph.size(); ++task) {
+    for (TaskId other : graph.predecessors(task)) neighbour.push_back(static_cast<idx_t>(other));
+    for (TaskId other : next.of(task)) neighbour.push_back(static_cast<idx_t>(other));
+    first.push_back(static_cast<idx_t>(neighbour.size()));
+    weight.push_back(static_cast<idx_t>((graph.duration[task] + divisor - 1) / divisor));
+  }
+  std::array<idx_t, METIS_NOPTIONS> options;
+  METIS_SetDefaultOptions(options.data());
+  options[METIS_OPTION_SEED] = 1;
+  options[METIS_OPTION_NCUTS] = 4;
+  idx_t vertices = static_cast<idx_t>(graph.size()), constraints = 1, parts = static_cast<idx_t>(count), cut = 0;
+  auto *const method = count <= most_halved ? METIS_PartGraphRecursive : METIS_PartGraphKway;
+  if (method(&vertices, &constraints, first.data(), neighbour.data(), weight.data(), nullptr, nullptr, &parts, nullptr,
+             nullptr, options.data(), &cut, block.data()) != METIS_OK)
+    fail(DiagnosticId::bad_option, {}, "METIS cannot cut this graph into so many blocks");
+  return {block.begin(), block.end()};
+}
+
+// Small graphs leave METIS no choice but empty blocks: these take a task of the fullest one each.
+void fill_empty(TaskGraph const &graph, std::vector<BlockId> &block, std::uint32_t count) {
+  std::vector<std::vector<TaskId>> tasks(count);
+  for (TaskId task = 0; task < graph.size(); ++task)
+    if (graph.duration[task] != 0) tasks[block[task]].push_back(task);
+  for (BlockId empty = 0; empty < count; ++empty) {
+    if (!tasks[empty].empty()) continue;
+    auto const fullest = std::ranges::max_element(tasks, {}, [](auto const &all) { return all.size(); });
+    block[fullest->back()] = empty;
+    tasks[empty].push_back(fullest->back());
+    fullest->pop_back();
+  }
+}
+
+void number_by_first_tasks(Blocks &blocks) {
+  std::vector<BlockId> number(blocks.count, blocks.count);
+  BlockId next = 0;
+  for (BlockId &block : blocks.of_task) {
+    if (number[block] == blocks.count) number[block] = next++;
+    block = number[block];
+  }
+}
+
+} // namespace
+
+Blocks partition(TaskGraph const &graph, Components const &components, std::uint32_t count) {
+  Blocks result{count, std::vector<BlockId>(graph.size())};
+  if (count == 1) return result;
+  result.of_task = share_out(components, count);
+  if (!is_even(work_of(graph, result.of_task, count))) result.of_task = cut_by_metis(graph, count);
+  fill_empty(graph, result.of_task, count);
+  number_by_first_tasks(result);
+  return result;
+}
+
+} // namespace symreal

@@ -1,0 +1,51 @@
+// The states that a search has been through, and how early. A table of fixed size: newer states replace older ones.
+#pragma once
+
+#include "engine/analysis/tasks/task_graph.h"
+
+#include <array>
+
+namespace symreal {
+
+// 128 bits of the words that were added: two states with the same bits do not happen.
+class StateKey {
+public:
+  void add(std::uint64_t word) {
+    low_ = mix(low_ ^ word);
+    high_ = mix(high_ + word * 0x9e3779b97f4a7c15 + 1);
+  }
+  std::uint64_t low() const { return low_; }
+  std::uint64_t high() const { return high_; }
+  bool operator==(StateKey const &) const = default;
+
+private:
+  static std::uint64_t mix(std::uint64_t z) {
+    z = (z ^ z >> 30) * 0xbf58476d1ce4e5b9;
+    z = (z ^ z >> 27) * 0x94d049bb133111eb;
+    return z ^ z >> 31;
+  }
+  std::uint64_t low_ = 0x243f6a8885a308d3, high_ = 0x13198a2e03707344;
+};
+
+class SeenStates {
+public:
+  explicit SeenStates(std::size_t size_as_power_of_two) : entries_(std::size_t{1} << size_as_power_of_two) {}
+
+  // Whether the state was there at this time or earlier; it is from now on.
+  bool was_seen(StateKey const &key, Time at) {
+    Entry &entry = entries_[key.low() & (entries_.size() - 1)];
+    if (entry.is_used && entry.key == key && entry.at <= at) return true;
+    entry = {key, at, true};
+    return false;
+  }
+
+private:
+  struct Entry {
+    StateKey key;
+    Time at = 0;
+    bool is_used = false;
+  };
+  std::vector<Entry> entries_;
+};
+
+} // namespace symreal

@@ -1,0 +1,97 @@
+#include "engine/diagnostics/diagnostic.h"
+
+#include "engine/diagnostics/source_line.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <ostream>
+
+namespace symreal {
+
+std::vector<DiagnosticInfo> const &diagnostic_table() {
+  static std::vector<DiagnosticInfo> const table = {
+#define DIAGNOSTIC(name, number, severity, summary, explanation, help)                                                 \
+  {DiagnosticId::name, #name, Severity::severity, summary, explanation, help},
+#include "engine/diagnostics/diagnostics.def"
+#undef DIAGNOSTIC
+  };
+  return table;
+}
+
+DiagnosticInfo const &info(DiagnosticId id) {
+  auto const &table = diagnostic_table();
+  return *std::find_if(table.begin(), table.end(), [id](DiagnosticInfo const &row) { return row.id == id; });
+}
+
+Severity usual_severity(DiagnosticId id) {
+  return id == DiagnosticId{} ? Severity::error : info(id).severity; // none yet: it is read from somewhere
+}
+
+bool report_all(std::vector<Diagnostic> const &diagnostics, Report const &report) {
+  bool is_clean = true;
+  for (Diagnostic const &diagnostic : diagnostics) {
+    report(diagnostic);
+    is_clean &= diagnostic.severity != Severity::error;
+  }
+  return is_clean;
+}
+
+DiagnosticInfo const *find_diagnostic(std::string_view wanted) {
+  for (DiagnosticInfo const &row : diagnostic_table())
+    if (code(row.id) == wanted) return &row;
+  return nullptr;
+}
+
+std::string code(DiagnosticId id) {
+  std::string digits = std::to_string(static_cast<int>(id));
+  return "SYM" + std::string(digits.size() < 3 ? 3 - digits.size() : 0, '0') + digits;
+}
+
+std::string to_string(Place const &place) {
+  std::string text = place.file;
+  if (place.line != 0) text += ":" + std::to_string(place.line);
+  if (place.line != 0 && place.column != 0) text += ":" + std::to_string(place.column);
+  return text;
+}
+
+std::string beyond_message(std::string const &item, std::string const &object, std::int64_t count) {
+  bool const has_rows = object.find(':') != object.npos && object.find('[') != object.npos;
+  std::string text = "'" + item + "' reaches beyond " + (has_rows ? "the rows '" : "'") + object + "', which ";
+  if (count == 0) return text + (has_rows ? "are empty" : "is empty");
+  text += (has_rows ? "have " : "has ") + std::to_string(count) + (count == 1 ? " element" : " elements");
+  return text + (has_rows ? " each" : "");
+}
+
+static std::string_view spelling(Severity severity) {
+  switch (severity) {
+  case Severity::error: return "error";
+  case Severity::warning: return "warning";
+  case Severity::remark: return "remark";
+  }
+  return "";
+}
+
+void print(std::ostream &out, Diagnostic const &diagnostic) {
+  auto prefix = [](Place const &place) { return place.file.empty() ? std::string("symreal") : to_string(place); };
+  out << prefix(diagnostic.place) << ": " << spelling(diagnostic.severity) << ": " << diagnostic.message << " ["
+      << code(diagnostic.id) << "]\n"
+      << marked_line(diagnostic.place);
+  for (Note const &note : diagnostic.notes) out << prefix(note.place) << ": note: " << note.message << "\n";
+  out << "  help: " << info(diagnostic.id).help << "\n";
+}
+
+DiagnosticError::DiagnosticError(Diagnostic diagnostic)
+    : std::runtime_error(diagnostic.message),
+      diagnostic_(std::move(diagnostic)) {}
+
+void fail(DiagnosticId id, Place place, std::string message, std::vector<Note> notes) {
+  throw DiagnosticError({id, std::move(place), std::move(message), std::move(notes)});
+}
+
+void internal_failure(char const *condition, char const *file, int line) {
+  std::fprintf(stderr, "symreal: internal error: %s does not hold (%s:%d)\n", condition, file, line);
+  std::abort();
+}
+
+} // namespace symreal

@@ -1,0 +1,14 @@
+// The names of bridges (language/bridge.h).
+#pragma once
+
+#include "engine/emit/language/language.h"
+
+#include <string>
+#include <vector>
+
+namespace symreal {
+
+// By function of the graph; none where the language has no bridges.
+std::vector<std::string> bridge_names(Graph const &graph, Language const &language);
+
+} // namespace symreal

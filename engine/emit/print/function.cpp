@@ -1,0 +1,216 @@
+#include "engine/emit/print/function.h"
+
+#include "engine/emit/language/pattern.h"
+#include "engine/emit/print/angles.h"
+#include "engine/emit/print/body.h"
+#include "engine/emit/print/function_head.h"
+#include "engine/emit/print/lanes.h"
+#include "engine/emit/print/loops.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace symreal {
+
+namespace {
+
+class FunctionPrinter {
+public:
+  FunctionPrinter(Emission &emission, FunctionPlan const &plan)
+      : emission_(emission),
+        graph_(emission.graph()),
+        language_(emission.language),
+        syntax_(emission.language.functions),
+        body_(plan.body),
+        plan_(plan),
+        threads_(emission.plan.threads),
+        printer_(emission, body_, plan.in_compute, plan.target) {}
+
+  CodeText print() {
+    bool const may_fail = !body_.checks.empty();
+    CodeText out(language_), last(language_);
+    if (plan_.has_angles()) {
+      print_angles(emission_, last);
+      printer_.note_array(name_of(Array::input));
+      if (!emission_.plan.angles.computed.results.empty()) printer_.note_array(name_of(Array::constants));
+    }
+    if (printer_.chunk_count() == 1) {
+      printer_.begin(last);
+      printer_.statements(0, last);
+    } else {
+      last.statement(
+          2, fill(language_, language_.statements.array,
+                  {{"name", "v"}, {"count", std::to_string(std::max<std::size_t>(printer_.spill_count(), 1))}}));
+      printer_.begin(last);
+      if (may_fail && !is_shared()) last.statement(2, syntax_.failed);
+      for (std::size_t chunk = 0; chunk < printer_.chunk_count(); ++chunk) {
+        begin_part(chunk, last);
+        CodeText text(language_);
+        bool const checks = printer_.statements(chunk, text);
+        if (chunk == 0) out.reserve(text.size() * printer_.chunk_count() * 3 / 2); // or it is copied as it grows
+        print_part(chunk, std::move(text), checks, out, last);
+        end_part(chunk, last);
+      }
+      if (is_shared()) printer_.checks(last);
+      for (std::size_t group = 0; printer_.result_groups() > 1 && group < printer_.result_groups(); ++group) {
+        CodeText text(language_);
+        printer_.results(group, text);
+        print_part(printer_.chunk_count() + group, std::move(text), false, out, last);
+      }
+      end_group(part_count(), out);
+      for (std::string const &input : plan_.inputs) printer_.note_array(input); // the calls pass them on
+      if (syntax_.parts_store) printer_.note_array(plan_.target);
+    }
+    last.statement(
+        2, fill(language_, syntax_.results, {{"name", plan_.target}, {"count", std::to_string(body_.results.size())}}));
+    if (printer_.result_groups() == 1) printer_.results(0, last);
+    if (may_fail) last.statement(2, syntax_.success);
+    last.statement(2, fill(language_, syntax_.finish, {{"name", plan_.target}}));
+    std::string_view const output =
+        plan_.is_local && !syntax_.local_output.empty() ? syntax_.local_output : syntax_.output;
+    append(out, plan_.is_local ? syntax_.local_head : syntax_.head, output, may_fail, plan_.name, plan_.target,
+           std::move(last));
+    return out;
+  }
+
+private:
+  std::string group(std::size_t chunk) const {
+    return syntax_.group_size == 0 ? "" : fmt::format("{}_part_{}", plan_.name, chunk / syntax_.group_size + 1);
+  }
+  std::string with_output(std::string const &inputs, std::string const &output) const {
+    return syntax_.output_first ? output + ", " + inputs : inputs + ", " + output;
+  }
+  std::size_t part_count() const {
+    return printer_.chunk_count() + (printer_.result_groups() == 1 ? 0 : printer_.result_groups());
+  }
+  // Behind so many parts.
+  void end_group(std::size_t parts, CodeText &out) const {
+    if (syntax_.group_size == 0) return;
+    out.statement(0, fill(language_, syntax_.group_end, {{"name", group(parts - 1)}}));
+    out.lines("\n");
+  }
+
+  bool is_shared() const { return !printer_.parts().empty(); }
+  std::uint32_t stage(std::size_t chunk) const { return body_.parts[printer_.parts()[chunk]].stage; }
+  // Whether another part is computed at the same time.
+  bool is_shared(std::size_t chunk) const {
+    return is_shared() && std::ranges::count(body_.parts, stage(chunk), &ThreadPart::stage) > 1;
+  }
+  void begin_part(std::size_t chunk, CodeText &calls) const {
+    if (!is_shared(chunk)) return;
+    bool const is_first = chunk == 0 || stage(chunk - 1) != stage(chunk);
+    if (is_first) calls.lines(around_part(language_.parallel.stage_begin));
+    if (is_first || printer_.parts()[chunk - 1] != printer_.parts()[chunk])
+      calls.lines(around_part(language_.parallel.part_begin));
+  }
+  void end_part(std::size_t chunk, CodeText &calls) const {
+    if (!is_shared(chunk)) return;
+    bool const is_last = chunk + 1 == printer_.chunk_count() || stage(chunk + 1) != stage(chunk);
+    if (is_last || printer_.parts()[chunk + 1] != printer_.parts()[chunk])
+      calls.lines(around_part(language_.parallel.part_end));
+    if (is_last) calls.lines(around_part(language_.parallel.stage_end));
+  }
+  std::string around_part(std::string_view lines) const {
+    return fill(language_, lines, {{"threads", std::to_string(threads_)}});
+  }
+
+  // A chunk, or results that none stores.
+  void print_part(std::size_t part, CodeText text, bool checks, CodeText &out, CodeText &calls) {
+    if (syntax_.group_size != 0 && part % syntax_.group_size == 0) {
+      if (part != 0) end_group(part, out);
+      out.statement(0, fill(language_, syntax_.group_begin, {{"name", group(part)}}));
+    }
+    if (checks) text.statement(2, syntax_.success);
+    text.statement(2, fill(language_, syntax_.local_finish, {{"name", "v"}}));
+    std::string const name = language_.names.spelled(fmt::format("{}_{}", plan_.name, part + 1));
+    bool const stores = printer_.arrays().contains(plan_.target);
+    append(out, syntax_.local_head, syntax_.local_output.empty() ? syntax_.output : syntax_.local_output, checks, name,
+           "v", std::move(text));
+    if (part + 1 < part_count() || syntax_.group_size == 0) out.lines("\n");
+    std::string const arguments =
+        with_output(fmt::format("{}", fmt::join(plan_.part_inputs, ", ")), stores ? plan_.target + ", v" : "v");
+    bool const is_shared = part < printer_.chunk_count() && this->is_shared(part);
+    for (std::string_view rest = checks ? syntax_.checked_call : syntax_.call; !rest.empty();) { // a statement a line
+      std::size_t const end = std::min(rest.find('\n'), rest.size());
+      calls.statement(
+          is_shared ? language_.parallel.indent : 2,
+          fill(language_, rest.substr(0, end), {{"name", name}, {"group", group(part)}, {"arguments", arguments}}));
+      rest.remove_prefix(std::min(end + 1, rest.size()));
+    }
+  }
+
+  // In one statement, where the language declares them so.
+  void print_locals(bool is_part, CodeText &out) {
+    std::vector<std::string> names = printer_.take_variables();
+    if (!is_part && printer_.chunk_count() > 1) names.insert(names.begin(), "v");
+    if (!is_part && syntax_.output.empty()) names.insert(names.begin(), plan_.target);
+    out.statement(2, fill(names.empty() ? syntax_.no_locals : syntax_.locals,
+                          {{"names", fmt::format("{}", fmt::join(names, ", "))}}));
+  }
+
+  // A parameter that the text does not use is marked, or compilers warn.
+  void append(CodeText &out, std::string_view head, std::string_view output, bool may_fail, std::string const &name,
+              std::string const &last, CodeText text) {
+    bool const is_part = name != plan_.name;
+    ArrayNames const used = printer_.take_arrays();
+    std::vector<std::string> const &inputs = is_part ? plan_.part_inputs : plan_.inputs;
+    std::string parameters;
+    for (std::string const &input : inputs)
+      parameters += (parameters.empty() ? "" : ", ") + fill(language_, syntax_.input, {{"name", input}});
+    bool const stores = is_part && used.contains(plan_.target);
+    std::string outputs = stores ? fill(language_, syntax_.output, {{"name", plan_.target}}) + ", " : "";
+    if (!output.empty()) parameters = with_output(parameters, outputs + fill(language_, output, {{"name", last}}));
+    bool const is_apart = is_part && body_.variables.size() > syntax_.most_statements && !syntax_.apart.empty();
+    emission_.uses.apart |= is_apart;
+    out.statement(0, print_head(language_, head,
+                                {.name = name,
+                                 .parameters = parameters,
+                                 .target = last,
+                                 .may_fail = may_fail,
+                                 .is_pure = graph_.externals.empty(),
+                                 .is_apart = is_apart}));
+    for (std::string const &input : inputs)
+      out.statement(2, fill(language_, syntax_.input_declaration, {{"name", input}}));
+    if (stores) out.statement(2, fill(language_, syntax_.output_declaration, {{"name", plan_.target}}));
+    out.statement(2, fill(language_, syntax_.output_declaration, {{"name", last}}));
+    if (may_fail) out.statement(2, syntax_.status_declaration);
+    print_locals(is_part, out);
+    out.append(printer_.take_declarations());
+    auto const mark_unused = [&](std::string const &parameter) {
+      if (!used.contains(parameter)) out.statement(2, fill(language_, syntax_.unused, {{"name", parameter}}));
+    };
+    for (std::string const &input : inputs) mark_unused(input);
+    if (!output.empty()) mark_unused(last);
+    out.append(std::move(text));
+    out.statement(0, Filling().set_name("name", name)(with_words(language_, syntax_.end)));
+  }
+
+  Emission &emission_;
+  Graph const &graph_;
+  Language const &language_;
+  FunctionSyntax const &syntax_;
+  FunctionBody const &body_;
+  FunctionPlan const &plan_;
+  unsigned threads_;
+  BodyPrinter printer_;
+};
+
+} // namespace
+
+CodeText print_function(Emission &emission, FunctionKind kind) {
+  FunctionPlan const plan = function_plan(emission, kind);
+  if (plan.loops && *plan.loops) return print_loops(emission, **plan.loops, plan);
+  CodeText out(emission.language);
+  if (kind != FunctionKind::compute || !emission.lanes || !emission.lanes->compute)
+    return FunctionPrinter(emission, plan).print();
+  VectorSyntax const &vectors = emission.language.vectors;
+  out.lines(vectors.begin);
+  out.append(print_lanes(emission, *emission.lanes->compute));
+  out.lines(vectors.otherwise);
+  out.append(FunctionPrinter(emission, plan).print());
+  out.lines(vectors.end);
+  return out;
+}
+
+} // namespace symreal

@@ -1,0 +1,11 @@
+// A function of loops: a function of the file for each step, and one that calls them.
+#pragma once
+
+#include "engine/emit/print/code_text.h"
+#include "engine/emit/print/function_plan.h"
+
+namespace symreal {
+
+CodeText print_loops(Emission &emission, reroll::LoopFunction const &function, FunctionPlan const &plan);
+
+} // namespace symreal

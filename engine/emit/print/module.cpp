@@ -1,0 +1,231 @@
+#include "engine/emit/print/module.h"
+
+#include "engine/emit/language/pattern.h"
+#include "engine/emit/print/matrices.h"
+#include "engine/emit/print/recorded.h"
+#include "engine/emit/print/remarks.h"
+#include "engine/emit/print/source.h"
+#include "engine/graph/names.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <ranges>
+
+namespace symreal {
+
+namespace {
+
+constexpr std::string_view functions[] = {"preprocess", "compute", "guard_text"};
+
+struct Size {
+  std::string name;
+  std::size_t value;
+};
+
+std::vector<Size> sizes(Emission const &emission) {
+  Graph const &graph = emission.graph();
+  return {{"input", graph.input_count()},
+          {"parameter", graph.parameter_count()},
+          {"constant", emission.plan.constant_count},
+          {"output", graph.output_count()},
+          {"guard", graph.guards.size()}};
+}
+
+} // namespace
+
+Filling interface_names(Emission const &emission) {
+  Filling fill;
+  std::string const prefix = emission.options.prefix;
+  NameRules const &rules = emission.language.names;
+  fill.set_name("module", rules.spelled(identifier(prefix.empty() ? emission.graph().kernel : prefix, rules)));
+  fill.set("base", emission.options.base_name).set_name("unit", identifier(emission.options.base_name, rules));
+  fill.set("package",
+           emission.options.extras.contains("mainline") ? "main" : identifier(emission.options.base_name, rules));
+  for (auto const &[name, text] : words_of(emission.language)) fill.set(std::string(name), std::string(text));
+  for (std::string_view const name : functions) fill.set_name(std::string(name), emission.name(std::string(name)));
+  for (Size const &size : sizes(emission)) {
+    fill.set_name(size.name + "_count", emission.name(size.name + "_count"));
+    fill.set(size.name + "s", size.value);
+  }
+  return fill;
+}
+
+namespace {
+
+std::string list(std::vector<std::size_t> const &extents) { return fmt::format("{}", fmt::join(extents, ", ")); }
+
+// The innermost extent first, as types are built around the number.
+std::string type_of(Language const &language, ObjectsSyntax const &syntax, Object const &object) {
+  std::string type = with_words(language, syntax.number);
+  auto const wrap = [&](std::size_t extent) {
+    type = fill(language, syntax.array, {{"element", type}, {"extent", std::to_string(extent)}});
+  };
+  if (!object.members.empty()) {
+    wrap(object.count);
+    return type;
+  }
+  for (std::size_t const extent : object.extents | std::views::reverse) wrap(extent);
+  return type;
+}
+
+std::string objects(Emission const &emission, ObjectsSyntax const &syntax, std::string const &role,
+                    std::vector<Object> const &all) {
+  if (syntax.object.empty()) return {};
+  Filling fill = interface_names(emission);
+  fill.set_name("role", emission.name(role));
+  fill.set("count", all.empty() ? 0 : all.back().first + all.back().count);
+  NameRules const rules{emission.language.names.keywords, /*ignores_case=*/true}; // they may become capitals
+  std::vector<std::string> const names = identifiers(all, rules);
+  std::size_t const base = emission.language.expressions.first_index;
+  std::string text;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (all[i].count == 0) continue;
+    std::vector<std::size_t> extents = all[i].extents;
+    if (!all[i].members.empty()) extents = {all[i].count}; // its numbers in a row
+    std::vector<std::size_t> const reversed(extents.rbegin(), extents.rend());
+    fill.set_name("name", names[i])
+        .set("first", all[i].first + base)
+        .set("last", all[i].first + all[i].count - 1 + base);
+    fill.set("next", all[i].first + all[i].count + base).set("size", std::size_t{all[i].count});
+    fill.set("extents", list(extents))
+        .set("extents_comma", list(extents) + (extents.size() == 1 ? "," : ""))
+        .set("more_extents", (extents.empty() ? "" : ", ") + list(extents))
+        .set("reversed", list(reversed))
+        .set("reversed_shape", reversed.empty() ? "" : "(" + list(reversed) + ")")
+        .set("type", type_of(emission.language, syntax, all[i]));
+    text += (text.empty() ? "" : std::string(syntax.separator)) + fill(syntax.object);
+  }
+  return text.empty() ? text : fill(syntax.begin) + text + fill(syntax.end);
+}
+
+std::string all_objects(Emission const &emission, ObjectsSyntax const &syntax) {
+  Graph const &graph = emission.graph();
+  return objects(emission, syntax, "input", graph.inputs) + objects(emission, syntax, "parameter", graph.parameters) +
+         objects(emission, syntax, "output", graph.outputs);
+}
+
+// `fill` has the list's name.
+std::string index_list(Emission const &emission, Filling fill, std::string const &name,
+                       std::vector<std::string> const &values) {
+  ModuleSyntax const &syntax = emission.language.module;
+  fill.set("count", values.size());
+  std::size_t const most = syntax.most_indices, base = emission.language.expressions.first_index;
+  if (most == 0 || values.size() <= most)
+    return fill.set("values", lines_of(emission.language, values))(syntax.index_list);
+  std::string text = fill(syntax.long_index_list);
+  std::vector<std::string> parts;
+  for (std::size_t first = 0; first < values.size(); first += most) {
+    std::size_t const last = std::min(first + most, values.size());
+    parts.push_back(emission.language.names.spelled(name + "_" + std::to_string(parts.size() + 1)));
+    fill.set_name("part", parts.back()).set("first", first + base).set("last", last - 1 + base);
+    text += fill.set("values", lines_of(emission.language, {values.begin() + static_cast<std::ptrdiff_t>(first),
+                                                            values.begin() + static_cast<std::ptrdiff_t>(last)}))(
+        syntax.index_part);
+  }
+  return text + fill.set("parts", lines_of(emission.language, parts))(syntax.joined_indices);
+}
+
+std::string matrices(Emission const &emission) {
+  ModuleSyntax const &syntax = emission.language.module;
+  if (syntax.index_list.empty()) return {};
+  Filling fill = interface_names(emission);
+  std::string text;
+  for (MatrixText const &matrix : matrix_texts(emission)) {
+    text += "\n" + indented(emission.language, matrix_remark(emission, matrix));
+    for (auto const &[name, value] : matrix.sizes())
+      text += fill.set_name("name", emission.name(matrix.name + "_" + name)).set("value", value)(syntax.size);
+    for (IndexList const &list : matrix.lists) {
+      std::string const name = emission.name(matrix.name + "_" + std::string(list.name));
+      text += index_list(emission, fill.set_name("name", name), name, list.texts());
+    }
+  }
+  return text;
+}
+
+} // namespace
+
+std::string lines_of(Language const &language, std::vector<std::string> const &values) {
+  std::string text;
+  std::size_t width = 0;
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    bool const breaks = k == 0 || width + values[k].size() > 80;
+    if (k != 0) text += breaks ? "," : ", ";
+    if (breaks) text += std::string(language.lines.continuation) + "\n    ";
+    width = (breaks ? 0 : width) + values[k].size() + 2;
+    text += values[k];
+  }
+  return text;
+}
+
+std::string indented(Language const &language, std::string const &text) {
+  if (language.module.indent == 0) return text;
+  std::string result;
+  for (std::size_t at = 0; at < text.size();) {
+    std::size_t const end = std::min(text.find('\n', at), text.size() - 1);
+    if (end != at) result.append(language.module.indent, ' ');
+    result += text.substr(at, end - at + 1);
+    at = end + 1;
+  }
+  return result;
+}
+
+std::string module_begin(Emission const &emission) {
+  ModuleSyntax const &syntax = emission.language.module;
+  Filling fill = interface_names(emission);
+  std::string text = fill(syntax.begin);
+  for (Size const &size : sizes(emission))
+    if (size.name != "guard" || size.value != 0)
+      text += fill.set_name("name", emission.name(size.name + "_count")).set("value", size.value)(syntax.size);
+  text += matrices(emission);
+  text += all_objects(emission, syntax.places) + all_objects(emission, syntax.structure);
+  text += fill(syntax.functions) + indented(emission.language, frozen_remark(emission));
+  if (!emission.graph().guards.empty()) text += indented(emission.language, guard_remark(emission) + "\n");
+  return text;
+}
+
+std::string module_end(Emission const &emission) {
+  ModuleSyntax const &syntax = emission.language.module;
+  Graph const &graph = emission.graph();
+  Filling fill = interface_names(emission);
+  std::string text;
+  if (!graph.guards.empty()) {
+    text += fill(syntax.guards_begin);
+    for (std::size_t k = 0; k < graph.guards.size(); ++k)
+      text += fill.set("number", k + 1)
+                  .set("text", literal(emission.language, guard_text(graph, graph.guards[k])))(syntax.guard);
+    text += fill(syntax.guards_end);
+  } else {
+    text += fill(syntax.no_guards);
+  }
+  return text + fill(syntax.end);
+}
+
+Filling module_facts(Emission const &emission) {
+  Language const &language = emission.language;
+  Graph const &graph = emission.graph();
+  std::vector<std::string> labels = output_names(emission);
+  std::size_t longest = 0;
+  for (std::string &label : labels) {
+    longest = std::max(longest, label.size());
+    label = literal(language, label);
+  }
+  Filling fill = interface_names(emission);
+  fill.set("labels", lines_of(language, labels)).set("longest", longest);
+  std::vector<double> all = graph.input_values;
+  all.insert(all.end(), graph.parameter_values.begin(), graph.parameter_values.end());
+  fill.set("all_values", lines_of(language, constants(language, all)));
+  fill.set("input_values", lines_of(language, constants(language, graph.input_values)));
+  fill.set("parameter_values", lines_of(language, constants(language, graph.parameter_values)));
+  return fill;
+}
+
+std::string module_main(Emission const &emission) {
+  ModuleSyntax const &syntax = emission.language.module;
+  bool const has_guards = !emission.graph().guards.empty();
+  Filling fill = module_facts(emission);
+  fill.set("guard_text_import", has_guards ? ", " + emission.name("guard_text") : "");
+  fill.set("call", fill(has_guards ? syntax.checked_call : syntax.call));
+  return banner(emission) + fill(syntax.main);
+}
+
+} // namespace symreal

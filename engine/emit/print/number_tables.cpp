@@ -1,0 +1,180 @@
+#include "engine/emit/print/number_tables.h"
+
+#include "engine/support/same_bits.h"
+
+#include <algorithm>
+#include <bit>
+#include <functional>
+#include <map>
+#include <numeric>
+#include <optional>
+#include <set>
+
+namespace symreal {
+
+using reroll::Leaf;
+using reroll::Step;
+
+namespace {
+
+using Column = std::vector<double>;
+
+bool is_at(Column const &column, TableWalk const &walk, NumberTable const &table, Column const &there) {
+  for (std::size_t k = 0; k < column.size(); ++k)
+    if (!same_bits(column[k], there[row_of(walk, table, k)])) return false;
+  return true;
+}
+
+std::size_t find_column(Column const &column, TableWalk const &walk, NumberTable const &table) {
+  auto const is_it = [&](Column const &there) { return is_at(column, walk, table, there); };
+  return static_cast<std::size_t>(std::ranges::find_if(table.columns, is_it) - table.columns.begin());
+}
+
+// Whether a walk of so many iterations stays in the table.
+bool stays_inside(TableWalk const &walk, NumberTable const &table, std::size_t count) {
+  return table.is_cyclic || (walk.is_backwards ? walk.first + 1 >= count : walk.first + count <= table.rows);
+}
+
+void write_once(NumberTable &table) {
+  std::map<std::vector<std::uint64_t>, std::uint32_t> known;
+  for (std::uint32_t row = 0; row < table.rows; ++row) {
+    std::vector<std::uint64_t> key;
+    for (Column const &column : table.columns) key.push_back(std::bit_cast<std::uint64_t>(column[row]));
+    auto const [entry, is_new] = known.try_emplace(std::move(key), static_cast<std::uint32_t>(table.written.size()));
+    if (is_new) table.written.push_back(row);
+    table.which.push_back(entry->second);
+  }
+  if (2 * table.written.size() <= table.rows) return;
+  table.which.clear();
+  table.written.resize(table.rows);
+  std::iota(table.written.begin(), table.written.end(), 0U);
+}
+
+} // namespace
+
+std::size_t row_of(TableWalk const &walk, NumberTable const &table, std::size_t k) {
+  if (!table.is_cyclic) return walk.is_backwards ? walk.first - k : walk.first + k;
+  std::size_t const turn = k % table.rows;
+  return (walk.is_backwards ? walk.first + table.rows - turn : walk.first + turn) % table.rows;
+}
+
+// Of one step, equally long, and all by turns or none.
+struct NumberTables::Columns {
+  std::size_t step;
+  bool by_turn, is_cyclic;
+  std::vector<std::size_t> leaves = {};
+  std::vector<Column const *> values = {};
+
+  std::size_t size() const { return values.front()->size(); }
+  void add(std::size_t leaf, Column const &column) {
+    leaves.push_back(leaf);
+    values.push_back(&column);
+  }
+
+  // The walks through the table on which some of them stand there; not all, where a number is in many places.
+  std::set<TableWalk> walks(std::size_t number, NumberTable const &table) const {
+    constexpr std::size_t most_columns = 16, most_places = 64;
+    std::set<TableWalk> walks;
+    for (std::size_t c = 0; c < std::min(values.size(), most_columns); ++c)
+      for (Column const &there : table.columns) {
+        std::size_t places = 0;
+        for (std::size_t row = 0; row < there.size() && places < most_places; ++row) {
+          if (!same_bits(values[c]->front(), there[row])) continue;
+          ++places;
+          for (bool const is_backwards : {false, true}) {
+            TableWalk const walk{number, row, is_backwards, by_turn};
+            if (stays_inside(walk, table, size()) && is_at(*values[c], walk, table, there)) walks.insert(walk);
+          }
+        }
+      }
+    return walks;
+  }
+
+  // The walk on which most of them stand there, at least a quarter.
+  std::optional<TableWalk> best_walk(std::vector<NumberTable> const &tables) const {
+    std::optional<TableWalk> best;
+    std::size_t most = (values.size() - 1) / 4;
+    for (std::size_t number = 0; number < tables.size(); ++number) {
+      NumberTable const &table = tables[number];
+      bool const may_fit = is_cyclic == table.is_cyclic && (is_cyclic ? size() == table.rows : size() <= table.rows);
+      if (!may_fit) continue;
+      for (TableWalk const &walk : walks(number, table)) {
+        auto const found = static_cast<std::size_t>(std::ranges::count_if(
+            values, [&](Column const *column) { return find_column(*column, walk, table) != table.columns.size(); }));
+        if (found > most) most = found, best = walk;
+      }
+    }
+    return best;
+  }
+};
+
+NumberTables::NumberTables(std::vector<Step> const &steps) : steps_(steps.size()) {
+  std::vector<Columns> all;
+  for (std::size_t number = 0; number < steps.size(); ++number) {
+    Step const &step = steps[number];
+    steps_[number].places.resize(step.leaves.size());
+    std::map<std::pair<std::size_t, bool>, Columns> of_step;
+    for (std::size_t k = 0; k < step.leaves.size(); ++k) {
+      Leaf const &leaf = step.leaves[k];
+      if (leaf.kind != Leaf::Kind::values) continue;
+      std::size_t const count = leaf.by_turn && step.nest ? step.nest->turns : step.count;
+      Columns empty{number, leaf.by_turn, leaf.values.size() < count};
+      of_step.try_emplace({leaf.values.size(), leaf.by_turn}, std::move(empty)).first->second.add(k, leaf.values);
+    }
+    for (auto &[shape, columns] : of_step) all.push_back(std::move(columns));
+  }
+  // The longest, and of them the most, come first: others may stand in their tables.
+  std::ranges::stable_sort(all, std::greater<>(),
+                           [](Columns const &columns) { return std::pair(columns.size(), columns.values.size()); });
+  for (Columns &columns : all) place(std::move(columns));
+  for (std::size_t number = 0; number < steps.size(); ++number)
+    for (std::size_t k = 0; k < steps[number].leaves.size(); ++k) {
+      Leaf const &leaf = steps[number].leaves[k];
+      if (leaf.kind != Leaf::Kind::values) continue;
+      auto const [walk, column] = steps_[number].places[k];
+      TableWalk const &on = steps_[number].walks[walk];
+      internal_check(is_at(leaf.values, on, tables_[on.table], tables_[on.table].columns[column]));
+    }
+  for (NumberTable &table : tables_) write_once(table);
+}
+
+void NumberTables::place(Columns rest) {
+  StepNumbers &numbers = steps_[rest.step];
+  constexpr std::size_t none = ~std::size_t{0};
+  std::size_t filled = none; // the walk through a table that new columns can fill
+  auto const add_walk = [&](TableWalk const &walk) {
+    numbers.walks.push_back(walk);
+    ++tables_[walk.table].walks;
+    if (filled == none && tables_[walk.table].rows == rest.size()) filled = numbers.walks.size() - 1;
+    return numbers.walks.size() - 1;
+  };
+  while (std::optional<TableWalk> const walk = rest.best_walk(tables_)) {
+    NumberTable const &table = tables_[walk->table];
+    std::size_t const number = add_walk(*walk);
+    Columns others{rest.step, rest.by_turn, rest.is_cyclic};
+    for (std::size_t k = 0; k < rest.values.size(); ++k) {
+      std::size_t const column = find_column(*rest.values[k], *walk, table);
+      if (column == table.columns.size())
+        others.add(rest.leaves[k], *rest.values[k]);
+      else
+        numbers.places[rest.leaves[k]] = {number, column};
+    }
+    if (others.values.empty()) return;
+    rest = std::move(others);
+  }
+  if (filled == none) {
+    tables_.push_back({rest.size(), rest.is_cyclic});
+    add_walk({.table = tables_.size() - 1, .by_turn = rest.by_turn});
+  }
+  TableWalk const &walk = numbers.walks[filled];
+  NumberTable &table = tables_[walk.table];
+  for (std::size_t k = 0; k < rest.values.size(); ++k) {
+    std::size_t const column = find_column(*rest.values[k], walk, table);
+    numbers.places[rest.leaves[k]] = {filled, column};
+    if (column != table.columns.size()) continue;
+    table.columns.emplace_back(table.rows);
+    for (std::size_t i = 0; i < table.rows; ++i) table.columns[column][row_of(walk, table, i)] = (*rest.values[k])[i];
+  }
+}
+
+} // namespace symreal

@@ -1,0 +1,96 @@
+#include "engine/graph/graph_binary.h"
+
+#include "engine/graph/bounded_input.h"
+#include "engine/graph/validate.h"
+#include "engine/support/version.h"
+
+#include <cereal/archives/binary.hpp>
+#include <cereal/types/array.hpp>
+#include <cereal/types/optional.hpp>
+#include <cereal/types/string.hpp>
+#include <cereal/types/vector.hpp>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+
+namespace symreal {
+
+// The members of each structure, for reading and for writing. Nodes are copied as they are.
+template <class Archive> void serialize(Archive &file, Place &x) { file(x.file, x.line, x.column); }
+template <class Archive> void serialize(Archive &file, Range &x) { file(x.low, x.high); }
+template <class Archive> void serialize(Archive &file, Member &x) { file(x.name, x.extents, x.members); }
+template <class Archive> void serialize(Archive &file, Object &x) {
+  file(x.label, x.extents, x.first, x.count, x.place, x.range, x.members);
+}
+template <class Archive> void serialize(Archive &file, StatePair &x) { file(x.state, x.derivative, x.place); }
+template <class Archive> void serialize(Archive &file, DerivativeWish &x) { file(x.text, x.place); }
+template <class Archive> void serialize(Archive &file, Frozen &x) {
+  file(x.name, x.place, x.values, x.is_around, x.is_member, x.stack);
+}
+template <class Archive> void serialize(Archive &file, Location &x) { file(x.places, x.addresses); }
+template <class Archive> void serialize(Archive &file, Guard &x) { file(x.condition, x.location, x.text); }
+template <class Archive> void serialize(Archive &file, Table &x) { file(x.name, x.extents, x.values, x.place); }
+template <class Archive> void serialize(Archive &file, ExternalValue &x) { file(x.kind, x.count, x.type); }
+template <class Archive> void serialize(Archive &file, DerivativeFunction &x) { file(x.name, x.is_returned); }
+template <class Archive> void serialize(Archive &file, External &x) {
+  file(x.name, x.pure, x.returned, x.parameters, x.place, x.derivatives);
+}
+template <class Archive> void serialize(Archive &file, OperationCounts &x) { file(x.by_op); }
+
+template <class Archive> static void serialize_nodes(Archive &file, Nodes &nodes) {
+  cereal::size_type count = nodes.size();
+  file(cereal::make_size_tag(count));
+  nodes.resize(count);
+  file(cereal::binary_data(nodes.data(), count * sizeof(Node)));
+}
+
+template <class Archive> void serialize(Archive &file, Graph &x) {
+  file(x.kernel, x.inputs, x.parameters, x.outputs, x.states, x.wishes);
+  serialize_nodes(file, x.nodes);
+  file(x.results, x.precomputed, x.guards, x.decisions, x.from_instructions, x.tables, x.externals, x.last_effect);
+  file(x.locations, x.node_location, x.names, x.node_name, x.node_exact, x.input_values, x.parameter_values, x.frozen,
+       x.executed);
+}
+
+static std::string const head = "symreal-binary-graph " + std::string(version) + "\n";
+
+void write_binary_graph(std::string const &path, Graph const &graph) {
+  errno = 0;
+  std::ofstream file(path, std::ios::binary);
+  try {
+    file.exceptions(std::ios::badbit | std::ios::failbit);
+    file << head;
+    cereal::BinaryOutputArchive archive(file);
+    archive(graph);
+    file.close();
+  } catch (std::bad_alloc const &) {
+    throw;
+  } catch (std::exception const &) { // of the stream or of the archive
+    fail(DiagnosticId::unwritable_output, {path}, "cannot write '" + path + "': " + std::strerror(errno));
+  }
+}
+
+Graph read_binary_graph(std::string const &path) {
+  errno = 0;
+  std::ifstream file(path, std::ios::binary);
+  if (!file) fail(DiagnosticId::unreadable_file, {path}, "cannot read '" + path + "': " + std::strerror(errno));
+  std::string found(head.size(), '\0');
+  if (!file.read(found.data(), static_cast<std::streamsize>(found.size())) || found != head)
+    fail(DiagnosticId::graph_syntax, {path},
+         "the recording is not of this version of Symreal, " + std::string(version));
+  Graph graph;
+  try {
+    BoundedInput archive(file, std::filesystem::file_size(path) - head.size());
+    archive(graph);
+  } catch (std::bad_alloc const &) {
+    throw;
+  } catch (std::exception const &error) {
+    fail(DiagnosticId::graph_syntax, {path}, "the recording is not whole: " + std::string(error.what()));
+  }
+  if (std::string const violation = find_violation(graph); !violation.empty())
+    fail(DiagnosticId::graph_syntax, {path}, violation);
+  return graph;
+}
+
+} // namespace symreal

@@ -1,0 +1,52 @@
+#include "engine/graph/statistics.h"
+
+namespace symreal {
+
+// What the values that `preprocess` stores need.
+static std::vector<char> preprocess_nodes(Graph const &graph) {
+  std::vector<char> needed(graph.nodes.size(), 0);
+  for (NodeId id : graph.precomputed) needed[id] = 1;
+  for (std::size_t id = graph.nodes.size(); id-- > 0;) {
+    Node const &node = graph.nodes[id];
+    if (!needed[id] || is_leaf(node.op)) continue;
+    for (NodeId operand : node.operand)
+      if (operand != no_node) needed[operand] = 1;
+  }
+  return needed;
+}
+
+Statistics statistics(Graph const &graph) {
+  Statistics result;
+  std::vector<char> live = live_nodes(graph);
+  std::vector<char> const recomputed = recomputed_nodes(graph), before = preprocess_nodes(graph);
+  bool const split = !graph.precomputed.empty();
+  for (std::size_t id = 0; id < graph.nodes.size(); ++id) {
+    Node const &node = graph.nodes[id];
+    ++result.recorded[node.op];
+    if (!live[id]) continue;
+    bool const is_hoisted = split && node.attribute == Attribute::parametric;
+    if (!is_hoisted || recomputed[id]) ++result.compute[node.op];
+    if (is_hoisted && (!recomputed[id] || before[id])) ++result.preprocess[node.op];
+  }
+  return result;
+}
+
+OperationCounts live_operations(Graph const &graph) {
+  OperationCounts counts;
+  std::vector<char> const live = live_nodes(graph);
+  for (std::size_t id = 0; id < graph.nodes.size(); ++id)
+    if (live[id]) ++counts[graph.nodes[id].op];
+  return counts;
+}
+
+std::vector<std::size_t> operations_by_location(Graph const &graph, bool live_only) {
+  std::vector<std::size_t> counts(graph.locations.size(), 0);
+  std::vector<char> const live = live_only ? live_nodes(graph) : std::vector<char>();
+  for (std::size_t id = 0; id < graph.node_location.size(); ++id)
+    if (LocationId const location = graph.node_location[id];
+        location != no_location && !is_leaf(graph.nodes[id].op) && (!live_only || live[id]))
+      ++counts[location];
+  return counts;
+}
+
+} // namespace symreal

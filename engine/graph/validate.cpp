@@ -1,0 +1,249 @@
+#include "engine/graph/validate.h"
+
+#include "engine/graph/implicit.h"
+#include "engine/graph/opaque.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <limits>
+
+namespace symreal {
+
+namespace {
+
+using Kind = ExternalValue::Kind;
+
+// As a compiler spells the types of integers.
+constexpr auto integer_types = std::to_array<std::string_view>(
+    {"_Bool", "char", "signed char", "unsigned char", "short", "unsigned short", "int", "unsigned int", "long",
+     "unsigned long", "long long", "unsigned long long", "__int128", "unsigned __int128"});
+
+std::string type_violation(ExternalValue const &value) {
+  if (value.kind == Kind::integer && std::ranges::find(integer_types, value.type) == integer_types.end())
+    return "'" + value.type + "' is not a type of integers, as in \"unsigned int\"";
+  if (value.kind != Kind::none && value.count == 0) return "an object without doubles cannot be a parameter";
+  return {};
+}
+
+bool is_of_numbers(External const &external, unsigned arity) {
+  ExternalValue const number{Kind::number};
+  return external.returned == number && external.parameters == std::vector(arity, number);
+}
+
+// Whether C declares both alike: functions of one name must be.
+bool has_prototype_of(External const &a, External const &b) {
+  // How many numbers stand behind a pointer is not part of it, nor which of them are read.
+  auto const is_alike = [](ExternalValue const &x, ExternalValue const &y) {
+    bool const are_written = x.kind != Kind::input && x.is_pointer() && y.kind != Kind::input && y.is_pointer();
+    return are_written || (x.kind == y.kind && x.type == y.type && (x.kind != Kind::object || x.count == y.count));
+  };
+  return is_alike(a.returned, b.returned) && std::ranges::equal(a.parameters, b.parameters, is_alike);
+}
+
+std::string check_objects(std::vector<Object> const &objects) {
+  std::uint32_t next = 0;
+  for (Object const &object : objects) {
+    if (object.range && !is_range(*object.range)) return "the range of '" + object.label + "' holds no number";
+    if (object.first != next || object.count != number_count(object.extents, object.members))
+      return "object '" + object.label + "' does not fit its slots";
+    next += object.count;
+  }
+  return {};
+}
+
+// Operations that the general check looks at more closely, also from their users.
+constexpr unsigned demanding = flag::WIDE | flag::TAKES_WIDE | flag::STRUCTURE | flag::OPAQUE;
+
+// Most nodes of most graphs: a sum, a difference, a product or a quotient of two numbers.
+bool is_sound_arithmetic(Nodes const &nodes, NodeId id) {
+  static constexpr auto plain = [] { // operations without a demand of their own, and leaves
+    std::array<bool, static_cast<std::size_t>(Op::count)> result{};
+    result.fill(true);
+    for (OperationInfo const &row : detail::operation_table)
+      result[static_cast<std::size_t>(row.op)] = !row.has(demanding);
+    return result;
+  }();
+  Node const &node = nodes[id];
+  if (node.op != Op::add && node.op != Op::sub && node.op != Op::mul && node.op != Op::div) return false;
+  auto const [a, b, none] = node.operand;
+  if (a >= id || b >= id || none != no_node) return false;
+  return plain[static_cast<std::size_t>(nodes[a].op)] && plain[static_cast<std::size_t>(nodes[b].op)] &&
+         node.attribute == std::max(nodes[a].attribute, nodes[b].attribute);
+}
+
+std::string check_matrix(DerivativeMatrix const &matrix, std::vector<Object> const &outputs) {
+  if (matrix.output >= outputs.size()) return "a matrix names an output that does not exist";
+  std::size_t const whole = std::size_t{matrix.rows} * matrix.columns, count = matrix.row.size();
+  if (matrix.column.size() != count || outputs[matrix.output].count != (matrix.is_packed ? count : whole))
+    return "a matrix does not fit its output";
+  for (std::size_t k = 0; k < count; ++k) {
+    if (matrix.row[k] >= matrix.rows || matrix.column[k] >= matrix.columns) return "a matrix has no such row or column";
+    if (k > 0 && std::pair(matrix.row[k - 1], matrix.column[k - 1]) >= std::pair(matrix.row[k], matrix.column[k]))
+      return "the elements of a matrix do not stand row by row";
+  }
+  return {};
+}
+
+Attribute attribute_of_leaf(Op op) {
+  return op == Op::constant ? Attribute::constant : op == Op::parameter ? Attribute::parametric : Attribute::variable;
+}
+
+// The violation in words, or nullptr.
+char const *find_node_violation(Graph const &graph, NodeId id) {
+  if (is_sound_arithmetic(graph.nodes, id)) return nullptr;
+  Node const &node = graph.nodes[id];
+  if (node.op >= Op::count) return "has no operation";
+  if (is_leaf(node.op) && node.attribute != attribute_of_leaf(node.op)) return "has the wrong attribute";
+  if (node.op == Op::input) return node.slot() < graph.input_count() ? nullptr : "names an input that does not exist";
+  if (node.op == Op::parameter)
+    return node.slot() < graph.parameter_count() ? nullptr : "names a parameter that does not exist";
+  if (is_leaf(node.op)) return nullptr;
+  OperationInfo const &operation = info(node.op);
+  Attribute attribute = Attribute::constant;
+  unsigned flags = operation.flags; // and those of the operands
+  for (std::size_t i = 0; i < node.operand.size(); ++i) {
+    if ((i < operation.arity) != (node.operand[i] != no_node)) return "has the wrong number of operands";
+    if (i >= operation.arity) continue;
+    if (node.operand[i] >= id) return "is older than its operand";
+    Node const &operand = graph.nodes[node.operand[i]];
+    if (!is_leaf(operand.op)) flags |= info(operand.op).flags;
+    attribute = std::max(attribute, operand.attribute);
+  }
+  if (node.attribute != attribute_of(node.op, attribute)) return "has the wrong attribute";
+  if (!(flags & demanding)) return nullptr;
+  for (std::size_t i = 0; i < operation.arity; ++i)
+    if (is_wide(graph.nodes[node.operand[i]].op) != takes_wide(node.op, i))
+      return takes_wide(node.op, i) ? "takes integers of 64 bits" : "takes no integers of 64 bits";
+  return find_opaque_violation(graph, id);
+}
+
+std::string check_table(Table const &table) {
+  std::size_t count = 1;
+  for (std::size_t extent : table.extents)
+    if (__builtin_mul_overflow(count, extent, &count)) count = 0;
+  bool const is_one = !table.extents.empty() && table.extents.size() <= 2 && count != 0;
+  return is_one && table.values.size() == count ? "" : "table '" + table.name + "' does not fit its extents";
+}
+
+std::string check_externals(std::vector<External> const &externals) {
+  for (External const &external : externals) {
+    if (is_implicit(external) && !is_well_formed_implicit(external)) return "'implicit function' has another form";
+    if (is_implicit(external)) continue;
+    if (std::string violation = find_violation(external); !violation.empty()) return violation;
+    auto const first = std::ranges::find(externals, external.name, &External::name);
+    if (!has_prototype_of(*first, external))
+      return "function '" + external.name + "' is declared once more, and otherwise";
+  }
+  return {};
+}
+
+// Calls in order form one chain, which ends in the last effect: what is not in it would be lost.
+std::string check_effects(Graph const &graph) {
+  auto const is_effect = [&](NodeId id) { return id < graph.nodes.size() && graph.nodes[id].op == Op::call_in_order; };
+  if (graph.last_effect != no_node && !is_effect(graph.last_effect)) return "the last effect is no call in order";
+  std::size_t effects = 0, reached = 0;
+  for (Node const &node : graph.nodes) effects += node.op == Op::call_in_order;
+  for (NodeId id = graph.last_effect; id != no_node && is_effect(id); id = graph.nodes[id].operand[2]) ++reached;
+  return reached == effects ? "" : "a call in order does not stand before the last effect";
+}
+
+// What a result, a guard and `constants` hold.
+bool is_number(Graph const &graph, NodeId id) {
+  Op const op = graph.nodes[id].op;
+  return is_leaf(op) || !info(op).has(flag::WIDE | flag::STRUCTURE);
+}
+
+std::string check_roots(Graph const &graph) {
+  for (auto const *roots : {&graph.results, &graph.precomputed})
+    for (NodeId root : *roots)
+      if (root >= graph.nodes.size()) return "a result names a node that does not exist";
+  for (NodeId result : graph.results)
+    if (!is_number(graph, result)) return "a result is no number";
+  for (NodeId stored : graph.precomputed) {
+    if (graph.nodes[stored].attribute != Attribute::parametric) return "a precomputed node is not parametric";
+    if (!is_number(graph, stored) && !is_wide(graph.nodes[stored].op)) return "a precomputed node is no number";
+  }
+  for (Guard const &guard : graph.guards) {
+    if (guard.condition >= graph.nodes.size()) return "a guard names a node that does not exist";
+    if (!is_number(graph, guard.condition)) return "a guard's condition is no number";
+    if (guard.location != no_location && guard.location >= graph.locations.size())
+      return "a guard names a location that does not exist";
+  }
+  return {};
+}
+
+// What is known of nodes besides their operations.
+std::string check_columns(Graph const &graph) {
+  if (!graph.node_location.empty() && graph.node_location.size() != graph.nodes.size())
+    return "the number of nodes' locations differs";
+  for (LocationId location : graph.node_location)
+    if (location != no_location && location >= graph.locations.size())
+      return "a node names a location that does not exist";
+  if (!graph.node_name.empty() && graph.node_name.size() != graph.nodes.size())
+    return "the number of nodes' names differs";
+  for (NameId name : graph.node_name)
+    if (name != no_name && name >= graph.names.size()) return "a node has a name that does not exist";
+  if (!graph.node_exact.empty() && graph.node_exact.size() != graph.nodes.size())
+    return "the number of nodes that may be exact differs";
+  return {};
+}
+
+} // namespace
+
+bool is_range(Range const &range) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  return range.low <= range.high && range.low < infinity && range.high > -infinity;
+}
+
+bool is_c_identifier(std::string_view name) {
+  static constexpr auto keywords = std::to_array<std::string_view>(
+      {"_Bool",  "_Complex", "_Imaginary", "auto",     "break",  "case",     "char",   "const",  "continue", "default",
+       "do",     "double",   "else",       "enum",     "extern", "float",    "for",    "goto",   "if",       "inline",
+       "int",    "long",     "register",   "restrict", "return", "short",    "signed", "sizeof", "static",   "struct",
+       "switch", "typedef",  "union",      "unsigned", "void",   "volatile", "while"});
+  static_assert(std::ranges::is_sorted(keywords));
+  auto const is_part = [](unsigned char c) { return c < 0x80 && (std::isalnum(c) || c == '_'); };
+  if (name.empty() || std::isdigit(static_cast<unsigned char>(name[0]))) return false;
+  return std::ranges::all_of(name, is_part) && !std::ranges::binary_search(keywords, name);
+}
+
+std::string find_violation(External const &external) {
+  std::vector<std::string_view> names = {external.name};
+  for (DerivativeFunction const &derivative : external.derivatives) names.push_back(derivative.name);
+  for (std::string_view name : names)
+    if (!is_c_identifier(name)) return "'" + std::string(name) + "' is not the name of a function in C";
+  if (external.returned.is_pointer()) return "a function returns a number, an integer or an object";
+  if (!external.derivatives.empty() && !external.pure) return "a function with effects has no derivative";
+  if (std::string const violation = type_violation(external.returned); !violation.empty()) return violation;
+  for (ExternalValue const &parameter : external.parameters)
+    if (std::string const violation = type_violation(parameter); !violation.empty()) return violation;
+  for (OperationInfo const &operation : operations())
+    if (operation.form == Form::call && operation.c == external.name && !is_of_numbers(external, operation.arity))
+      return "'" + external.name + "' is a function of <math.h>, which takes " + std::to_string(operation.arity) +
+             (operation.arity == 1 ? " number" : " numbers") + " and returns one";
+  return {};
+}
+
+std::string find_violation(Graph const &graph, NodeId *node) {
+  for (auto const *objects : {&graph.inputs, &graph.parameters, &graph.outputs})
+    if (std::string violation = check_objects(*objects); !violation.empty()) return violation;
+  for (DerivativeMatrix const &matrix : graph.matrices)
+    if (std::string violation = check_matrix(matrix, graph.outputs); !violation.empty()) return violation;
+  for (Table const &table : graph.tables)
+    if (std::string violation = check_table(table); !violation.empty()) return violation;
+  if (std::string violation = check_externals(graph.externals); !violation.empty()) return violation;
+  if (graph.results.size() != graph.output_count()) return "the number of results differs from the outputs' size";
+  if (graph.input_values.size() != graph.input_count()) return "the number of input values differs";
+  if (graph.parameter_values.size() != graph.parameter_count()) return "the number of parameter values differs";
+  for (std::size_t id = 0; id < graph.nodes.size(); ++id)
+    if (char const *violation = find_node_violation(graph, static_cast<NodeId>(id))) {
+      if (node) *node = static_cast<NodeId>(id);
+      return "node " + std::to_string(id) + " " + violation;
+    }
+  for (auto const &check : {check_roots, check_effects, check_columns})
+    if (std::string violation = check(graph); !violation.empty()) return violation;
+  return {};
+}
+
+} // namespace symreal

@@ -1,0 +1,76 @@
+// What derives from the table of operations (include/symreal/operations.def): descriptions and
+// evaluation. The enum stands in include/symreal/op.h, since a symbolic program sees it.
+#pragma once
+
+#include "engine/diagnostics/diagnostic.h"
+
+#include <symreal/op.h>
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string_view>
+
+namespace symreal {
+
+enum class Form : std::uint8_t { infix, prefix, call, cast, select, local, external };
+enum class Domain : std::uint8_t { any, positive, unit, above_one, integer };
+
+struct OperationInfo {
+  Op op;
+  std::string_view name;
+  unsigned arity;
+  Form form;
+  std::string_view c;
+  int precedence;
+  std::string_view derivative;
+  int cost;
+  unsigned flags;
+  Domain domain;
+  std::string_view doc;
+
+  constexpr bool has(unsigned flag) const { return (flags & flag) != 0; }
+};
+
+namespace flag {
+inline constexpr unsigned COMMUTATIVE = 1, ROUNDED = 2, ZERO_SIGN = 4, BOOLEAN = 8, LOGICAL = 16, QUIET = 32,
+                          OPAQUE = 64, STRUCTURE = 128, EFFECT = 256, MONOTONE = 512, WIDE = 1024, TAKES_WIDE = 2048,
+                          ERROR = 4096;
+}
+
+namespace detail {
+using namespace flag;
+// In the header, since passes look at the rows of every node of a graph.
+inline constexpr std::array operation_table = {
+#define OPERATION(id, arity, form, c, precedence, evaluate, derivative, cost, flags, domain, doc)                      \
+  OperationInfo{Op::id, #id, arity, Form::form, c, precedence, derivative, cost, flags, Domain::domain, doc},
+#include <symreal/operations.def>
+#undef OPERATION
+};
+} // namespace detail
+
+// All operations in the order of the table.
+inline std::span<OperationInfo const> operations() { return detail::operation_table; }
+
+inline bool is_leaf(Op op) { return op <= Op::parameter; }
+// The row of an operation; leaves have none.
+inline OperationInfo const &info(Op op) {
+  internal_check(!is_leaf(op));
+  return detail::operation_table[static_cast<std::size_t>(op) - static_cast<std::size_t>(Op::parameter) - 1];
+}
+inline unsigned arity(Op op) { return is_leaf(op) ? 0 : info(op).arity; }
+// An integer of 64 bits: its value among those of nodes is its bits.
+inline bool is_wide(Op op) { return !is_leaf(op) && info(op).has(flag::WIDE); }
+// Whether operand `i` must be one.
+inline bool takes_wide(Op op, std::size_t i) {
+  return info(op).has(flag::TAKES_WIDE) && !(info(op).form == Form::select && i == 0);
+}
+inline bool is_call(Op op) { return op == Op::call || op == Op::call_in_order; }
+std::optional<Op> find_operation(std::string_view name);
+
+// The reference semantics. Unused operands are ignored. Truth values are 0 and 1. Not of an OPAQUE operation: graph/
+// evaluate.h knows what stands behind it.
+double evaluate(Op op, double x, double y, double z);
+
+} // namespace symreal

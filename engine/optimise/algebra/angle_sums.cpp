@@ -1,0 +1,254 @@
+#include "engine/optimise/algebra/angle_sums.h"
+
+#include "engine/optimise/algebra/angle_forms.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace symreal::algebra {
+
+namespace {
+
+constexpr int most_weight = 8;
+
+enum Part : std::size_t { sines, cosines };
+
+// An angle is `sign_a` a + `sign_b` b.
+struct Sum {
+  std::size_t a = 0, b = 0;
+  bool is_minus_a = false, is_minus_b = false;
+};
+
+// How an angle's sine and cosine are made: by calls, or from those of two others.
+struct Plan {
+  Angle angle;
+  int weight = 1; // how many angles are called for it, with their multiplicity
+  bool is_derived = false, is_free = false;
+  Sum sum = {};
+  bool is_there[2] = {};
+};
+
+class Planning {
+public:
+  Planning(Network const &network, CostModel const &costs) : network_(network), costs_(costs) {
+    std::vector<Angle> angles = angles_of(network);
+    std::ranges::stable_sort(angles, {}, [&](Angle const &angle) { return size_of(angle.form); });
+    for (Angle &angle : angles) add(std::move(angle));
+  }
+
+  std::vector<Plan> plans;
+
+private:
+  // Of what depends on an input; simple angles come first, since others are made of them.
+  int size_of(AngleForm const &form) const {
+    int sum = 0;
+    for (auto const &[atom, quarters] : form)
+      if (!network_[atom].is_free()) sum += std::abs(quarters);
+    return sum;
+  }
+
+  void add(Angle angle) {
+    Plan plan{.angle = std::move(angle)};
+    plan.is_there[sines] = plan.angle.sine != no_index;
+    plan.is_there[cosines] = plan.angle.cosine != no_index;
+    double best = 0; // saved
+    std::size_t const known = plans.size();
+    Plan chosen = plan;
+    for (std::size_t a = 0; a < known; ++a) {
+      if (plans[a].is_free || !may_use(plan, plans[a])) continue;
+      for (bool is_minus : {false, true}) {
+        AngleForm const rest = plan.angle.form + (is_minus ? plans[a].angle.form : -plans[a].angle.form);
+        std::optional<std::pair<std::size_t, bool>> const b = find(plan, rest);
+        if (!b) continue;
+        Plan derived = plan;
+        derived.is_derived = true;
+        derived.sum = {a, b->first, is_minus, b->second};
+        derived.weight = plans[a].weight + plans[b->first].weight;
+        if (derived.weight > most_weight) continue;
+        double const saved = saving(derived);
+        if (saved > best) best = saved, chosen = derived;
+      }
+    }
+    if (chosen.is_derived) {
+      for (Part part : {sines, cosines})
+        if (chosen.is_there[part]) require(chosen.sum, part);
+    }
+    by_form_.emplace(chosen.angle.form, plans.size());
+    plans.push_back(std::move(chosen));
+  }
+
+  // The first one is computed before the functions of the other are needed, and rests on nothing else.
+  bool may_use(Plan const &plan, Plan const &part) const {
+    Index const first = std::min(plan.angle.sine, plan.angle.cosine);
+    return part.angle.node < first &&
+           network_.hazards().is_subset(network_[part.angle.node].hazards, network_[plan.angle.node].hazards);
+  }
+
+  // The angle of this form, or its negative; of one that depends on parameters alone there is always one.
+  std::optional<std::pair<std::size_t, bool>> find(Plan const &plan, AngleForm const &form) {
+    for (bool is_negative : {false, true}) {
+      auto const found = by_form_.find(is_negative ? -form : form);
+      if (found != by_form_.end() && (plans[found->second].is_free || may_use(plan, plans[found->second])))
+        return std::pair(found->second, is_negative);
+    }
+    Index const first = std::min(plan.angle.sine, plan.angle.cosine);
+    for (auto const &[atom, quarters] : form)
+      if (!network_[atom].is_free() || atom >= first ||
+          !network_.hazards().is_subset(network_[atom].hazards, network_[plan.angle.node].hazards))
+        return std::nullopt;
+    if (form.empty()) return std::nullopt;
+    by_form_.emplace(form, plans.size());
+    plans.push_back({.angle = {.form = form, .node = no_index}, .is_free = true, .is_there = {true, true}});
+    return std::pair(plans.size() - 1, false);
+  }
+
+  // What it takes for this part of an angle to be there.
+  double cost_of(std::size_t angle, Part part) const {
+    Plan const &plan = plans[angle];
+    if (plan.is_there[part]) return 0;
+    if (!plan.is_derived) return costs_[part == sines ? Op::sin : Op::cos];
+    return cost_of(plan.sum, part);
+  }
+  double cost_of(Sum const &sum, Part part) const {
+    double const multiplication = costs_[Op::mul], addition = costs_[Op::add];
+    if (is_double(sum)) {
+      if (part == sines) return 2 * multiplication + cost_of(sum.a, sines) + cost_of(sum.a, cosines);
+      return 2 * multiplication + addition + std::min(cost_of(sum.a, sines), cost_of(sum.a, cosines));
+    }
+    double cost = 2 * multiplication + addition;
+    for (std::size_t of : {sum.a, sum.b}) cost += cost_of(of, sines) + cost_of(of, cosines);
+    return cost;
+  }
+  // Of 2 a the sine is 2 s c, the cosine 1 - 2 s^2 or 2 c^2 - 1.
+  static bool is_double(Sum const &sum) { return sum.a == sum.b && sum.is_minus_a == sum.is_minus_b; }
+
+  // Parts that both the sine and the cosine need are counted twice, so it may save more.
+  double saving(Plan const &plan) const {
+    double saved = 0;
+    if (plan.is_there[sines]) saved += costs_[Op::sin] - cost_of(plan.sum, sines);
+    if (plan.is_there[cosines]) saved += costs_[Op::cos] - cost_of(plan.sum, cosines);
+    return saved;
+  }
+
+  void require(std::size_t angle, Part part) {
+    Plan &plan = plans[angle];
+    if (std::exchange(plan.is_there[part], true) || !plan.is_derived) return;
+    require(Sum(plan.sum), part);
+  }
+  void require(Sum const &sum, Part part) {
+    if (is_double(sum) && part == cosines) {
+      require(sum.a, plans[sum.a].is_there[sines] || cost_of(sum.a, sines) < cost_of(sum.a, cosines) ? sines : cosines);
+      return;
+    }
+    for (std::size_t of : {sum.a, sum.b}) {
+      require(of, sines);
+      require(of, cosines);
+    }
+  }
+
+  Network const &network_;
+  CostModel const &costs_;
+  std::map<AngleForm, std::size_t> by_form_;
+};
+
+class Substitution {
+public:
+  Substitution(Network const &network, Planning const &planning)
+      : network_(network),
+        plans_(planning.plans),
+        made_(plans_.size()),
+        now_(network.size()),
+        result_(network.context()) {}
+
+  Network run() {
+    std::vector<std::size_t> plan_of(network_.size(), plans_.size());
+    for (std::size_t i = 0; i < plans_.size(); ++i)
+      if (plans_[i].is_derived)
+        for (Index function : {plans_[i].angle.sine, plans_[i].angle.cosine})
+          if (function != no_index) plan_of[function] = i;
+    std::vector<char> const live = live_nodes(network_);
+    for (Index node = 0; node < network_.size(); ++node) {
+      if (!live[node]) continue;
+      if (std::size_t const plan = plan_of[node]; plan != plans_.size())
+        now_[node] = part(plan, network_.function_of(network_[node]).op == Op::sin ? sines : cosines);
+      else
+        now_[node] = result_.copy(network_, network_[node], [&](Literal old) { return now(old); });
+    }
+    for (Literal root : network_.roots) result_.roots.push_back(now(root));
+    return std::move(result_);
+  }
+
+private:
+  Literal now(Literal old) const { return now_[old.node()].negated_if(old.is_negative()); }
+
+  // The depth of the recursion is bounded by the weight.
+  Literal part(std::size_t number, Part which) {
+    std::optional<Literal> &known = made_[number][which];
+    if (!known) known = make(plans_[number], which);
+    return *known;
+  }
+
+  Literal make(Plan const &plan, Part which) {
+    if (!plan.is_derived) {
+      Literal const angle = plan.is_free ? made_of(plan.angle.form, result_, [&](Literal old) { return now(old); })
+                                         : now_[plan.angle.node];
+      return result_.function({which == sines ? Op::sin : Op::cos, 1, {angle}});
+    }
+    Sum const &sum = plan.sum;
+    bool const is_double = sum.a == sum.b && sum.is_minus_a == sum.is_minus_b;
+    Literal const two = result_.constant(2.0), one = result_.one();
+    if (is_double && which == cosines) {
+      bool const by_sine = plans_[sum.a].is_there[sines];
+      Literal const x = part(sum.a, by_sine ? sines : cosines);
+      Literal const squares = result_.product(two, result_.product(x, x));
+      return by_sine ? result_.sum(one, -squares) : result_.sum(squares, -one);
+    }
+    Literal const sine_a = part(sum.a, sines).negated_if(sum.is_minus_a), cosine_a = part(sum.a, cosines);
+    if (is_double) return result_.product(two, result_.product(sine_a, cosine_a));
+    Literal const sine_b = part(sum.b, sines).negated_if(sum.is_minus_b), cosine_b = part(sum.b, cosines);
+    if (which == sines) return result_.sum(result_.product(sine_a, cosine_b), result_.product(cosine_a, sine_b));
+    return result_.sum(result_.product(cosine_a, cosine_b), -result_.product(sine_a, sine_b));
+  }
+
+  Network const &network_;
+  std::vector<Plan> const &plans_;
+  std::vector<std::array<std::optional<Literal>, 2>> made_;
+  std::vector<Literal> now_;
+  Network result_;
+};
+
+void relate(AngleForm const &form, Network const &network) {
+  Value sum = value_of(0);
+  std::vector<AnglePart> parts;
+  for (auto const &[atom, quarters] : form) {
+    parts.push_back({network[atom].value, quarters});
+    sum = sum + network[atom].value * value_of(quarters / 4.0);
+  }
+  network.context()->angles.add(sum, parts);
+}
+
+// Points of the field for the angles, as far as they have something in common.
+void relate(std::vector<Angle> const &angles, Network const &network) {
+  std::map<Index, int> uses;
+  for (Angle const &angle : angles)
+    for (auto const &[atom, quarters] : angle.form) ++uses[atom];
+  for (Angle const &angle : angles) {
+    bool const is_related = std::ranges::any_of(angle.form, [&](auto const &part) { return uses[part.first] > 1; });
+    if (is_related) relate(angle.form, network);
+  }
+}
+
+} // namespace
+
+Network with_angle_sums(Network const &network, CostModel const &costs) {
+  std::vector<Angle> const angles = angles_of(network);
+  constexpr std::size_t most_angles = 200; // any two of them are tried
+  if (angles.size() > most_angles || !are_related(angles, network)) return network;
+  relate(angles, network);
+  Planning const planning(network, costs);
+  for (Plan const &plan : planning.plans)
+    if (plan.is_free) relate(plan.angle.form, network);
+  return Substitution(network, planning).run();
+}
+
+} // namespace symreal::algebra

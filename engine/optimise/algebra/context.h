@@ -1,0 +1,24 @@
+// What all networks that are made of one graph have in common.
+#pragma once
+
+#include "engine/ops/cost_model.h"
+#include "engine/optimise/algebra/angles.h"
+#include "engine/optimise/algebra/hazards.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace symreal::algebra {
+
+struct Context {
+  explicit Context(CostModel const &costs = usual_costs()) {
+    double const other = (costs[Op::add] + costs[Op::mul]) / 2;
+    division = other > 0 ? static_cast<int>(std::lround(std::clamp(costs[Op::div] / other, 1.0, 100.0))) : 1;
+  }
+
+  int division; // what a quotient costs beside sums and products, which cost 1
+  HazardSets hazards;
+  Angles angles;
+};
+
+} // namespace symreal::algebra

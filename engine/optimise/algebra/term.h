@@ -1,0 +1,90 @@
+// Sums of products: a term is a product of atoms with a sign.
+#pragma once
+
+#include "engine/optimise/algebra/network.h"
+
+#include <algorithm>
+#include <span>
+#include <vector>
+
+namespace symreal::algebra {
+
+// A node of a network that is not looked into, or what factoring has made.
+using Atom = std::uint32_t;
+
+// Where its atoms stand in a store of terms. `hash` is a sum over them, so that of a common part can be taken away.
+struct Term {
+  std::uint32_t first = 0;
+  std::uint16_t variables = 0, constants = 0; // how many atoms of each kind; what is free counts as constant
+  int coefficient = 1;                        // 1 or -1 once integers are atoms
+  std::uint64_t hash = 0;
+
+  std::size_t size() const { return std::size_t{variables} + constants; }
+  // The constants are one number by the time they are used.
+  int factors() const { return variables + (constants != 0); }
+  int multiplications() const { return std::max(factors() - 1, 0); }
+};
+using Sum = std::vector<Term>;
+
+// What two terms have in common: how many atoms of each kind, and their hash.
+struct Common {
+  int variables = 0, constants = 0;
+  std::uint64_t hash = 0;
+};
+
+class TermStore {
+public:
+  static std::uint64_t hash_of(Atom atom) { return mixed(atom + 0x9E3779B97F4A7C15u); }
+
+  std::span<Atom const> atoms(Term const &term) const { return {atoms_.data() + term.first, term.size()}; }
+  bool is_constant(Atom atom) const { return atom < is_constant_.size() && is_constant_[atom]; }
+  void set_constant(Atom atom) {
+    if (is_constant_.size() <= atom) is_constant_.resize(atom + 1, 0);
+    is_constant_[atom] = 1;
+  }
+
+  Term single(Atom atom) { return make(std::span(&atom, 1)); }
+  Term make(std::span<Atom const> sorted) {
+    Term term;
+    term.first = static_cast<std::uint32_t>(atoms_.size());
+    for (Atom atom : sorted) append(term, atom);
+    return term;
+  }
+  Term product(Term const &a, Term const &b) {
+    Term term;
+    term.first = static_cast<std::uint32_t>(atoms_.size());
+    term.coefficient = a.coefficient * b.coefficient;
+    std::size_t i = a.first, j = b.first;
+    std::size_t const i_end = i + a.size(), j_end = j + b.size();
+    while (i < i_end || j < j_end)
+      append(term, j == j_end || (i < i_end && atoms_[i] <= atoms_[j]) ? atoms_[i++] : atoms_[j++]);
+    return term;
+  }
+  Common common(Term const &a, Term const &b) const {
+    Common common;
+    std::size_t i = a.first, j = b.first;
+    std::size_t const i_end = i + a.size(), j_end = j + b.size();
+    while (i < i_end && j < j_end) {
+      if (atoms_[i] == atoms_[j]) {
+        ++(is_constant(atoms_[i]) ? common.constants : common.variables);
+        common.hash += hash_of(atoms_[i]);
+        ++i, ++j;
+      } else {
+        ++(atoms_[i] < atoms_[j] ? i : j);
+      }
+    }
+    return common;
+  }
+
+private:
+  void append(Term &term, Atom atom) {
+    atoms_.push_back(atom);
+    ++(is_constant(atom) ? term.constants : term.variables);
+    term.hash += hash_of(atom);
+  }
+
+  std::vector<Atom> atoms_;
+  std::vector<char> is_constant_; // per atom
+};
+
+} // namespace symreal::algebra

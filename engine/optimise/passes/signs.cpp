@@ -1,0 +1,10 @@
+#include "engine/optimise/passes/pass.h"
+#include "engine/optimise/passes/sweep.h"
+
+namespace symreal {
+
+Graph pass_signs(Graph graph, PassSettings const &settings) {
+  return sweep(graph, {.mode = settings.mode, .topics = static_cast<unsigned>(Topic::signs), .limit = settings.limit});
+}
+
+} // namespace symreal

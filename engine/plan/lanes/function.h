@@ -1,0 +1,47 @@
+// What operations are packed of: those of one function.
+#pragma once
+
+#include "engine/plan/lanes/lane_program.h"
+#include "engine/plan/schedule/schedule.h"
+
+namespace symreal::lanes {
+
+class Function {
+public:
+  // `plan` must outlive it.
+  Function(Schedule const &plan, std::size_t width);
+
+  Graph const &graph() const { return *plan_.graph; }
+  Node const &node(NodeId id) const { return graph().nodes[id]; }
+  std::size_t width() const { return width_; }
+  std::vector<NodeId> const &results() const { return plan_.compute.results; }
+  std::vector<NodeId> const &conditions() const { return conditions_; } // of guards
+
+  bool is_constant(NodeId id) const { return node(id).is_constant(); }
+  bool is_element(NodeId id) const { return plan_.element(id).has_value(); }
+  Element element(NodeId id) const {
+    std::optional<Element> const element = plan_.element(id);
+    internal_check(element.has_value());
+    return *element;
+  }
+  std::size_t extent(Array array) const {
+    switch (array) {
+    case Array::input: return graph().input_count();
+    case Array::constants: return plan_.constant_count;
+    case Array::sine:
+    case Array::cosine: return plan_.angles.size();
+    }
+    return 0;
+  }
+  // An operation of this function.
+  bool is_computed(NodeId id) const { return !is_constant(id) && !is_element(id); }
+  // One that vectors have: exact or correctly rounded, lane by lane.
+  bool can_be_packed(NodeId id) const;
+
+private:
+  Schedule const &plan_;
+  std::size_t width_;
+  std::vector<NodeId> conditions_;
+};
+
+} // namespace symreal::lanes

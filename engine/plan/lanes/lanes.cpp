@@ -1,0 +1,48 @@
+#include "engine/plan/lanes/lanes.h"
+
+#include "engine/plan/lanes/check.h"
+#include "engine/plan/lanes/program.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace symreal {
+
+namespace {
+
+// The search takes more than linear time, and compilers do on one function.
+constexpr std::size_t most_operations = 3000;
+
+std::string obstacle(Schedule const &plan) {
+  std::vector<char> const live = live_nodes(*plan.graph);
+  std::size_t operations = 0;
+  for (NodeId id = 0; id < plan.graph->nodes.size(); ++id) {
+    Op const op = plan.graph->nodes[id].op;
+    if (!live[id] || is_leaf(op) || plan.element(id)) continue;
+    if (is_call(op)) return "it calls external functions";
+    ++operations;
+  }
+  if (operations > most_operations)
+    return fmt::format("it has {} operations, more than {}", operations, most_operations);
+  if (std::ranges::any_of(plan.compute.region, [](RegionId region) { return region != everywhere; }))
+    return "some of it is computed under conditions only";
+  return {};
+}
+
+} // namespace
+
+Laned laned(Schedule const &plan, std::size_t width) {
+  if (std::string why = obstacle(plan); !why.empty()) return {{}, std::move(why)};
+  lanes::Function const function(plan, width);
+  lanes::LaneFunction found = lanes::lane_function(function, lanes::search(function));
+  if (found.in_lanes == 0) return {{}, "no operations are worth computing side by side"};
+  internal_check(lanes::find_difference(function, found).empty());
+  return {std::move(found), {}};
+}
+
+std::string describe(lanes::LaneFunction const &function) {
+  return fmt::format("compute: {} of {} operations in vectors of {}", function.in_lanes, function.operations,
+                     function.width);
+}
+
+} // namespace symreal

@@ -1,0 +1,71 @@
+// The vectors of a function while they are sought: operations on vectors, and where all other vectors come from.
+#pragma once
+
+#include "engine/plan/lanes/function.h"
+
+#include <map>
+
+namespace symreal::lanes {
+
+// Where the numbers of a vector are that is no operation.
+struct Source {
+  // Elements of an array, or lanes that are computed.
+  struct Part {
+    VectorId pack = no_vector; // otherwise elements
+    Array array = Array::input;
+    std::size_t first = 0;
+
+    bool is_load() const { return pack == no_vector; }
+    bool operator==(Part const &) const = default;
+  };
+  Vector::Form form;
+  std::vector<Part> parts = {}; // of a load one, of a shuffle one or two
+  std::vector<std::uint32_t> from = {};
+  std::size_t column = 0, stride = 0; // of a build from every so many elements of an array, as columns of a matrix are
+};
+
+class Packs {
+public:
+  explicit Packs(Function const &function) : function_(function), places_(function.graph().nodes.size()) {}
+
+  struct Pack {
+    std::vector<NodeId> nodes;
+    bool is_operation = false; // otherwise it has a source
+    Op op = Op::add;
+    std::vector<char> subtracts = {};
+    std::array<VectorId, 2> operand = {no_vector, no_vector};
+  };
+
+  std::size_t size() const { return packs_.size(); }
+  Pack const &operator[](VectorId id) const { return packs_[id]; }
+
+  // A vector of these nodes. It is an operation if the nodes are isomorphic and not in vectors already; so are its
+  // operands, as far as that goes.
+  VectorId grow(std::vector<NodeId> const &nodes);
+  // All vectors from this one on are forgotten.
+  void cut(std::size_t size);
+  // Whether the vector is an operation, and not a vector of what is computed alone.
+  void set_operation(VectorId id, bool is_operation);
+
+  // Where a node is computed in a vector: in the first that has it.
+  Lane place(NodeId id) const { return places_[id].empty() ? Lane{} : places_[id].front(); }
+  Source source(VectorId id) const;
+
+private:
+  VectorId find_or_add(std::vector<NodeId> const &nodes);
+  void try_operation(VectorId id);
+  std::optional<Source> shuffled(std::vector<NodeId> const &nodes) const;
+  std::optional<Source> loaded(std::vector<NodeId> const &nodes) const;
+  std::optional<Source> column(std::vector<NodeId> const &nodes) const;
+  std::optional<std::uint32_t> lane_in(NodeId node, Source::Part const &part) const;
+  std::optional<Source> from_parts(std::vector<NodeId> const &nodes, Source::Part const &first,
+                                   std::vector<Source::Part> const &others) const;
+
+  Function const &function_;
+  std::vector<Pack> packs_;
+  std::map<std::vector<NodeId>, VectorId> by_nodes_;
+  std::vector<std::vector<Lane>> places_; // per node
+  std::vector<VectorId> new_;
+};
+
+} // namespace symreal::lanes

@@ -1,0 +1,147 @@
+#include "engine/plan/reroll/chains.h"
+
+#include "engine/plan/reroll/seeds.h"
+
+#include <algorithm>
+
+namespace symreal::reroll {
+
+namespace {
+
+using Run = std::pair<std::size_t, std::size_t>; // from, to: elements from..to-1
+
+// The longest one in which neighbours are in this order.
+template <typename Order> Run longest_run(std::vector<std::uint32_t> const &values, Order in_order) {
+  Run best = {0, 0};
+  for (std::size_t first = 0, k = 0; k < values.size(); ++k) {
+    if (k != first && !in_order(values[k - 1], values[k])) first = k;
+    if (k + 1 - first > best.second - best.first) best = {first, k + 1};
+  }
+  return best;
+}
+
+// Those whose neighbours are of a run.
+Chains part(Chains const &chains, Run const &run) {
+  auto const at = [](auto const &list, std::size_t k) { return list.begin() + static_cast<std::ptrdiff_t>(k); };
+  return {{at(chains.ends, run.first), at(chains.ends, run.second + 1)},
+          {at(chains.common, run.first), at(chains.common, run.second)}};
+}
+
+// The same but for operands that operations compute. Signs are a matter of columns.h.
+bool alike(Sequence const &sequence, std::uint32_t at, std::uint32_t other) {
+  auto const fit = [&](NodeId x, NodeId y) { return x == y || (sequence.is_computed(x) && sequence.is_computed(y)); };
+  return match(sequence.operations[at], sequence.operations[other], fit) != Match::none;
+}
+
+// Of two chains the operations at their ends, at most `common` of them, that differ in nothing but in what they have
+// from before.
+std::uint32_t linked(Sequence const &sequence, std::uint32_t end, std::uint32_t other_end, std::uint32_t common) {
+  auto const depth = [&](NodeId node, std::uint32_t of) {
+    std::uint32_t const at = sequence.position[node];
+    return at != no_position && at < of && at >= of - common ? of - at : 0;
+  };
+  auto const fit = [&](NodeId x, NodeId y) { return x == y || depth(x, end) == depth(y, other_end); };
+  for (std::uint32_t d = 1; d <= common; ++d) {
+    Operation const &a = sequence.operations[end - d], &b = sequence.operations[other_end - d];
+    while (match(a, b, fit) == Match::none) {
+      std::uint32_t deepest = 0;
+      for (unsigned i = 0; i < a.count; ++i)
+        deepest = std::max({deepest, depth(a.operands[i].node, end), depth(b.operands[i].node, other_end)});
+      common = deepest - 1;
+    }
+  }
+  return common;
+}
+
+class Finder {
+public:
+  explicit Finder(Sequence const &sequence) : sequence_(sequence), taken_(sequence.size(), 0) {}
+
+  // Chains that may be interchanged, by their ends.
+  std::vector<Chains> run() {
+    constexpr std::size_t most_attempts = 32;
+    std::size_t attempts = 0;
+    for (std::vector<std::uint32_t> const &places : seeds(sequence_)) {
+      if (std::ranges::any_of(places, [&](std::uint32_t at) { return taken_[at] != 0; })) continue;
+      if (++attempts > most_attempts) break;
+      Chains chains = grown(places);
+      if (!may_interchange(chains)) continue;
+      for (std::size_t j = 0; j < chains.size(); ++j)
+        std::fill(taken_.begin() + chains.begin(j), taken_.begin() + chains.ends[j], 1);
+      found_.push_back(std::move(chains));
+    }
+    std::ranges::sort(found_, {}, [](Chains const &chains) { return chains.ends.back(); });
+    return std::move(found_);
+  }
+
+private:
+  // To where neighbours end at the same distance, and back to where they differ.
+  Chains grown(std::vector<std::uint32_t> const &places) const {
+    std::vector<std::uint32_t> lengths;
+    for (std::size_t j = 0; j + 1 < places.size(); ++j) {
+      std::uint32_t const a = places[j], b = places[j + 1];
+      std::uint32_t length = 0;
+      while (a + length < b && b + length < sequence_.size() && alike(sequence_, a + length, b + length)) ++length;
+      lengths.push_back(length);
+    }
+    std::vector<std::uint32_t> sorted = lengths; // a few irregular neighbours must not end all
+    std::ranges::sort(sorted);
+    std::uint32_t length = sorted[sorted.size() / 8];
+    std::vector<std::uint32_t> reached;
+    for (std::uint32_t const other : lengths) reached.push_back(other >= length ? 1 : 0);
+    auto const [first, last] = longest_run(reached, [](std::uint32_t a, std::uint32_t b) { return a == 1 && b == 1; });
+    while (length > 0 && !follows(places[first], places[first] + length - 1)) --length;
+    Chains chains;
+    for (std::size_t j = first; j <= last; ++j) chains.ends.push_back(places[j] + length);
+    for (std::size_t j = 0; j + 1 < chains.size(); ++j) {
+      std::uint32_t const a = chains.ends[j], b = chains.ends[j + 1],
+                          most = std::min(a - (j == 0 ? 0 : chains.ends[j - 1]), b - a);
+      std::uint32_t common = 0;
+      while (common < most && alike(sequence_, a - common - 1, b - common - 1)) ++common;
+      chains.common.push_back(linked(sequence_, a, b, common));
+    }
+    auto const growing = longest_run(chains.common, std::less()), falling = longest_run(chains.common, std::greater());
+    return part(chains, growing.second - growing.first < falling.second - falling.first ? falling : growing);
+  }
+
+  // Whether an operation reads what has been computed from `begin` on.
+  bool follows(std::uint32_t begin, std::uint32_t at) const {
+    Operation const &operation = sequence_.operations[at];
+    return std::any_of(operation.operands.begin(), operation.operands.begin() + operation.count, [&](Operand const &x) {
+      return sequence_.is_computed(x.node) && sequence_.position[x.node] >= begin;
+    });
+  }
+
+  // No chain waits for another one, nothing between them waits for them, and they have stages.
+  bool may_interchange(Chains const &chains) const {
+    std::vector<std::uint32_t> lengths = chains.common;
+    std::ranges::sort(lengths);
+    if (lengths.empty() || lengths.front() == lengths.back()) return false;
+    std::uint32_t const begin = chains.begin(0), end = chains.ends.back();
+    constexpr std::uint32_t none = ~std::uint32_t{0};
+    std::vector<std::uint32_t> chain_of(end - begin, none);
+    for (std::size_t j = 0; j < chains.size(); ++j)
+      for (std::uint32_t at = chains.begin(j); at < chains.ends[j]; ++at) {
+        if (taken_[at]) return false;
+        chain_of[at - begin] = static_cast<std::uint32_t>(j);
+      }
+    for (std::uint32_t at = begin; at < end; ++at)
+      for (unsigned i = 0; i < sequence_.operations[at].count; ++i) {
+        std::uint32_t const made = sequence_.position[sequence_.operations[at].operands[i].node];
+        if (made == no_position || made < begin) continue;
+        std::uint32_t const chain = chain_of[made - begin];
+        if (chain != none && chain != chain_of[at - begin]) return false;
+      }
+    return true;
+  }
+
+  Sequence const &sequence_;
+  std::vector<char> taken_; // per operation: whether it is in a chain
+  std::vector<Chains> found_;
+};
+
+} // namespace
+
+std::vector<Chains> find_chains(Sequence const &sequence) { return Finder(sequence).run(); }
+
+} // namespace symreal::reroll

@@ -1,0 +1,148 @@
+#include "engine/plan/reroll/repeats.h"
+
+#include "engine/plan/reroll/rotation.h"
+#include "engine/plan/reroll/windows.h"
+
+#include <algorithm>
+#include <map>
+#include <queue>
+#include <unordered_map>
+
+namespace symreal::reroll {
+
+namespace {
+
+bool operands_match(Sequence const &sequence, std::uint32_t at, NodeId a, NodeId b, std::uint32_t period) {
+  Source const kind = sequence.source(a);
+  if (kind != sequence.source(b)) return false;
+  if (kind != Source::computed || a == b) return true;
+  std::uint32_t const back_a = at - sequence.position[a], back_b = at + period - sequence.position[b];
+  return back_a == back_b || (back_a > period && back_b > period);
+}
+
+// The first operand of a lookup is the number of its table.
+bool names_table(Op op) { return op == Op::lookup || op == Op::lookup2; }
+
+// What a window of the sequence looks like, from operation to operation.
+std::uint64_t token(Sequence const &sequence, std::uint32_t at) {
+  constexpr std::uint32_t far = 16;
+  Operation const &operation = sequence.operations[at];
+  std::array<std::uint64_t, 3> words = {};
+  for (unsigned i = 0; i < operation.count; ++i) {
+    NodeId const node = operation.operands[i].node;
+    Source const kind = sequence.source(node);
+    std::uint32_t const back = kind == Source::computed ? std::min(at - sequence.position[node], far) : 0;
+    words[i] = std::uint64_t{back} * 6 + static_cast<std::uint64_t>(kind) + 1;
+  }
+  if (operation.may_exchange && words[1] < words[0]) std::swap(words[0], words[1]);
+  std::uint64_t hash = static_cast<std::uint64_t>(operation.op);
+  for (std::uint64_t word : words) hash = hash * 1000 + word;
+  return hash;
+}
+
+// How often the same short window comes again at which distance: what a period may be.
+std::vector<std::uint32_t> likely_periods(Sequence const &sequence) {
+  constexpr std::size_t window = 12, most_periods = 48, most_returns = 4;
+  std::vector<std::uint64_t> tokens(sequence.size());
+  for (std::uint32_t at = 0; at < sequence.size(); ++at) tokens[at] = token(sequence, at);
+  std::unordered_map<std::uint64_t, std::array<std::uint32_t, most_returns>> seen; // where, the newest first
+  std::unordered_map<std::uint32_t, std::size_t> votes;
+  std::vector<std::uint64_t> const hashes = window_hashes(tokens, window);
+  for (std::uint32_t at = 0; at < hashes.size(); ++at) {
+    auto const [entry, is_new] = seen.try_emplace(hashes[at]);
+    if (is_new) entry->second.fill(no_position);
+    for (std::uint32_t const before : entry->second)
+      if (before != no_position) ++votes[at - before];
+    std::shift_right(entry->second.begin(), entry->second.end(), 1);
+    entry->second.front() = at;
+  }
+  std::vector<std::pair<std::size_t, std::uint32_t>> ranked;
+  for (auto const &[period, count] : votes) ranked.emplace_back(count, period);
+  std::ranges::sort(ranked, [](auto const &a, auto const &b) {
+    return a.first != b.first ? a.first > b.first : a.second < b.second;
+  });
+  if (ranked.size() > most_periods) ranked.resize(most_periods);
+  std::vector<std::uint32_t> periods;
+  for (auto const &[count, period] : ranked) periods.push_back(period);
+  return periods;
+}
+
+struct Stretch {
+  std::uint32_t begin, end, period; // operations begin..end-1, of which each matches the one a period later
+
+  std::uint32_t size() const { return end - begin; }
+  Repeat repeat() const { return {begin, period, size() / period}; }
+  // The longest first, then the shortest period, then the first.
+  bool operator<(Stretch const &other) const {
+    if (size() != other.size()) return size() < other.size();
+    return period != other.period ? period > other.period : begin > other.begin;
+  }
+};
+
+bool matches(Sequence const &sequence, Repeat const &repeat) {
+  for (std::uint32_t at = repeat.begin; at + repeat.period < repeat.end(); ++at)
+    if (match(sequence, at, repeat.period) == Match::none) return false;
+  return true;
+}
+
+void add_stretches(Sequence const &sequence, std::uint32_t period, std::priority_queue<Stretch> &stretches) {
+  std::uint32_t begin = 0;
+  auto const end_at = [&](std::uint32_t end) {
+    Stretch const stretch{begin, end + period, period};
+    if (end > begin && is_worth_it(sequence, stretch.repeat())) stretches.push(stretch);
+    begin = end + 1;
+  };
+  std::uint32_t at = 0;
+  for (; at + period < sequence.size(); ++at)
+    if (match(sequence, at, period) == Match::none) end_at(at);
+  end_at(at);
+}
+
+} // namespace
+
+bool is_worth_it(Sequence const &sequence, Repeat const &repeat) {
+  std::size_t const saving = repeat.count < least_count ? 0 : std::size_t{repeat.count - 1} * repeat.period;
+  return saving >= least_saving && (saving * least_part >= sequence.size() || saving >= ample_saving);
+}
+
+Match match(Sequence const &sequence, std::uint32_t at, std::uint32_t period) {
+  Operation const &a = sequence.operations[at], &b = sequence.operations[at + period];
+  if (names_table(a.op) && a.operands[0].node != b.operands[0].node) return Match::none;
+  return match(a, b, [&](NodeId x, NodeId y) { return operands_match(sequence, at, x, y, period); });
+}
+
+std::vector<Repeat> find_repeats(Sequence const &sequence, std::vector<Repeat> const &known) {
+  std::priority_queue<Stretch> stretches;
+  for (std::uint32_t period : likely_periods(sequence)) add_stretches(sequence, period, stretches);
+  std::map<std::uint32_t, Repeat> chosen; // by their ends
+  for (Repeat const &repeat : known)
+    if (matches(sequence, repeat)) chosen.emplace(repeat.end(), repeat);
+  while (!stretches.empty()) {
+    Stretch stretch = stretches.top();
+    stretches.pop();
+    // What overlaps with a better one keeps its longer side.
+    auto const over = chosen.upper_bound(stretch.begin);
+    if (over != chosen.end() && over->second.begin < stretch.end) {
+      Stretch const before{stretch.begin, std::max(over->second.begin, stretch.begin), stretch.period};
+      Stretch const after{std::min(over->second.end(), stretch.end), stretch.end, stretch.period};
+      for (Stretch const &rest : {before, after})
+        if (is_worth_it(sequence, rest.repeat())) stretches.push(rest);
+      continue;
+    }
+    Repeat const repeat = rotated(sequence, stretch.begin, stretch.end, stretch.period);
+    chosen.emplace(repeat.end(), repeat);
+  }
+  std::vector<Repeat> repeats;
+  for (auto const &[end, repeat] : chosen) repeats.push_back(repeat);
+  return repeats;
+}
+
+void align(Sequence &sequence, std::vector<Repeat> const &repeats) {
+  for (Repeat const &repeat : repeats)
+    for (std::uint32_t at = repeat.begin; at + repeat.period < repeat.end(); ++at) {
+      auto &operands = sequence.operations[at + repeat.period].operands;
+      if (match(sequence, at, repeat.period) == Match::exchanged) std::swap(operands[0], operands[1]);
+    }
+}
+
+} // namespace symreal::reroll

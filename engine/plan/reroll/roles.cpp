@@ -1,0 +1,158 @@
+#include "engine/plan/reroll/roles.h"
+
+#include "engine/plan/reroll/nest.h"
+#include "engine/support/same_bits.h"
+
+#include <algorithm>
+
+namespace symreal::reroll {
+
+namespace {
+
+std::vector<double> one_period(std::vector<double> values) {
+  std::size_t period = 1;
+  auto const repeats = [&] {
+    return std::equal(values.begin() + static_cast<std::ptrdiff_t>(period), values.end(), values.begin(), same_bits);
+  };
+  while (2 * period <= values.size() && !repeats()) ++period;
+  if (2 * period <= values.size()) values.resize(period);
+  return values;
+}
+
+class MemoryRole {
+public:
+  MemoryRole(Sequence const &sequence, std::vector<LoopBody> const &loops, std::uint32_t loop,
+             std::vector<NodeId> const &nodes, Memory &memory)
+      : sequence_(sequence),
+        loops_(loops),
+        loop_(loop),
+        nodes_(nodes),
+        memory_(memory) {}
+
+  Role choose(std::function<void(Cell const &, NodeId)> const &copy) {
+    Role role{Leaf::Kind::memory};
+    if (std::ranges::all_of(nodes_, [&](NodeId node) { return node == nodes_.front(); })) {
+      memory_.need(role.node = nodes_.front(), here());
+      return role;
+    }
+    if (!find_line()) {
+      for (NodeId node : nodes_) memory_.need(node, here());
+      role.nodes = nodes_;
+      return role;
+    }
+    if (is_carried()) {
+      role.kind = Leaf::Kind::carried;
+      role.next = cell_.position;
+      for (std::size_t k : elsewhere_) memory_.need(role.nodes.emplace_back(nodes_[k]), here());
+      return role;
+    }
+    memory_.need(cell_, here());
+    for (std::size_t k : elsewhere_) copy(at(k), nodes_[k]);
+    role.cell = cell_;
+    role.step = step_;
+    return role;
+  }
+
+private:
+  std::uint32_t here() const { return memory_.step_of_loop(loop_); }
+
+  Cell at(std::size_t k) const {
+    return {cell_.loop, cell_.position, cell_.iteration + step_ * static_cast<std::int64_t>(k)};
+  }
+
+  // Two neighbours in the middle say on which line of cells the operands stand; those that are not there must have
+  // room at its ends.
+  bool find_line() {
+    std::size_t const middle = nodes_.size() / 2;
+    std::optional<Cell> const a = memory_.cell(nodes_[middle]), b = memory_.cell(nodes_[middle - 1]);
+    if (!a || !b || a->loop != b->loop || a->position != b->position) return false;
+    if (std::ranges::any_of(nodes_, [&](NodeId node) { return memory_.is_overwritten(node); })) return false;
+    step_ = a->iteration - b->iteration;
+    cell_ = {a->loop, a->position, a->iteration - step_ * static_cast<std::int64_t>(middle)};
+    for (std::size_t k = 0; k < nodes_.size(); ++k) {
+      if (memory_.cell(nodes_[k]) == at(k)) continue;
+      bool const is_known_before = sequence_.position[nodes_[k]] < loops_[loop_].repeat.begin;
+      if (!is_known_before || !memory_.may_hold_copy(at(k), nodes_[k])) return false;
+      elsewhere_.push_back(k);
+    }
+    return step_ != 0;
+  }
+
+  // The value of a few iterations before, but for the first ones.
+  bool is_carried() const {
+    constexpr std::size_t most_iterations = 4; // each takes a variable
+    bool const is_before = cell_.loop == loop_ && step_ == 1 && cell_.iteration < 0;
+    return is_before && elsewhere_.size() <= most_iterations &&
+           cell_.iteration == -static_cast<std::int64_t>(elsewhere_.size());
+  }
+
+  Sequence const &sequence_;
+  std::vector<LoopBody> const &loops_;
+  std::uint32_t loop_;
+  std::vector<NodeId> const &nodes_;
+  Memory &memory_;
+  Cell cell_ = {};
+  std::int64_t step_ = 0;
+  std::vector<std::size_t> elsewhere_; // iterations
+};
+
+} // namespace
+
+Role role_of_values(std::vector<double> const &values, std::optional<Nest> const &nest) {
+  if (nest) {
+    if (std::optional<std::vector<double>> const of_turns = by_turns(values, *nest, same_bits)) {
+      Role role = role_of_values(*of_turns);
+      role.by_turn = true;
+      return role;
+    }
+  }
+  std::vector<double> period = one_period(values);
+  if (period.size() == 1) return {.constant = period.front()};
+  return {.values = std::move(period)};
+}
+
+Access access_of(std::vector<std::uint32_t> elements) {
+  std::int64_t const first = elements.front(),
+                     step = elements.size() == 1 ? 0 : static_cast<std::int64_t>(elements[1]) - first;
+  for (std::size_t k = 0; k < elements.size(); ++k)
+    if (elements[k] != first + step * static_cast<std::int64_t>(k)) return {0, 0, std::move(elements)};
+  return {first, step};
+}
+
+Role choose_role(Sequence const &sequence, std::vector<LoopBody> const &loops, std::uint32_t loop, Column const &column,
+                 Memory &memory, std::function<void(Cell const &, NodeId)> const &copy) {
+  if (column.nodes.empty()) return role_of_values(column.values);
+  Source const source = sequence.source(column.nodes.front());
+  if (source == Source::computed) return MemoryRole(sequence, loops, loop, column.nodes, memory).choose(copy);
+  std::vector<std::uint32_t> elements;
+  for (NodeId node : column.nodes) elements.push_back(sequence.element(node));
+  return {.kind = array_of(source), .access = access_of(std::move(elements))};
+}
+
+Leaf::Kind array_of(Source source) {
+  switch (source) {
+  case Source::read: return Leaf::Kind::read;
+  case Source::sine: return Leaf::Kind::sine;
+  case Source::cosine: return Leaf::Kind::cosine;
+  default: return Leaf::Kind::given;
+  }
+}
+
+Leaf leaf_of(Role const &role, Memory const &memory, std::optional<Nest> const &nest) {
+  Leaf leaf{role.kind, role.access, role.values, role.by_turn};
+  if (role.in_chain && role.cell) {
+    leaf.access = memory.in_iterations(role.cell->loop, role.cell->position);
+  } else if (role.cell) {
+    leaf.access = {memory.element(*role.cell), role.step * memory.stride(role.cell->loop)};
+  } else if (role.node != no_node) {
+    leaf.access = {memory.home(role.node), 0};
+  } else if (!role.nodes.empty()) {
+    std::vector<std::uint32_t> elements;
+    for (NodeId node : role.nodes) elements.push_back(memory.home(node));
+    leaf.access = access_of(std::move(elements));
+  }
+  if (role.by_turn && role.kind != Leaf::Kind::values) leaf.access = in_turns(leaf.access, *nest);
+  return leaf;
+}
+
+} // namespace symreal::reroll

@@ -1,0 +1,62 @@
+// The operations of a function in the order of recording: in what repeats are looked for.
+#pragma once
+
+#include "engine/plan/schedule/schedule.h"
+
+#include <array>
+#include <vector>
+
+namespace symreal::reroll {
+
+inline constexpr std::uint32_t no_position = ~std::uint32_t{0};
+
+// An operand of an operation; `negated`: of a difference the second.
+struct Operand {
+  NodeId node = no_node;
+  bool negated = false;
+  bool operator==(Operand const &) const = default;
+};
+
+// x - y is x + (-y), bit by bit, so that sums and differences are one kind of operation.
+struct Operation {
+  NodeId node;
+  Op op;
+  std::array<Operand, 3> operands = {};
+  unsigned count = 0;        // of operands
+  bool may_exchange = false; // the first two
+};
+
+// Where a function has a node from: a number in its text, its input, what preprocess has filled, what it begins with
+// (schedule/angles.h), an operation of its own.
+enum class Source : std::uint8_t { constant, input, read, sine, cosine, computed };
+
+struct Sequence {
+  Graph const *graph;
+  std::vector<Operation> operations;
+  std::vector<std::uint32_t> position; // per node: of the operation that computes it, or no_position
+  std::vector<std::uint32_t> slot;     // per node: where the function reads it from the array that preprocess fills
+  std::vector<std::uint32_t> angle;    // per node: where it stands among the sines or cosines
+
+  std::size_t size() const { return operations.size(); }
+  bool is_computed(NodeId node) const { return position[node] != no_position; }
+  Source source(NodeId node) const {
+    if (is_computed(node)) return Source::computed;
+    if (slot[node] != no_slot) return Source::read;
+    if (angle[node] != no_slot) return graph->nodes[node].op == Op::sin ? Source::sine : Source::cosine;
+    return graph->nodes[node].is_constant() ? Source::constant : Source::input;
+  }
+  // Of the array that the node is read from.
+  std::uint32_t element(NodeId node) const {
+    switch (source(node)) {
+    case Source::read: return slot[node];
+    case Source::sine:
+    case Source::cosine: return angle[node];
+    default: return graph->nodes[node].slot();
+    }
+  }
+};
+
+// Of what `roots` need.
+Sequence sequence(Schedule const &plan, bool in_compute, std::vector<NodeId> const &roots);
+
+} // namespace symreal::reroll

@@ -1,0 +1,17 @@
+// The steps of a function: of a straight stretch, and of a loop once its operands have roles.
+#pragma once
+
+#include "engine/plan/reroll/direct_results.h"
+#include "engine/plan/reroll/pieces.h"
+
+namespace symreal::reroll {
+
+// `results`: which ones each operation is that the step stores itself.
+Step straight_step(Piece const &piece, Sequence const &sequence, Memory const &memory,
+                   std::map<NodeId, std::vector<std::uint32_t>> const &results);
+
+// `loop`: its number in memory. `roles`: of its columns. `results`: what it stores of them.
+Step loop_step(std::uint32_t loop, LoopBody const &plan, std::vector<Role> const &roles, Graph const &graph,
+               Memory const &memory, std::vector<LoopResult> const &results);
+
+} // namespace symreal::reroll

@@ -1,0 +1,83 @@
+#include "engine/support/files.h"
+
+#include "engine/diagnostics/diagnostic.h"
+
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <sys/stat.h>
+#include <unistd.h>
+#include <vector>
+
+namespace symreal {
+
+// Reads it piece by piece.
+bool holds(std::string const &path, std::string_view text) {
+  std::error_code problem;
+  if (std::filesystem::file_size(path, problem) != text.size() || problem) return false;
+  std::ifstream file(path, std::ios::binary);
+  std::vector<char> piece(std::size_t{1} << 16);
+  while (file && !text.empty()) {
+    file.read(piece.data(), static_cast<std::streamsize>(piece.size()));
+    std::string_view const read(piece.data(), static_cast<std::size_t>(file.gcount()));
+    if (!text.starts_with(read)) return false;
+    text.remove_prefix(read.size());
+  }
+  return text.empty();
+}
+
+std::optional<std::string> text_of_file(std::string const &path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  if (!file || std::filesystem::is_directory(path)) return std::nullopt;
+  if (file.peek() != std::ifstream::traits_type::eof()) text << file.rdbuf();
+  return file.bad() ? std::nullopt : std::optional(text.str());
+}
+
+static void (*read_watch)(std::string const &path) = nullptr;
+
+void watch_reads(void (*watch)(std::string const &path)) { read_watch = watch; }
+
+std::string read_file(std::string const &path) {
+  if (read_watch) read_watch(path);
+  errno = 0;
+  if (auto text = text_of_file(path)) return *text;
+  fail(DiagnosticId::unreadable_file, {path}, "cannot read '" + path + "': " + std::strerror(errno ? errno : EISDIR));
+}
+
+bool write_whole(int descriptor, void const *begin, std::size_t size) {
+  auto const *next = static_cast<char const *>(begin);
+  while (size != 0) {
+    ssize_t const written = write(descriptor, next, size);
+    if (written < 0 && errno != EINTR) return false;
+    if (written <= 0) continue;
+    next += written;
+    size -= static_cast<std::size_t>(written);
+  }
+  return true;
+}
+
+void write_if_changed(std::string const &path, std::string const &text) {
+  if (holds(path, text)) return;
+  std::string temporary = path + ".XXXXXX";
+  int descriptor = mkstemp(temporary.data());
+  auto give_up = [&](int reason) {
+    if (descriptor >= 0) unlink(temporary.c_str());
+    fail(DiagnosticId::unwritable_output, {path}, "cannot write '" + path + "': " + std::strerror(reason));
+  };
+  if (descriptor < 0) give_up(errno);
+  if (!write_whole(descriptor, text.data(), text.size())) {
+    int reason = errno;
+    close(descriptor);
+    give_up(reason);
+  }
+  mode_t mask = umask(0); // mkstemp makes private files; the result gets the permissions that any new file gets
+  umask(mask);
+  if (fchmod(descriptor, 0666 & ~mask) != 0 || close(descriptor) != 0) give_up(errno);
+  if (rename(temporary.c_str(), path.c_str()) != 0) give_up(errno);
+}
+
+} // namespace symreal

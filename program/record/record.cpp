@@ -1,0 +1,308 @@
+#include "program/record/record.h"
+
+#include "engine/graph/graph_binary.h"
+#include "program/record/explain_met.h"
+#include "program/record/memory_file.h"
+#include "program/record/name_nodes.h"
+#include "program/record/path_runs.h"
+#include "program/record/symbolize.h"
+
+#include <algorithm>
+#include <csignal>
+#include <cstring>
+#include <fmt/format.h>
+#include <llvm/ADT/StringExtras.h>
+#include <map>
+#include <set>
+
+namespace symreal::program {
+namespace {
+
+bool is_recording_of(RecordedKernel const &recorded, rewrite::Kernel const &kernel) {
+  return recorded.name == kernel.name || (!kernel.output_file.empty() && recorded.output_file == kernel.output_file);
+}
+
+bool is_begun(rewrite::Kernel const &kernel, std::vector<std::string> const &started) {
+  return std::any_of(started.begin(), started.end(), [&](std::string const &name) {
+    return name == kernel.name || (!kernel.annotations.empty() && name == to_string(kernel.annotations.front().place));
+  });
+}
+
+// Where the state was first read, and on whose behalf.
+std::vector<Note> read_notes(Frozen const &state, FrozenRead const &read, Symbolizer &symbolizer) {
+  constexpr std::size_t most = 4;
+  std::vector<Note> notes;
+  std::vector<Frame> frames = symbolizer.frames(read.addresses);
+  auto frame = std::find_if(frames.begin(), frames.end(), [](Frame const &one) { return one.rewritten; });
+  for (bool innermost = true; frame != frames.end() && notes.size() < most; ++frame, innermost = false) {
+    bool const same = innermost && frame->place.file == state.place.file && frame->place.line == state.place.line;
+    if (frame->rewritten && !same)
+      notes.push_back({frame->place, (innermost ? "first read in " : "called from ") + frame->function});
+  }
+  return notes;
+}
+
+std::optional<Place> own_place(std::vector<std::uint64_t> const &addresses, Symbolizer &symbolizer) {
+  for (Frame const &frame : symbolizer.frames(addresses))
+    if (frame.rewritten) return frame.place;
+  return std::nullopt;
+}
+
+void locate_frozen(Recorded &recorded, std::vector<FrozenRead> const &reads, Symbolizer &symbolizer) {
+  std::set<FrozenRead const *> met;
+  for (Frozen &state : recorded.graph.frozen) {
+    auto read = std::find_if(reads.begin(), reads.end(), [&](FrozenRead const &one) {
+      return one.kernel == recorded.graph.kernel && one.name == state.name && one.place == to_string(state.place) &&
+             !met.contains(&one);
+    });
+    if (read != reads.end()) met.insert(&*read);
+    // What comes from outside of the program is met where the program calls for it.
+    if (read != reads.end() && state.place.file.empty())
+      state.place = own_place(read->addresses, symbolizer).value_or(Place());
+    recorded.frozen_reads.push_back(read == reads.end() ? std::vector<Note>() : read_notes(state, *read, symbolizer));
+  }
+}
+
+std::string key(Location const &location) {
+  std::string text;
+  for (Place const &place : location.places) text += to_string(place) + '\n';
+  return text;
+}
+
+// Several pieces of code may stand for one place.
+void merge_equal_locations(Graph &graph) {
+  std::vector<Location> merged;
+  std::vector<LocationId> now;
+  std::map<std::string, LocationId> known;
+  for (Location &location : graph.locations) {
+    auto [found, is_new] = known.try_emplace(key(location), static_cast<LocationId>(merged.size()));
+    now.push_back(found->second);
+    if (is_new) merged.push_back(std::move(location));
+  }
+  graph.locations = std::move(merged);
+  auto move = [&](LocationId &id) { id = id == no_location ? id : now[id]; };
+  for (LocationId &id : graph.node_location) move(id);
+  for (Guard &guard : graph.guards) move(guard.location);
+}
+
+// The innermost place in a rewritten file comes first: it is where the user can act.
+void resolve(Graph &graph, Symbolizer &symbolizer) {
+  for (Location &location : graph.locations) {
+    std::vector<Frame> frames = symbolizer.frames(location.addresses);
+    auto own = std::find_if(frames.begin(), frames.end(), [](Frame const &frame) { return frame.rewritten; });
+    if (own != frames.end()) location.places.push_back(own->place);
+    for (auto frame = frames.begin(); frame != own; ++frame) location.places.push_back(frame->place);
+    location.addresses.clear();
+  }
+  merge_equal_locations(graph);
+}
+
+// Why a kernel that was asked for is missing, from how the program ended.
+Diagnostic explain_missing(rewrite::Kernel const &kernel, bool begun, Outcome const &outcome) {
+  Diagnostic diagnostic{DiagnosticId::kernel_not_reached, kernel.place, ""};
+  if (!kernel.annotations.empty()) diagnostic.place = kernel.annotations.front().place;
+  std::string waited_for = kernel.name.empty()  ? std::string(begun ? "the end of a kernel" : "a kernel")
+                           : begun              ? fmt::format("the end of kernel '{}'", kernel.name)
+                           : kernel.is_function ? fmt::format("a call of function '{}'", kernel.name)
+                                                : fmt::format("the annotations of kernel '{}'", kernel.name);
+  switch (outcome.ending) {
+  case Ending::not_started:
+    diagnostic = {DiagnosticId::program_not_started, {}, "the program cannot be started: "};
+    diagnostic.message += std::strerror(outcome.status);
+    break;
+  case Ending::timed_out:
+    diagnostic.id = DiagnosticId::program_timed_out;
+    diagnostic.message = fmt::format("after {:.0f} s the program had not reached {}", outcome.seconds, waited_for);
+    break;
+  case Ending::signalled:
+    diagnostic.id = DiagnosticId::program_crashed;
+    diagnostic.message = fmt::format("signal {} ({}) ended the program before it reached {}", outcome.status,
+                                     strsignal(outcome.status), waited_for);
+    if (outcome.status == SIGKILL) diagnostic.message += "; the system does that when memory runs out";
+    break;
+  case Ending::over_limit: // the program has none
+  case Ending::exited:
+    diagnostic.message =
+        fmt::format("the program ended with status {} and never reached {}", outcome.status, waited_for);
+    break;
+  }
+  return diagnostic;
+}
+
+bool has_error(std::vector<Diagnostic> const &diagnostics) {
+  return std::any_of(diagnostics.begin(), diagnostics.end(),
+                     [](Diagnostic const &diagnostic) { return diagnostic.severity == Severity::error; });
+}
+
+// Behind the last complaint about what the kernel leaves.
+void add_clauses(Recorded const &recorded, std::vector<Diagnostic> &diagnostics) {
+  bool const leaves = std::any_of(recorded.clauses.begin(), recorded.clauses.end(),
+                                  [](auto const &one) { return one.first != "input" && one.first != "constant"; });
+  if (!leaves) return; // what is only read is the option's matter
+  auto const last = std::find_if(diagnostics.rbegin(), diagnostics.rend(),
+                                 [](Diagnostic const &one) { return one.id == DiagnosticId::state_not_output; });
+  if (last == diagnostics.rend()) return;
+  auto const found = recorded.clauses.find("elsewhere");
+  if (recorded.clauses.size() > (found != recorded.clauses.end()))
+    last->notes.push_back(clause_note(recorded.kernel, recorded.clauses));
+  if (found != recorded.clauses.end())
+    last->notes.push_back(
+        {recorded.kernel.place, "only a kernel in their own file can name these static variables: " + found->second});
+}
+
+// Of a program whose sources are not at hand.
+std::vector<rewrite::Kernel> kernels_of(Events const &events) {
+  std::vector<rewrite::Kernel> kernels;
+  for (RecordedKernel const &recorded : events.kernels) {
+    kernels.emplace_back().name = recorded.name;
+    kernels.back().output_file = recorded.output_file;
+  }
+  return kernels;
+}
+
+// Under policy auto, of a kernel that needed no exploration as well.
+void tell_places(Graph const &graph, Symbolizer &symbolizer, std::optional<Exploration> &exploration) {
+  if (!exploration) exploration.emplace().paths = 1;
+  exploration->guards = graph.guards.size();
+  auto const places = [&](std::vector<std::vector<std::uint64_t>> const &all) {
+    std::vector<Place> found;
+    for (std::vector<std::uint64_t> const &addresses : all)
+      if (std::optional<Place> const place = own_place(addresses, symbolizer)) found.push_back(*place);
+    return found;
+  };
+  exploration->places = decided_places(graph, places(exploration->explored), places(exploration->joined_at));
+}
+
+bool is_same_place(Diagnostic const &a, Diagnostic const &b) {
+  return a.id == b.id && to_string(a.place) == to_string(b.place);
+}
+
+// What a run has to say that no run before it said.
+void add_news(std::vector<Diagnostic> news, std::vector<Diagnostic> &all) {
+  for (Diagnostic &one : news)
+    if (std::none_of(all.begin(), all.end(), [&](Diagnostic const &known) { return is_same_place(known, one); }))
+      all.push_back(std::move(one));
+}
+
+void add_news(std::vector<FrozenRead> const &news, std::vector<FrozenRead> &all) {
+  for (FrozenRead const &one : news) {
+    auto const is_same = [&](FrozenRead const &known) {
+      return known.kernel == one.kernel && known.name == one.name && known.place == one.place;
+    };
+    if (std::none_of(all.begin(), all.end(), is_same)) all.push_back(one);
+  }
+}
+
+} // namespace
+
+// In the words of what asks for the kernel: a pragma, a call, or an entry of the configuration, which may be either.
+Note clause_note(rewrite::Kernel const &kernel, Clauses const &clauses, std::string const &behind) {
+  std::string pragma, entry, items, outputs;
+  for (std::string const clause : {"input", "output", "constant", "scratch"}) {
+    auto const found = clauses.find(clause);
+    if (found == clauses.end()) continue;
+    std::string const before = clause == "input" ? ", " : ", " + clause + " ";
+    pragma += " " + clause + "(" + found->second + ")";
+    entry += (entry.empty() ? "" : ", ") + clause + (clause.ends_with("put") ? "s: [" : ": [") + found->second + "]";
+    if (clause == "output") {
+      outputs = " -> ..., " + found->second;
+      continue;
+    }
+    llvm::SmallVector<llvm::StringRef> names;
+    llvm::StringRef(found->second).split(names, ", ");
+    items += before + llvm::join(names, before);
+  }
+  std::string const call = kernel.name + "(..." + items + ")" + outputs;
+  std::string text = "#pragma symreal" + std::string(kernel.is_function ? " function ..." : "") + pragma;
+  if (kernel.place.file == "--kernel") text = call;
+  if (kernel.place.file.ends_with(".yaml")) text = entry + "; in a call: " + call;
+  return {kernel.place, "all of them at once: " + text + behind};
+}
+
+Recording record(std::string const &executable, RunOptions const &options, rewrite::Result const &rewritten,
+                 std::vector<rewrite::Kernel> const &wanted, Overlay const &overlay, Workspace const &workspace,
+                 LineSink const &sink) {
+  std::string directory = workspace.directory("recording");
+  std::optional<ExploreBounds> const bounds = explore_bounds(options.decisions);
+  FloatingPoint const mode = parse_floating_point(options.floating_point).value_or(FloatingPoint::finite);
+  Command program = recording_command(executable, options, directory);
+  if (bounds) program.environment.push_back(path_variable(0, {}, false, *bounds, 0));
+  if (!options.run_on && !wanted.empty())
+    program.environment.push_back("SYMREAL_KERNELS=" + std::to_string(wanted.size()));
+  std::vector<MemoryFile> files; // as the program will name them
+  for (std::size_t k = 0; k < std::max<std::size_t>(wanted.size(), 1); ++k)
+    files.emplace_back(directory + "/" + std::to_string(k) + ".graph");
+  Outcome outcome = run(program, sink);
+
+  Recording recording;
+  recording.seconds = outcome.seconds;
+  Events events = read_events(directory + "/events");
+  recording.diagnostics = events.diagnostics;
+  Symbolizer symbolizer(executable, overlay);
+  DecidingTexts const texts(rewritten.deciding);
+  for (Diagnostic &one : explain_met(events, symbolizer, texts)) recording.diagnostics.push_back(std::move(one));
+  bool explained = has_error(recording.diagnostics);
+  // Along a path of a kernel; nothing where that meets an error.
+  auto run_path = [&](std::size_t kernel, std::string const &path, RunOptions const &along) -> std::optional<PathRun> {
+    PathRun one = run_along(path, kernel, executable, along, workspace.directory("path"));
+    add_news(one.events.diagnostics, recording.diagnostics);
+    add_news(explain_met(one.events, symbolizer, texts), recording.diagnostics);
+    add_news(one.events.frozen, events.frozen);
+    explained = has_error(recording.diagnostics);
+    return explained ? std::nullopt : std::optional<PathRun>(std::move(one));
+  };
+  auto missing = [&](rewrite::Kernel const &kernel, bool begun) {
+    recording.diagnostics.push_back(explain_missing(kernel, begun, outcome));
+    if (outcome.ending == Ending::signalled)
+      explain_crash(recording.diagnostics.back(), read_crash(directory + "/crash"), symbolizer);
+  };
+  std::vector<rewrite::Kernel> const kernels = wanted.empty() ? kernels_of(events) : wanted;
+  if (kernels.empty() && !explained) missing({}, !events.started.empty());
+  for (rewrite::Kernel const &kernel : kernels) {
+    auto found = std::find_if(events.kernels.begin(), events.kernels.end(),
+                              [&](RecordedKernel const &recorded) { return is_recording_of(recorded, kernel); });
+    if (found != events.kernels.end()) {
+      Graph graph = read_binary_graph(directory + "/" + found->graph_file);
+      if (kernels.size() == 1) files.clear(); // what follows needs the memory
+      std::optional<Exploration> exploration;
+      auto const number = static_cast<std::size_t>(found - events.kernels.begin());
+      if (bounds && !explained && is_to_explore(events, number)) {
+        RunOptions along = options;
+        auto const run = [&, is_first = true](std::string const &path) mutable {
+          std::optional<PathRun> one = run_path(number, path, along);
+          if (is_first && one) along.time_limit = path_time_limit(std::max(outcome.seconds, one->seconds), options);
+          is_first = false;
+          return one;
+        };
+        std::optional<MetPaths> met;
+        auto const choose = [&](Graph const &interface) {
+          if (!options.paths_met.empty()) met.emplace(options.paths_met, interface);
+          return met;
+        };
+        std::optional<Graph> whole = explore(number, kernel.place, *bounds, run, choose, exploration.emplace());
+        if (!whole) continue;
+        graph = std::move(*whole);
+        if (met) met->require_inside(graph, mode, kernel.place);
+        add_news(open_branches(kernel, *exploration, *bounds), recording.diagnostics);
+      }
+      resolve(graph, symbolizer);
+      if (bounds && bounds->selects) tell_places(graph, symbolizer, exploration);
+      say_in_words_of_source(graph, texts);
+      graph.decisions = options.decisions;
+      graph.from_instructions = options.from_instructions;
+      name_nodes(graph, rewritten.names);
+      recording.kernels.push_back({std::move(graph), kernel, found->output_file, found->begun_as});
+      recording.kernels.back().scratch = found->scratch;
+      recording.kernels.back().clauses = found->clauses;
+      recording.kernels.back().exploration = exploration;
+      add_clauses(recording.kernels.back(), recording.diagnostics);
+      if (!events.frozen.empty()) locate_frozen(recording.kernels.back(), events.frozen, symbolizer);
+    } else if (!explained) {
+      bool begun = is_begun(kernel, events.started);
+      missing(kernel, begun);
+    }
+  }
+  return recording;
+}
+
+} // namespace symreal::program

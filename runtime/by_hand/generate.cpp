@@ -1,0 +1,39 @@
+#include "runtime/trace/deliver.h"
+
+#include "engine/emit/emit.h"
+#include "engine/emit/language/banner.h"
+#include "engine/graph/frozen.h"
+#include "engine/optimise/differentiate/differentiate.h"
+#include "engine/optimise/passes/pass.h"
+#include "engine/plan/schedule/schedule.h"
+#include "engine/support/files.h"
+#include "runtime/trace/report/events.h"
+
+#include <cstdlib>
+#include <filesystem>
+
+namespace symreal::trace {
+
+// As --frozen would decide, which is $SYMREAL_FROZEN here.
+static void report_frozen(Graph const &graph) {
+  char const *wanted = std::getenv("SYMREAL_FROZEN");
+  std::string const policy = wanted ? wanted : "state";
+  for (Frozen const &state : graph.frozen)
+    if (std::optional<Severity> const severity = frozen_severity(state, policy))
+      report({DiagnosticId::frozen_state, state.place, frozen_message(graph.kernel, state), {}, *severity});
+}
+
+void generate_here(Graph const &graph, std::string const &output_file) {
+  report_frozen(graph);
+  if (anything_wrong()) give_up(); // what is wrong is printed; nothing is generated
+  std::vector<std::string> const passes = default_passes();
+  Graph const wanted = differentiate(graph, graph.wishes, [](Diagnostic const &warning) { report(warning); });
+  std::filesystem::path const path = output_file.empty() ? graph.kernel + ".c" : output_file;
+  Graph const optimised = run_passes(wanted, passes, FloatingPoint::finite);
+  std::vector<EmittedFile> const files =
+      emit(schedule(optimised), *find_language("c"), {.base_name = path.stem().string()});
+  for (EmittedFile const &file : files) require_ours((path.parent_path() / file.name).string(), file.text);
+  for (EmittedFile const &file : files) write_if_changed((path.parent_path() / file.name).string(), file.text);
+}
+
+} // namespace symreal::trace

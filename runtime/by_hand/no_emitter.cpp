@@ -1,0 +1,13 @@
+#include "runtime/trace/deliver.h"
+#include "runtime/trace/report/events.h"
+
+namespace symreal::trace {
+
+void generate_here(Graph const &graph, std::string const &) {
+  report({DiagnosticId::no_emitter,
+          {},
+          "kernel '" + graph.kernel + "' is recorded, and this program is linked without an emitter"});
+  give_up();
+}
+
+} // namespace symreal::trace

@@ -1,0 +1,120 @@
+// What the replay program and its client share.
+//
+//   client ──command──▶ server: fork; the fork runs the kernel on the inputs in shared memory and ends ──status──▶
+//   client
+//
+// A kernel with external functions has its generated code and its recorded graph run here as well, in a fork likewise,
+// so that both call the program's own functions in the state in which the kernel finds them. For differences and dual
+// numbers a fork answers calls of functions, one behind the other: the client sends the number of a function, four
+// bytes, until it sends `no_function`.
+//
+// The environment of the program names the shared file, two descriptors and the kernel:
+//   SYMREAL_REPLAY=<file>,<commands>,<answers>   SYMREAL_REPLAY_KERNEL=<name under which the kernel begins>
+// and, with external functions, what else is run:
+//   SYMREAL_REPLAY_CODE=<shared object>   SYMREAL_REPLAY_PREFIX=<of its names>   SYMREAL_REPLAY_GRAPH=<text>
+// and where the client may ask for state that no clause names, see unnamed_state.h:
+//   SYMREAL_CHANGEABLE=<text>
+// An answer is the status of the fork as waitpid gives it, four bytes. When the commands end, so does the server.
+#pragma once
+
+#include "engine/graph/evaluate.h"
+#include "runtime/memory/memory_image.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+namespace symreal::replay {
+
+enum class State : std::uint32_t { begun, complete, wrong_shape };
+
+enum class Command : char { original = 'o', generated = 'c', graph = 'g', functions = 'f' };
+inline constexpr std::uint32_t no_function = ~std::uint32_t{0};
+
+// Outputs that are no inputs hold this before a later call, so that one which is not written shows.
+inline constexpr double spoilt_output = -7654.321;
+
+// What the original's kernel has left in memory that outlives it, and that is no output.
+struct LeftBehind {
+  std::uint64_t size, first, end; // of the object, and of the bytes in it that changed
+  std::uint64_t now;              // a hash of what they are now
+  memory::Region region;
+  char name[183]; // as the linker knows it, cut where it is longer
+  bool operator==(LeftBehind const &other) const {
+    return size == other.size && first == other.first && end == other.end && now == other.now &&
+           std::string_view(name) == other.name;
+  }
+};
+
+// For as long the original may run again and again to find state that no clause names.
+inline constexpr unsigned most_seconds_examined = 30;
+
+// An object that no clause names and that holds state of the original's kernel, at the bytes from `first`.
+struct UnnamedObject {
+  LeftBehind object;
+  std::uint64_t instruction; // that meets it first, relative to where the program is loaded
+  std::uint32_t is_read;     // the outputs depend on it; else it is overwritten
+  std::uint32_t unused;
+};
+
+// An effect of the original's kernel outside of the program, in words; of a function whose result comes from there, its
+// name.
+enum class Outside : std::uint8_t { passes, lasts, result };
+struct OutsideEffect {
+  Outside kind;
+  char what[183];
+};
+
+// The head of the shared file. As doubles follow: the inputs, the parameters and the outputs of each call in a row; for
+// each input the output that is the same number, or -1; inputs and outputs of the generated code, which may have
+// derivatives; arguments and results of a call.
+struct Head {
+  std::uint32_t input_count, parameter_count, output_count;
+  std::uint32_t seconds; // after which a sample is given up
+  State state;
+  std::uint32_t constant_count, guard_count; // of the generated code
+  std::int32_t failed;                       // what it returned
+  std::uint32_t failing_guard;               // of the graph: the first that does not hold
+  Premises premises;
+  std::uint8_t unused;
+  std::uint32_t left_count;
+  std::uint32_t most_calls; // of the kernel in a row, each on the state that the one before it has left
+  std::uint32_t calls_wanted, calls_done;
+  std::uint32_t code_input_count, code_output_count;
+  std::uint32_t most_arguments, most_results; // of a function
+  std::uint64_t stack[16]; // of a program that counts its branches: where the kernel begins, see Memory::stack
+  LeftBehind left[16];
+  std::uint64_t returned;      // a hash of what is no number in the object that the first call returns
+  std::uint32_t watches_world; // the client wants to know the effects
+  std::uint32_t effect_count;
+  std::uint32_t keeps_formats; // of the standard streams, which the kernel is known to read
+  OutsideEffect effects[8];
+  std::uint32_t examines; // the client wants to know of state that no clause names
+  std::uint32_t unnamed_count;
+  UnnamedObject unnamed[8];
+  char unexamined[96]; // why not all was tried; empty if it was
+};
+static_assert(sizeof(Head) % sizeof(double) == 0);
+
+inline std::size_t shared_size(Head const &head) {
+  std::size_t const calls = std::size_t{head.input_count} + head.parameter_count + head.output_count;
+  std::size_t const code = std::size_t{head.code_input_count} + head.code_output_count;
+  std::size_t const call = std::size_t{head.most_arguments} + head.most_results;
+  return sizeof(Head) + sizeof(double) * (calls * head.most_calls + head.input_count + code + call);
+}
+inline double *shared_inputs(Head *head, std::size_t call = 0) {
+  return reinterpret_cast<double *>(head + 1) + call * head->input_count;
+}
+inline double *shared_parameters(Head *head, std::size_t call = 0) {
+  return shared_inputs(head, head->most_calls) + call * head->parameter_count;
+}
+inline double *shared_outputs(Head *head, std::size_t call = 0) {
+  return shared_parameters(head, head->most_calls) + call * head->output_count;
+}
+inline double *shared_links(Head *head) { return shared_outputs(head, head->most_calls); }
+inline double *shared_code_inputs(Head *head) { return shared_links(head) + head->input_count; }
+inline double *shared_code_outputs(Head *head) { return shared_code_inputs(head) + head->code_input_count; }
+inline double *shared_arguments(Head *head) { return shared_code_outputs(head) + head->code_output_count; }
+inline double *shared_results(Head *head) { return shared_arguments(head) + head->most_arguments; }
+
+} // namespace symreal::replay

@@ -1,0 +1,181 @@
+#include "verify/derivative_verification.h"
+
+#include "engine/graph/evaluate.h"
+#include "engine/graph/extended.h"
+#include "engine/graph/implicit.h"
+#include "engine/optimise/differentiate/differentiate.h"
+#include "engine/optimise/differentiate/stored_matrix.h"
+#include "runtime/replay/compare.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace symreal::program {
+
+namespace {
+
+constexpr std::size_t least_samples = 4, most_samples = 500;
+constexpr double usual_operations = 4e7; // in extended precision: a few seconds
+constexpr double most_operations = 4e8;  // for as many samples as are required, or as judge each element
+constexpr double most_off_duals = 1e-12; // of the larger of the magnitude and 1, where equal numbers are promised
+constexpr double far = 1024; // of an input: steps that are in proportion to it may leap over what the function does
+constexpr double low_kink = 1000;    // times as much as differences may be off
+constexpr double most_rounding = 64; // times as much as the derivative loses before any pass
+
+constexpr std::uint32_t no_input = ~std::uint32_t{0};
+
+std::string obstacle(Differences const &differences, Banner const &banner) {
+  if (banner.is_single) return "the code is in single precision";
+  return differences.obstacle();
+}
+
+} // namespace
+
+DerivativeVerification::DerivativeVerification(Graph const &recorded, Graph const &marked, std::string const &path,
+                                               Banner const &banner, double tolerance, CallExternal const &call)
+    : call_(call),
+      differences_(recorded, banner.derivatives, call),
+      duals_(recorded, differences_.requests(), call),
+      differentiated_(differentiate(marked, banner.derivatives, [](Diagnostic const &) {})),
+      mode_(banner.mode),
+      is_implicit_(std::ranges::any_of(marked.externals, is_implicit)) {
+  if (std::string const why = obstacle(differences_, banner); !why.empty())
+    fail(DiagnosticId::derivative_unverified, {path, 1, 1}, "the derivatives cannot be checked: " + why);
+  result_.tolerance = tolerance;
+  std::uint32_t next = static_cast<std::uint32_t>(recorded.output_count());
+  for (DerivativeRequest const &request : differences_.requests()) {
+    Object whole{request.name, request.extents(), next};
+    whole.count = static_cast<std::uint32_t>(number_count(whole.extents, {}));
+    next += whole.count;
+    double const times = request.kind == DerivativeKind::hessian ? PointDifferences::second : 1;
+    off_differences_.resize(off_differences_.size() + whole.count, times * tolerance);
+    result_.objects.push_back(std::move(whole));
+    std::vector<std::uint32_t> const &inputs = request.input_slots;
+    bool const is_hessian = request.kind == DerivativeKind::hessian;
+    std::size_t const rows = is_hessian ? inputs.size() : request.is_matrix() ? request.output_slots.size() : 1;
+    if (request.kind == DerivativeKind::jvp) // along a direction: by all of them
+      by_.resize(off_differences_.size(), {no_input, no_input});
+    else
+      for (std::size_t i = 0; i < rows; ++i)
+        for (std::uint32_t const input : inputs) by_.emplace_back(is_hessian ? inputs[i] : input, input);
+  }
+  result_.elements.resize(next - recorded.output_count());
+  for (std::size_t k = 0; k < differences_.seed_count(); ++k) // between -1 and 1, no two alike
+    seeds_.push_back(std::remainder(0.3 + 0.6180339887498949 * static_cast<double>(k), 1.0) * 2);
+  std::size_t const passes = differences_.evaluations() + duals_.passes();
+  double const each = std::max(1.0, static_cast<double>(recorded.nodes.size() * passes));
+  most_ = std::clamp(static_cast<std::size_t>(most_operations / each), least_samples, most_samples);
+  usual_ = std::clamp(static_cast<std::size_t>(usual_operations / each), std::min(least_judged * 2, most_), most_);
+}
+
+bool DerivativeVerification::is_at_end() const {
+  if (result_.tried < usual_) return false;
+  auto const is_judged = [](DerivativeElement const &element) { return element.judged >= least_judged; };
+  return result_.tried >= most_ || std::ranges::all_of(result_.elements, is_judged);
+}
+
+std::vector<double> DerivativeVerification::with_seeds(std::vector<double> inputs) const {
+  inputs.insert(inputs.end(), seeds_.begin(), seeds_.end());
+  return inputs;
+}
+
+std::vector<double> DerivativeVerification::unpacked(std::vector<double> const &stored) const {
+  std::size_t const recorded = differentiated_.outputs.size() - result_.objects.size();
+  std::span<double const> rest = stored;
+  std::vector<double> result;
+  for (std::size_t k = recorded; k < differentiated_.outputs.size(); ++k) {
+    auto const own = rest.first(differentiated_.outputs[k].count);
+    rest = rest.subspan(own.size());
+    auto const matrix = std::ranges::find(differentiated_.matrices, k, &DerivativeMatrix::output);
+    std::vector<double> const whole = matrix == differentiated_.matrices.end() ? std::vector(own.begin(), own.end())
+                                                                               : symreal::unpacked(*matrix, own);
+    result.insert(result.end(), whole.begin(), whole.end());
+  }
+  return result;
+}
+
+// As of any kernel, but that the reference is the graph with its derivatives.
+void DerivativeVerification::compare_with_formulas(Shared const &sample, std::span<double const> promised,
+                                                   std::span<double const> found) {
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    if (same(promised[k], found[k], mode_, 0)) continue;
+    DerivativeElement &element = result_.elements[k];
+    if (element.broken++ == 0) element.promised = promised[k], element.given = found[k], element.first_broken = sample;
+  }
+}
+
+void DerivativeVerification::compare(Sample const &sample, std::span<double const> stored) {
+  if (is_at_end()) return void(++result_.left_out);
+  std::vector<double> const inputs = with_seeds(sample.inputs);
+  std::vector<double> const values = evaluate(differentiated_, inputs, sample.parameters, call_);
+  auto const exact =
+      evaluate_extended(differentiated_, std::span<double const>(inputs), sample.parameters, values, call_);
+  if (!exact) return; // at a decision
+  ++result_.tried;
+  auto const shared = std::make_shared<Sample const>(sample);
+  std::vector<double> formulas, rounding; // of what is stored: the numbers of the formulas, and how far off they are
+  std::size_t const first = differentiated_.results.size() - stored.size();
+  for (std::size_t k = 0; k < stored.size(); ++k) {
+    formulas.push_back(values[differentiated_.results[first + k]]);
+    rounding.push_back(std::abs(static_cast<double>(formulas[k] - (*exact)[first + k])));
+  }
+  formulas = unpacked(formulas), rounding = unpacked(rounding);
+  std::vector<double> const found = unpacked({stored.begin(), stored.end()});
+  if (mode_ != FloatingPoint::fast && check_premises(differentiated_, values).hold_in(mode_)) {
+    ++result_.promised;
+    compare_with_formulas(shared, formulas, found);
+  }
+  auto const seeds = differences_.seeds_of_requests(seeds_);
+  std::vector<long double> const duals =
+      is_implicit_ ? std::vector<long double>(found.size()) : duals_.at(seeds, sample.inputs, sample.parameters);
+  std::vector<SharpNumber> const sharp = differences_.at(inputs, sample.parameters, result_.tolerance);
+  internal_check(sharp.size() == found.size() && duals.size() == found.size());
+  double const least = mode_ == FloatingPoint::fast ? result_.tolerance : most_off_duals;
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    DerivativeElement &element = result_.elements[k];
+    auto const dual = static_cast<double>(duals[k]);
+    bool const has_dual = std::isfinite(dual) && !is_implicit_;
+    if (has_dual) judge(element, shared, dual, found[k], least, rounding[k], false);
+    SharpNumber const &one = sharp[k];
+    if (!one) continue;
+    auto const difference = static_cast<double>(*one);
+    // Differences that leap agree with each other and with nothing else, and a low kink is hidden behind what bends:
+    // there dual numbers decide.
+    bool const may_err =
+        is_far(k, sample) || !is_off(difference, found[k], low_kink * off_differences_[k], rounding[k]);
+    if (has_dual && may_err && is_off(difference, found[k], off_differences_[k], rounding[k]) &&
+        !is_off(dual, found[k], least, rounding[k]))
+      continue;
+    ++element.judged;
+    judge(element, shared, difference, found[k], off_differences_[k], rounding[k], true);
+  }
+}
+
+bool DerivativeVerification::is_far(std::size_t element, Sample const &sample) const {
+  auto const [one, other] = by_[element];
+  auto const beyond = [](double input) { return std::abs(input) > far; };
+  if (one == no_input) return std::ranges::any_of(sample.inputs, beyond);
+  return beyond(sample.inputs[one]) || beyond(sample.inputs[other]);
+}
+
+bool DerivativeVerification::is_off(double wanted, double found, double allowed, double rounding) {
+  double const scale = std::max(1.0, std::abs(wanted));
+  return !(std::abs(found - wanted) / scale <= allowed + most_rounding * rounding / scale);
+}
+
+void DerivativeVerification::judge(DerivativeElement &element, Shared const &sample, double wanted, double found,
+                                   double allowed, double rounding, bool is_by_differences) {
+  double const scale = std::max(1.0, std::abs(wanted)), error = std::abs(found - wanted) / scale;
+  double const most = allowed + most_rounding * rounding / scale;
+  bool const is_different = is_off(wanted, found, allowed, rounding);
+  element.different += is_different;
+  double share = is_different ? std::max(error / most, std::nextafter(1.0, 2.0)) : std::isinf(most) ? 0 : error / most;
+  if (std::isnan(share)) share = std::numeric_limits<double>::infinity();
+  if (share <= element.error) return;
+  element.error = share, element.expected = wanted, element.found = found;
+  element.is_by_differences = is_by_differences;
+  element.worst = sample;
+}
+
+} // namespace symreal::program

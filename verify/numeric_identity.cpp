@@ -1,0 +1,245 @@
+#include "verify/numeric_identity.h"
+
+#include "engine/support/files.h"
+#include "engine/support/installation.h"
+#include "engine/support/parallel.h"
+#include "program/build/message_line.h"
+#include "program/build/neighbours.h"
+#include "program/build/overlay.h"
+#include "program/build/process.h"
+#include "program/build/search_flags.h"
+#include "rewrite/request/driver_options.h"
+
+#include <filesystem>
+#include <optional>
+#include <set>
+#include <sstream>
+
+namespace symreal::program {
+namespace {
+
+namespace fs = std::filesystem;
+using Words = std::vector<std::string>;
+
+// Where the rewritten files lie: each below `top`, at its real path.
+class Shadow {
+public:
+  Shadow(rewrite::Result const &rewritten, std::string top) : rewritten_(rewritten), top_(std::move(top)) {
+    for (rewrite::File const &file : rewritten.files) {
+      fs::create_directories(fs::path(top_ + file.path).parent_path());
+      write_if_changed(top_ + file.path, file.text);
+    }
+    link_neighbours(rewritten, top_);
+  }
+
+  // Is there one of this directory or file?
+  std::optional<std::string> counterpart(fs::path const &name) const {
+    std::error_code error;
+    std::string const path = top_ + fs::weakly_canonical(name, error).string();
+    return !error && fs::exists(path) ? std::optional(path) : std::nullopt;
+  }
+
+  // Where else a rewritten file finds what is left as it is: what the configuration excludes.
+  std::set<std::string> directories() const {
+    std::set<std::string> found;
+    for (rewrite::File const &file : rewritten_.files) found.insert(fs::path(file.path).parent_path().string());
+    return found;
+  }
+
+  // The rewritten file that a compiler reads under this name.
+  rewrite::File const *file(std::string const &name) const {
+    std::error_code error;
+    std::string const real = fs::weakly_canonical(name, error).string();
+    for (rewrite::File const &one : rewritten_.files)
+      if (real == top_ + one.path) return &one;
+    return nullptr;
+  }
+
+  // So that the files have the names of the originals.
+  std::string names() const { return "-ffile-prefix-map=" + top_ + "="; }
+
+private:
+  rewrite::Result const &rewritten_;
+  std::string const top_;
+};
+
+// How one compilation names the shadow. A header has many names, by the directory in which it is found and by what
+// includes it, and __FILE__ is the one by which it was found. So each name of a directory is a symbolic link of its own
+// to the counterpart, which the compiler puts back.
+class ShadowNames {
+public:
+  // `links`: a directory that is this compilation's alone.
+  ShadowNames(Shadow const &shadow, std::string directory, std::string links, std::string const &compiler)
+      : shadow_(shadow),
+        directory_(std::move(directory)),
+        links_(std::move(links)),
+        is_clang_(compiler.find("clang") != compiler.npos) {
+    constexpr char const *keep_dots = "-fno-file-reproducible"; // else clang leaves them out where names are mapped
+    if (is_clang_ && capture({.arguments = {compiler, keep_dots, "-E", "-x", "c", "/dev/null"}}).outcome.success())
+      maps.emplace_back(keep_dots);
+    maps.push_back(shadow_.names());
+  }
+
+  std::optional<std::string> directory(std::string const &name) {
+    auto const found = shadow_.counterpart(fs::path(directory_) / name);
+    std::size_t const last = name.find_last_not_of('/'); // compilers leave out what follows
+    return found ? std::optional(link(*found, name.substr(0, last + 1), "")) : std::nullopt;
+  }
+
+  std::optional<std::string> file(std::string const &name) {
+    std::string const within = name.substr(0, name.rfind('/') + 1), last = name.substr(within.size());
+    auto const found = shadow_.counterpart(fs::path(directory_) / within);
+    if (!found || !fs::exists(*found + "/" + last)) return std::nullopt;
+    std::string path = link(*found, within, "/") + last;
+    // What a file beside includes is "file.h" to gcc, and "./file.h" to clang.
+    if (is_clang_ && within.empty()) {
+      maps.back() += "./";
+      maps.push_back("-ffile-prefix-map=" + path + "=" + last);
+    }
+    return path;
+  }
+
+  Words maps; // what the compiler must be told
+
+private:
+  std::string link(std::string const &target, std::string const &name, char const *slash) {
+    // No name of a link begins with that of another.
+    std::string const path = links_ + "/" + std::to_string(maps.size()) + "_";
+    fs::create_directory_symlink(target, path);
+    maps.push_back("-ffile-prefix-map=" + path + slash + "=" + name);
+    return path + slash;
+  }
+
+  Shadow const &shadow_;
+  std::string const directory_, links_;
+  bool const is_clang_;
+};
+
+// Without what chooses outputs; an object is wanted, of machine code.
+Words compiling(Words const &flags) {
+  using rewrite::About;
+  Words words =
+      rewrite::without(flags, {About::output, About::action, About::dependencies, About::question, About::link_time});
+  std::erase_if(words, [](std::string const &word) { return word.starts_with("-Werror"); });
+  return words;
+}
+
+Words in_shadow(Words const &flags, Shadow const &shadow, std::string const &directory, ShadowNames &names) {
+  std::vector<std::string> searched;
+  Words words = search_flags(
+      flags,
+      [&](std::string const &name) {
+        std::error_code error;
+        return fs::is_directory(fs::path(directory) / name, error) ? names.directory(name) : names.file(name);
+      },
+      searched);
+  std::set<std::string> last = shadow.directories();
+  for (std::string const &one : searched) last.erase(fs::weakly_canonical(fs::path(directory) / one).string());
+  for (std::string const &one : last) words.insert(words.end(), {"-idirafter", one});
+  return words;
+}
+
+struct Object {
+  bool made = false;
+  std::string code, output;
+};
+
+Object compile(Words words, std::string const &file, std::string const &directory) {
+  words.insert(words.end(), {"-w", "-c", "-o", file});
+  Captured compiled = capture({.arguments = words, .directory = directory, .environment = {"LC_ALL=C"}});
+  if (compiled.outcome.success()) {
+    compiled = capture({.arguments = {"strip", "--strip-unneeded", file}});
+    if (compiled.outcome.success()) return {true, read_file(file), {}};
+  }
+  if (compiled.outcome.ending == Ending::not_started) return {false, {}, "'" + words[0] + "' cannot be started"};
+  return {false, {}, compiled.output};
+}
+
+// One source before and after, as command lines.
+struct Pair {
+  Words before, after;
+  std::string directory;
+  Object original, changed;
+};
+
+// `name_flags`: what the compiler must be told about the number's name.
+Pair prepare(rewrite::Compilation const &one, Shadow const &shadow, Compilers const &compilers, Words const &name_flags,
+             std::string const &links) {
+  Pair pair;
+  pair.directory = one.directory.empty() ? fs::current_path().string() : one.directory;
+  bool const is_c = one.source.ends_with(".c");
+  std::string const &asked = is_c ? compilers.c : compilers.cxx;
+  std::string const known = one.compiler.empty() ? (is_c ? "cc" : "c++") : one.compiler;
+  pair.before = {asked.empty() ? known : asked};
+  Words const flags = compiling(one.flags);
+  ShadowNames names(shadow, pair.directory, links, pair.before[0]);
+  Words const adapted = in_shadow(flags, shadow, pair.directory, names);
+  std::string const source = names.file(one.source).value_or(one.source);
+  pair.after = {pair.before[0], "-isystem", runtime_include()};
+  pair.after.insert(pair.after.end(), name_flags.begin(), name_flags.end());
+  pair.before.insert(pair.before.end(), flags.begin(), flags.end());
+  pair.after.insert(pair.after.end(), adapted.begin(), adapted.end());
+  pair.before.push_back(one.source);
+  pair.after.insert(pair.after.end(), names.maps.begin(), names.maps.end());
+  pair.after.push_back(source);
+  return pair;
+}
+
+// A line of a compiler's message, with the file's name and the column that the user has.
+std::string in_original(std::string const &line, Shadow const &shadow) {
+  std::optional<MessageLine> const message = message_line(line);
+  if (!message) return line;
+  rewrite::File const *file = shadow.file(message->place.file);
+  if (!file) return line;
+  Place const &place = message->place;
+  return message->before + to_string(original_place(*file, {file->display_path, place.line, place.column})) +
+         message->rest;
+}
+
+std::string whole_message(std::string const &output, Shadow const &shadow) {
+  // One line goes behind what is said of it.
+  if (output.find('\n') + 1 >= output.size() || output.find('\n') == output.npos)
+    return " " + output.substr(0, output.find('\n'));
+  std::string text;
+  std::istringstream in(output);
+  for (std::string line; std::getline(in, line);) text += "\n    " + in_original(line, shadow);
+  return text;
+}
+
+} // namespace
+
+ObjectComparison compare_object_code(std::vector<rewrite::Compilation> const &sources, rewrite::Result const &rewritten,
+                                     Compilers const &compilers, unsigned jobs, Workspace const &workspace) {
+  Shadow const shadow(rewritten, workspace.directory("shadow"));
+  std::vector<Pair> pairs;
+  pairs.reserve(sources.size());
+  Words const name_flags = rewrite::type_name_flags(rewritten.type_name);
+  for (rewrite::Compilation const &one : sources)
+    pairs.push_back(
+        prepare(one, shadow, compilers, name_flags, workspace.directory("names_" + std::to_string(pairs.size()))));
+  in_parallel(2 * pairs.size(), jobs, [&](std::size_t k) {
+    Pair &pair = pairs[k / 2];
+    bool const is_original = k % 2 == 0;
+    (is_original ? pair.original : pair.changed) =
+        compile(is_original ? pair.before : pair.after, workspace.file(std::to_string(k) + ".o"), pair.directory);
+  });
+  ObjectComparison result;
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    Object const &unchanged = pairs[k].original, &changed = pairs[k].changed;
+    Place const place{sources[k].source};
+    if (!unchanged.made)
+      result.diagnostics.push_back(
+          {DiagnosticId::numeric_original, place, "the compiler says:" + whole_message(unchanged.output, shadow)});
+    else if (++result.compared; !changed.made)
+      result.diagnostics.push_back({DiagnosticId::numeric_difference, place,
+                                    "the rewritten source does not compile:" + whole_message(changed.output, shadow)});
+    else if (changed.code != unchanged.code)
+      result.diagnostics.push_back({DiagnosticId::numeric_difference, place,
+                                    "the object code of the rewritten source differs from the original's"});
+    else
+      ++result.identical;
+  }
+  return result;
+}
+
+} // namespace symreal::program
