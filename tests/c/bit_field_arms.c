@@ -2,7 +2,7 @@
 // RUN: %rewrite %s | FileCheck %s
 // RUN: %same %s
 // RUN: %cc %s -o %t.orig && %symreal-cc %s -o %t.exe && %t.orig > %t.plain && %t.exe | diff %t.plain -
-// RUN: %symreal generate %s -o %t.c && %symreal verify %s %t.c 2>&1 | FileCheck %s --check-prefix=SAME
+// RUN: %symreal generate %s -o %t.c && %symreal verify --samples=100 --min-samples=10 %s %t.c 2>&1 | FileCheck %s --check-prefix=SAME
 // SAME: y {{ *}}1 {{ *}}0 {{ *}}0
 #include <stdio.h>
 

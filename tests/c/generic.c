@@ -2,7 +2,7 @@
 // RUN: %rewrite %s -- -std=c11 | FileCheck %s
 // RUN: %same %s -- -std=c11
 // RUN: %rewrite %s -- -std=c11 > %t.rewritten.c && %rewrite %t.rewritten.c -- -std=c11 | diff %t.rewritten.c -
-// RUN: %symreal generate %s -o %t.c -- -std=c11 && %symreal verify %s %t.c -- -std=c11 2>&1 | FileCheck %s --check-prefix=SAME
+// RUN: %symreal generate %s -o %t.c -- -std=c11 && %symreal verify --samples=100 --min-samples=10 %s %t.c -- -std=c11 2>&1 | FileCheck %s --check-prefix=SAME
 // SAME: y {{ *}}1 {{ *}}0 {{ *}}0
 #include <stdio.h>
 

@@ -2,7 +2,7 @@
 // RUN: %rewrite %s -- -std=c99 | FileCheck %s
 // RUN: %same %s -- -std=c99 
 // RUN: %rewrite %s -- -std=c99 > %t.rewritten.c && %rewrite %t.rewritten.c -- -std=c99 | diff %t.rewritten.c -
-// RUN: %symreal generate %s -o %t.c -- -std=c99 && %symreal verify %s %t.c -- -std=c99  2>&1 | FileCheck %s --check-prefix=SAME
+// RUN: %symreal generate %s -o %t.c -- -std=c99 && %symreal verify --samples=100 --min-samples=10 %s %t.c -- -std=c99  2>&1 | FileCheck %s --check-prefix=SAME
 // SAME: y {{ *}}1 {{ *}}0 {{ *}}0
 // RUN: not %symreal generate %s -o %t.none.c -- -std=c99 -DREAD 2>&1 | FileCheck %s --check-prefix=READ
 // RUN: not %rewrite %s -- -DLIBRARY 2>&1 | FileCheck %s --check-prefix=LIBRARY

@@ -1,5 +1,5 @@
 /* Words that C++20 took, as names of C.
-   RUN: %symreal generate %s -o %t.c && FileCheck %s < %t.c && %symreal verify %s %t.c
+   RUN: %symreal generate %s -o %t.c && FileCheck %s < %t.c && %symreal verify --samples=100 --min-samples=10 %s %t.c
 */
 // CHECK: input[0]*6.0
 #include <stdio.h>

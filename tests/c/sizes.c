@@ -3,7 +3,7 @@
 // RUN: %same %s
 // RUN: %cc %s -o %t.orig -lm && %symreal-cc %s -o %t.exe -lm && %t.orig > %t.plain && %t.exe | diff %t.plain -
 // RUN: FileCheck %s --check-prefix=PRINTS < %t.plain
-// RUN: %symreal generate %s -o %t.c && %symreal verify %s %t.c 2>&1 | FileCheck %s --check-prefix=SAME
+// RUN: %symreal generate %s -o %t.c && %symreal verify --samples=100 --min-samples=10 %s %t.c 2>&1 | FileCheck %s --check-prefix=SAME
 // SAME: y {{ *}}1 {{ *}}0 {{ *}}0
 #include <math.h>
 #include <stdbool.h>

@@ -2,7 +2,7 @@
 // RUN: %rewrite %s -- -std=gnu89 | FileCheck %s
 // RUN: %same %s -- -std=gnu89 
 // RUN: %rewrite %s -- -std=gnu89 > %t.rewritten.c && %rewrite %t.rewritten.c -- -std=gnu89 | diff %t.rewritten.c -
-// RUN: %symreal generate %s -o %t.c -- -std=gnu89 && %symreal verify %s %t.c -- -std=gnu89  2>&1 | FileCheck %s --check-prefix=SAME
+// RUN: %symreal generate %s -o %t.c -- -std=gnu89 && %symreal verify --samples=100 --min-samples=10 %s %t.c -- -std=gnu89  2>&1 | FileCheck %s --check-prefix=SAME
 // SAME: y {{ *}}1 {{ *}}0 {{ *}}0
 #include <stdio.h>
 

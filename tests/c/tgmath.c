@@ -2,7 +2,7 @@
 // RUN: %rewrite %s -- | FileCheck %s
 // RUN: %same %s --
 // RUN: %symreal generate %s -o %t.c && FileCheck %s --input-file=%t.c --check-prefix=OUT
-// RUN: %symreal verify %s %t.c 2>&1 | FileCheck %s --check-prefix=SAME
+// RUN: %symreal verify --samples=100 --min-samples=10 %s %t.c 2>&1 | FileCheck %s --check-prefix=SAME
 // OUT: sqrt(input[0])
 // SAME: y {{ *}}1 {{ *}}0 {{ *}}0
 #include <stdio.h>

@@ -1,5 +1,5 @@
 /* Words of C that C++ does not have, and names that it has taken for words. */
-// RUN: %symreal generate %s -o %t.c && FileCheck %s --input-file=%t.c && %symreal verify %s %t.c
+// RUN: %symreal generate %s -o %t.c && FileCheck %s --input-file=%t.c && %symreal verify --samples=100 --min-samples=10 %s %t.c
 // CHECK: input[0]*input[1]
 // CHECK: 8.0
 #include <stdio.h>

@@ -3,14 +3,14 @@
 // RUN: %symreal generate %s -o %t.c --fp=fast --effort=0 2>&1 | FileCheck %s --check-prefix=REMARK
 // RUN: FileCheck %s < %t.c
 // RUN: gcc -std=c99 -pedantic -Wall -Wextra -Wconversion -Werror -O2 -c %t.c -o %t.o
-// RUN: %symreal verify %s %t.c --seed 3
+// RUN: %symreal verify --samples=100 --min-samples=10 %s %t.c --seed 3
 // RUN: %symreal generate %s -o %t.cpp --lang=cpp --fp=fast --effort=0
-// RUN: %symreal verify %s %t.cpp --seed 3
+// RUN: %symreal verify --samples=100 --min-samples=10 %s %t.cpp --seed 3
 // RUN: %symreal generate %s -o %t.v.c --fp=fast --effort=0 --vector=2
-// RUN: %symreal verify %s %t.v.c --seed 3
+// RUN: %symreal verify --samples=100 --min-samples=10 %s %t.v.c --seed 3
 // RUN: %symreal generate %s -o %t.r.c --fp=fast --effort=0 --reroll 2>&1 | FileCheck %s --check-prefix=LOOPS
 // RUN: FileCheck %s --check-prefix=LOOP < %t.r.c
-// RUN: %symreal verify %s %t.r.c --seed 3
+// RUN: %symreal verify --samples=100 --min-samples=10 %s %t.r.c --seed 3
 #include <cmath>
 #include <cstdio>
 

@@ -2,14 +2,14 @@
 // the library, in an arm of a select, in an exact stretch, in vectors, and where all paths are explored.
 // RUN: %symreal generate %s -o %t.c --fp=fast --effort=0 --decisions=select 2>&1 | FileCheck %s --check-prefix=REMARK
 // RUN: FileCheck %s < %t.c
-// RUN: %symreal verify %s %t.c --seed 3
+// RUN: %symreal verify --samples=100 --min-samples=10 %s %t.c --seed 3
 // RUN: %symreal generate %s -o %t.cpp --lang=cpp --fp=fast --effort=0 --decisions=select
 // RUN: FileCheck %s --check-prefix=CPP < %t.cpp
-// RUN: %symreal verify %s %t.cpp --seed 3
+// RUN: %symreal verify --samples=100 --min-samples=10 %s %t.cpp --seed 3
 // RUN: %symreal generate %s -o %t.v.c --fp=fast --effort=0 --decisions=select --vector=2
-// RUN: %symreal verify %s %t.v.c --seed 3
+// RUN: %symreal verify --samples=100 --min-samples=10 %s %t.v.c --seed 3
 // RUN: %symreal generate %s -o %t.e.c --fp=fast --effort=0 --decisions=explore
-// RUN: %symreal verify %s %t.e.c --seed 3
+// RUN: %symreal verify --samples=100 --min-samples=10 %s %t.e.c --seed 3
 #include <cmath>
 #include <cstdio>
 

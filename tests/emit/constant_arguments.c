@@ -4,7 +4,7 @@
 // RUN: FileCheck %s < %t.c
 // RUN: gcc -std=c99 -O2 -ffp-contract=off -fno-tree-slp-vectorize -S -o %t.s %t.c
 // RUN: FileCheck %s --check-prefix=CALLS < %t.s
-// RUN: %symreal verify %s %t.c --seed 3
+// RUN: %symreal verify --samples=100 --min-samples=10 %s %t.c --seed 3
 // In mode fast nothing is hidden.
 // RUN: %symreal generate %s -o %t.fast.c --decisions=select --fp=fast && not grep at_run %t.fast.c
 #include <math.h>

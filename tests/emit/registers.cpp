@@ -6,7 +6,7 @@
 // RUN: %symreal generate %s -o %t/many.c -- -DN=24
 // RUN: FileCheck %s --check-prefix=MANY < %t/many.c
 // RUN: %cc -std=c99 -Wall -Wextra -pedantic -Werror -ffp-contract=off -O2 -c %t/many.c -o %t/many.o
-// RUN: %symreal verify %s %t/many.c -- -DN=24 2>&1 | FileCheck %s --check-prefix=SAME
+// RUN: %symreal verify --samples=100 --min-samples=10 %s %t/many.c -- -DN=24 2>&1 | FileCheck %s --check-prefix=SAME
 // RUN: %symreal generate %s -o %t/few.c -- -DN=5
 // RUN: FileCheck %s --check-prefix=FEW < %t/few.c
 //

@@ -24,7 +24,7 @@
 // JSON-NEXT: "join": false,
 // JSON-NEXT: "paths": false,
 // JSON-NEXT: "guard": false
-// RUN: %symreal verify %s mixed.c selected.c > %t/verified 2>&1
+// RUN: %symreal verify --samples=100 --min-samples=10 %s mixed.c selected.c > %t/verified 2>&1
 // RUN: FileCheck %s --check-prefix=SAME < %t/verified
 // SAME: kernel mixed, mode finite
 // SAME: refused by a guard: {{[1-9]}}

@@ -19,7 +19,7 @@
 // JSON: "more_paths": false,
 // JSON-NEXT: "complete": false
 // JSON: "more_paths": true,
-// RUN: %symreal verify %s rounds.c wide.c > %t/verified 2>&1
+// RUN: %symreal verify --samples=100 --min-samples=10 %s rounds.c wide.c > %t/verified 2>&1
 // RUN: FileCheck %s --check-prefix=SIDES < %t/verified
 // SIDES: kernel rounds, mode finite
 // SIDES: refused by a guard: {{[1-9]}}

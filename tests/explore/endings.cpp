@@ -7,7 +7,7 @@
 // CHECK: note: on 3 paths the program ends before the kernel does
 // CHECK: explored 3 paths
 // CHECK: 0 cut off by the depth, 3 ended by the program, 0 not in time
-// RUN: %symreal verify %s checked.c 2>&1 | FileCheck %s --check-prefix=SIDES
+// RUN: %symreal verify --samples=100 --min-samples=10 %s checked.c 2>&1 | FileCheck %s --check-prefix=SIDES
 // SIDES: refused by a guard: {{[1-9]}}
 // SIDES: value_return 1 0 0{{$}}
 #include <cassert>

@@ -8,12 +8,12 @@
 // GUARD-NEXT: guard 1 exact_zeros.cpp:[[#@LINE+19]]:5: determinant != 0 ({{.*}}) where mode == 0
 // GUARD-NEXT: guard 2 exact_zeros.cpp:[[#@LINE+21]]:3: sum <= DBL_MIN ({{.*}}) is false{{$}}
 // GUARD-NOT: guard {{[0-9]}}
-// RUN: %symreal verify %s %t/guard.c 2>&1 | FileCheck %s --check-prefix=SAME
+// RUN: %symreal verify --samples=100 --min-samples=10 %s %t/guard.c 2>&1 | FileCheck %s --check-prefix=SAME
 // RUN: %symreal generate %s -o %t/explore.c --decisions=explore --joins=off --zero-tests=explore 2>&1 | FileCheck %s --check-prefix=EXPLORE
 // EXPLORE: complete: no guards
 // RUN: FileCheck %s --check-prefix=TEXT < %t/explore.c
 // TEXT: "decisions":"explore:128:64:zeros:apart"
-// RUN: %symreal verify %s %t/explore.c 2>&1 | FileCheck %s --check-prefix=SAME
+// RUN: %symreal verify --samples=100 --min-samples=10 %s %t/explore.c 2>&1 | FileCheck %s --check-prefix=SAME
 // SAME: value_return 1 0 0{{$}}
 #include <cfloat>
 #include <cmath>

@@ -4,7 +4,7 @@
 // RUN: rm -rf %t && mkdir %t && cd %t
 // RUN: %symreal generate %s -o %t/ --decisions=auto --max-paths=400 > %t/auto 2>&1
 // RUN: FileCheck %s < %t/auto
-// RUN: %symreal verify %s reduce.c sine_cosine.c area.c distance.c latitude.c --branches > %t/verified 2>&1
+// RUN: %symreal verify --samples=100 --min-samples=10 %s reduce.c sine_cosine.c area.c distance.c latitude.c --branches > %t/verified 2>&1
 // RUN: FileCheck %s --check-prefix=SAME < %t/verified
 // CHECK-NOT: {{warning|error}}
 // CHECK: kernel reduce:

@@ -3,12 +3,12 @@
 // RUN: rm -rf %t && mkdir %t && cd %t
 // RUN: %symreal generate %s -o %t/f.c --kernel written --decisions=explore --joins=off 2>&1 | FileCheck %s
 // CHECK: explored 3 paths, 3 selects between them; complete: no guards
-// RUN: %symreal verify %s %t/f.c 2>&1 | FileCheck %s --check-prefix=SAME
+// RUN: %symreal verify --samples=100 --min-samples=10 %s %t/f.c 2>&1 | FileCheck %s --check-prefix=SAME
 // SAME: y[0] 2 0 0{{$}}
 // RUN: %symreal generate %s -o %t/joined.c --kernel written --decisions=explore 2>&1 | FileCheck %s --check-prefix=JOINED
 // JOINED: explored 1 path, 0 selects between them; complete: no guards
 // JOINED: the ways from 1 decision came together
-// RUN: %symreal verify %s %t/joined.c 2>&1 | FileCheck %s --check-prefix=SAME
+// RUN: %symreal verify --samples=100 --min-samples=10 %s %t/joined.c 2>&1 | FileCheck %s --check-prefix=SAME
 // RUN: sed 's/y\[1\] = 0;/ /' %s > %t/unwritten.cpp
 // RUN: not %symreal generate %t/unwritten.cpp -o %t/g.c --decisions=explore --joins=off 2>&1 | FileCheck %s --check-prefix=KEPT
 // KEPT: error: the kernel does not write output 'y[0:2]' in element 1, which keeps what it held before (0) [SYM136]

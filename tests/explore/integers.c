@@ -1,7 +1,7 @@
 /* The same in C: a truth value, an enumeration, an expression of another type.
 RUN: rm -rf %t && mkdir %t && cd %t
 RUN: %symreal generate %s -o %t/ --decisions=auto
-RUN: %symreal verify %s is_above.c colour_of.c rounded.c > %t/verified 2>&1
+RUN: %symreal verify --samples=100 --min-samples=10 %s is_above.c colour_of.c rounded.c > %t/verified 2>&1
 RUN: FileCheck %s --check-prefix=SAME < %t/verified
 SAME: kernel is_above, mode finite
 SAME: value_return 1 0 0{{$}}

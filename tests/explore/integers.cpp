@@ -17,7 +17,7 @@
 // CLASS: ? {{.*}}2.0
 // RUN: FileCheck %s --check-prefix=INSIDE < inside.c
 // INSIDE: input[1]*input[1] + input[0]*input[0] < 1.0 ? 1.0 : 0.0;
-// RUN: %symreal verify %s class_of.c inside.c cell.c state_of.c > %t/verified 2>&1
+// RUN: %symreal verify --samples=100 --min-samples=10 %s class_of.c inside.c cell.c state_of.c > %t/verified 2>&1
 // RUN: FileCheck %s --check-prefix=SAME < %t/verified
 // SAME: kernel class_of, mode finite
 // SAME: value_return 1 0 0{{$}}
@@ -30,13 +30,13 @@
 // SAME: y 1 0 0{{$}}
 // One of the constants is another.
 // RUN: sed 's/2[.]0/3.0/' class_of.c > wrong.c
-// RUN: not %symreal verify %s wrong.c 2>&1 | FileCheck %s --check-prefix=WRONG
+// RUN: not %symreal verify --samples=100 --min-samples=10 %s wrong.c 2>&1 | FileCheck %s --check-prefix=WRONG
 // WRONG: outputs differ from the original [SYM091]
 
 // The wrapper returns the integer.
 // RUN: %symreal generate %s --kernel class_of -o wrapped.c --decisions=explore --wrapper
 // RUN: FileCheck %s --check-prefix=WRAPPER < wrapped_wrapper.cpp
-// RUN: %symreal verify %s wrapped.c --kernel class_of 2>&1 | FileCheck %s --check-prefix=TRIED
+// RUN: %symreal verify --samples=100 --min-samples=10 %s wrapped.c --kernel class_of 2>&1 | FileCheck %s --check-prefix=TRIED
 // WRAPPER: int class_of(double x, double y)
 // WRAPPER: return (int)symreal_output[0];
 // TRIED: the wrapper was tried as well

@@ -6,9 +6,9 @@
 // RUN: %symreal generate %s -o %t/fast.c --fp=fast --decisions=explore --joins=off 2>&1 | FileCheck %s --check-prefix=THREE
 // THREE: explored 3 paths
 // STRICT: explored 4 paths
-// RUN: %symreal verify %s %t/finite.c > %t/verified 2>&1
-// RUN: %symreal verify %s %t/strict.c >> %t/verified 2>&1
-// RUN: %symreal verify %s %t/fast.c >> %t/verified 2>&1
+// RUN: %symreal verify --samples=100 --min-samples=10 %s %t/finite.c > %t/verified 2>&1
+// RUN: %symreal verify --samples=100 --min-samples=10 %s %t/strict.c >> %t/verified 2>&1
+// RUN: %symreal verify --samples=100 --min-samples=10 %s %t/fast.c >> %t/verified 2>&1
 // RUN: FileCheck %s --check-prefix=SAME < %t/verified
 // SAME: kernel order, mode finite
 // SAME: no sample is left to a guard

@@ -11,7 +11,7 @@
 // CHECK-NOT: guard {{[0-9]}}
 // CHECK: kernel look_up:
 // CHECK: explored 2 paths, 1 select between them; complete: no guards
-// RUN: %symreal verify %s mixed.c look_up.c > %t/verified 2>&1
+// RUN: %symreal verify --samples=100 --min-samples=10 %s mixed.c look_up.c > %t/verified 2>&1
 // RUN: FileCheck %s --check-prefix=SAME < %t/verified
 // SAME: kernel mixed, mode finite
 // SAME: refused by a guard: {{[1-9]}}

@@ -13,7 +13,7 @@
 // RUN: FileCheck %s --check-prefix=LIMITED < %t/limited.c
 // LIMITED: void preprocess(
 // LIMITED: constants[3] = 
-// RUN: %symreal verify %s plain.c limited.c block.c > %t/verified 2>&1
+// RUN: %symreal verify --samples=100 --min-samples=10 %s plain.c limited.c block.c > %t/verified 2>&1
 // RUN: FileCheck %s --check-prefix=SAME < %t/verified
 // SAME: kernel plain, mode finite
 // SAME: value_return 1 0 0{{$}}

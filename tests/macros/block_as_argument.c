@@ -1,7 +1,7 @@
 /* The argument of a macro may be a block with macros in it. */
 // RUN: %rewrite %s -- | FileCheck %s
 // RUN: %same %s --
-// RUN: %symreal generate %s -o %t.c && %symreal verify %s %t.c 2>&1 | FileCheck %s --check-prefix=SAME
+// RUN: %symreal generate %s -o %t.c && %symreal verify --samples=100 --min-samples=10 %s %t.c 2>&1 | FileCheck %s --check-prefix=SAME
 // SAME: sum[0] {{ *}}2 {{ *}}0 {{ *}}0
 // CHECK: #define LOOK_UP(i, at) do { at = REAL_READ("first[i]", {{.*}}, first[i]) + REAL_READ("rank[i]", {{.*}}, rank[i]); } while (0)
 #define LOOK_UP(i, at) do { at = first[i] + rank[i]; } while (0)

@@ -1,8 +1,8 @@
 /* The arms of ?: become integers of one type before that becomes a number: -1 beside an unsigned value is 4294967295. */
-// RUN: %symreal generate %s -o %t.c --decisions=select && FileCheck %s --input-file=%t.c && %symreal verify %s %t.c
-// RUN: %symreal generate %s -o %t.g.c --decisions=guard && %symreal verify %s %t.g.c
-// RUN: cp %s %t.cpp && %symreal generate %t.cpp -o %t2.c --decisions=select && %symreal verify %t.cpp %t2.c
-// RUN: %symreal generate %t.cpp -o %t2.g.c --decisions=guard && %symreal verify %t.cpp %t2.g.c
+// RUN: %symreal generate %s -o %t.c --decisions=select && FileCheck %s --input-file=%t.c && %symreal verify --samples=100 --min-samples=10 %s %t.c
+// RUN: %symreal generate %s -o %t.g.c --decisions=guard && %symreal verify --samples=100 --min-samples=10 %s %t.g.c
+// RUN: cp %s %t.cpp && %symreal generate %t.cpp -o %t2.c --decisions=select && %symreal verify --samples=100 --min-samples=10 %t.cpp %t2.c
+// RUN: %symreal generate %t.cpp -o %t2.g.c --decisions=guard && %symreal verify --samples=100 --min-samples=10 %t.cpp %t2.g.c
 // CHECK: t1 ? 1.0 : 4294967295.0
 #include <stdio.h>
 enum mode { off, on };

@@ -1,5 +1,5 @@
 // A variable that is kept a double may be an operand of assembly, if both lines say so.
-// RUN: %symreal generate %s -o %t.c && %symreal verify %s %t.c 2>&1 | FileCheck %s
+// RUN: %symreal generate %s -o %t.c && %symreal verify --samples=100 --min-samples=10 %s %t.c 2>&1 | FileCheck %s
 // REQUIRES: x86_64-linux
 // CHECK: y {{ *}}1 {{ *}}0 {{ *}}0
 #include <cstdio>

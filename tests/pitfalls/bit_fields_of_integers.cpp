@@ -4,8 +4,8 @@
 // RUN: %same %s
 // RUN: %rewrite %s | FileCheck %s
 // RUN: %rewrite %t/k.c | grep 'a /= REAL_ONLY((int)) o.g;'
-// RUN: %symreal generate %s --decisions=select -o %t/k_cpp.c && %symreal verify %s %t/k_cpp.c
-// RUN: %symreal generate %t/k.c --decisions=select -o %t/k_c.c && %symreal verify %t/k.c %t/k_c.c
+// RUN: %symreal generate %s --decisions=select -o %t/k_cpp.c && %symreal verify --samples=100 --min-samples=10 %s %t/k_cpp.c
+// RUN: %symreal generate %t/k.c --decisions=select -o %t/k_c.c && %symreal verify --samples=100 --min-samples=10 %t/k.c %t/k_c.c
 #include <stdio.h>
 
 struct fields { double a; unsigned g : 8; unsigned long h : 20; unsigned all : 32; int s : 5; };

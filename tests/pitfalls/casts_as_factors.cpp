@@ -1,5 +1,5 @@
 // Type(factor) * (sum): what is put around the factor must not read as a cast to a function.
-// RUN: %symreal generate %s -o %t.c && %symreal verify %s %t.c 2>&1 | FileCheck %s
+// RUN: %symreal generate %s -o %t.c && %symreal verify --samples=100 --min-samples=10 %s %t.c 2>&1 | FileCheck %s
 // RUN: %same %s
 // CHECK: value_return {{ *}}1 {{ *}}0 {{ *}}0
 #include <cstdio>

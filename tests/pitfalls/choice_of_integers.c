@@ -1,5 +1,5 @@
 /* min and max by a macro, of a plain integer and of one that was made of a number. */
-// RUN: %symreal generate %s -o %t.c --decisions=guard && %symreal verify %s %t.c 2>&1 | FileCheck %s
+// RUN: %symreal generate %s -o %t.c --decisions=guard && %symreal verify --samples=100 --min-samples=10 %s %t.c 2>&1 | FileCheck %s
 // CHECK: y {{ *}}1 {{ *}}0 {{ *}}0
 // RUN: %rewrite %s | FileCheck %s --check-prefix=TEXT
 #include <math.h>

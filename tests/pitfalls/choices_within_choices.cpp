@@ -2,8 +2,8 @@
 // RUN: rm -rf %t && mkdir %t && cp %s %t/k.c
 // RUN: %same %s
 // RUN: %rewrite %s | FileCheck %s
-// RUN: %symreal generate %s --decisions=guard -o %t/k_cpp.c && %symreal verify %s %t/k_cpp.c --min-samples=1
-// RUN: %symreal generate %t/k.c --decisions=guard -o %t/k_c.c && %symreal verify %t/k.c %t/k_c.c --min-samples=1
+// RUN: %symreal generate %s --decisions=guard -o %t/k_cpp.c && %symreal verify --samples=100 %s %t/k_cpp.c --min-samples=1
+// RUN: %symreal generate %t/k.c --decisions=guard -o %t/k_c.c && %symreal verify --samples=100 %t/k.c %t/k_c.c --min-samples=1
 #include <stdio.h>
 
 #pragma symreal function input(x[0:4]) range(-8.0, 8.0) output(y[0:3])

@@ -1,6 +1,6 @@
 // std::complex of REAL computes as the library's complex of double does.
 // RUN: %same %s
-// RUN: %symreal generate %s -o %t.c --decisions=guard && %symreal verify %s %t.c --min-samples 50
+// RUN: %symreal generate %s -o %t.c --decisions=guard && %symreal verify --samples=100 %s %t.c --min-samples 50
 // RUN: FileCheck %s --input-file=%t.c
 #include <complex>
 #include <cstdio>

@@ -4,9 +4,9 @@
 // RUN: %cxx -std=c++20 -ffp-contract=off -fno-builtin %s -o %t.orig && %symreal-c++ -std=c++20 %s -o %t.exe
 // RUN: %t.orig > %t.plain && %t.exe | diff %t.plain -
 // RUN: %symreal generate %s -o %t.c 2>/dev/null && FileCheck %s --input-file=%t.c
-// RUN: %symreal verify %s %t.c 2>&1 | FileCheck %s --check-prefix=SAME
+// RUN: %symreal verify --samples=100 --min-samples=10 %s %t.c 2>&1 | FileCheck %s --check-prefix=SAME
 // RUN: %if all %{ %symreal generate %s -o %t.strict.c --fp=strict 2>/dev/null %}
-// RUN: %if all %{ %symreal verify %s %t.strict.c 2>&1 | FileCheck %s --check-prefix=STRICT %}
+// RUN: %if all %{ %symreal verify --samples=100 --min-samples=10 %s %t.strict.c 2>&1 | FileCheck %s --check-prefix=STRICT %}
 // RUN: %cc -std=c99 -Wall -Wextra -Wconversion -pedantic -Werror -c %t.c -o %t.o
 // RUN: %if all %{ %clang -std=c99 -Wall -Wextra -Wconversion -pedantic -Werror -c %t.strict.c -o %t.o %}
 #include <complex>

@@ -1,5 +1,5 @@
 // 2.0i is of the library's class of doubles, and goes with a complex number of REALs.
-// RUN: %symreal generate %s -o %t.c && %symreal verify %s %t.c 2>&1 | FileCheck %s
+// RUN: %symreal generate %s -o %t.c && %symreal verify --samples=100 --min-samples=10 %s %t.c 2>&1 | FileCheck %s
 // RUN: %rewrite %s | FileCheck %s --check-prefix=TEXT
 // RUN: %same %s
 // CHECK: y[0] {{ *}}4 {{ *}}0 {{ *}}0

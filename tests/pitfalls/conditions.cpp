@@ -3,7 +3,7 @@
 // RUN: %same %s
 // RUN: not %symreal generate %s -o %t.c 2>&1 | FileCheck %s
 // RUN: not ls %t.c
-// RUN: %symreal generate %s -o %t.c --decisions=guard && %symreal verify %s %t.c --min-samples 1
+// RUN: %symreal generate %s -o %t.c --decisions=guard && %symreal verify --samples=100 %s %t.c --min-samples 1
 #include <cassert>
 #include <cstdio>
 

@@ -1,6 +1,6 @@
 // Numbers that a library hands on to a constructor of the program's, several at once.
 // RUN: rm -rf %t && mkdir %t && cd %t && %symreal generate %s -o line.c 2> log && FileCheck %s < line.c
-// RUN: cd %t && %symreal verify %s line.c
+// RUN: cd %t && %symreal verify --samples=100 --min-samples=10 %s line.c
 // RUN: %same %s
 #include <cstdio>
 #include <map>

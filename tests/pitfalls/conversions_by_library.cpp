@@ -1,7 +1,7 @@
 // What the library converts by itself where it is given numbers: elements that it reads, writes and sums up.
 // RUN: %rewrite %s | FileCheck %s
 // RUN: %same %s
-// RUN: %symreal generate %s -o %t.c --decisions=guard && %symreal verify %s %t.c --min-samples=1
+// RUN: %symreal generate %s -o %t.c --decisions=guard && %symreal verify --samples=100 %s %t.c --min-samples=1
 // RUN: env SYMREAL_ROOTS=%S %symreal-c++ -DPLAIN %s -o %t.exe && %t.exe | FileCheck %s --check-prefix=PRINTED
 // PRINTED: 11 10 40 3.5 9 4 3.5 6
 #include <algorithm>

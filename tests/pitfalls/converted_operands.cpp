@@ -1,5 +1,5 @@
 // A class that converts to double: its objects are operands of signs and conditions too.
-// RUN: %symreal generate %s -o %t.c --decisions=guard && %symreal verify %s %t.c 2>&1 | FileCheck %s
+// RUN: %symreal generate %s -o %t.c --decisions=guard && %symreal verify --samples=100 --min-samples=10 %s %t.c 2>&1 | FileCheck %s
 // RUN: %rewrite %s | FileCheck %s --check-prefix=TEXT
 // RUN: %same %s
 // CHECK: y {{ *}}1 {{ *}}0 {{ *}}0

@@ -1,5 +1,5 @@
 // Classes that convert to double or from it: the language takes one step of a user's, and REAL would be a second.
-// RUN: %symreal generate %s -o %t.c --decisions=select && %symreal verify %s %t.c
+// RUN: %symreal generate %s -o %t.c --decisions=select && %symreal verify --samples=100 --min-samples=10 %s %t.c
 // RUN: %same %s
 // RUN: %rewrite %s | FileCheck %s
 #include <cstdio>

@@ -3,7 +3,7 @@
 // RUN: rm -f %t.c
 // RUN: not %symreal generate %s -o %t.c 2>&1 | FileCheck %s
 // RUN: %symreal generate %s -o %t.c --decisions=guard 2>&1 | FileCheck %s --check-prefix=GUARD
-// RUN: %symreal verify %s %t.c --min-samples 1
+// RUN: %symreal verify --samples=100 %s %t.c --min-samples 1
 // RUN: not %symreal generate %s -o %t.c --fp=strict 2>&1 | FileCheck %s --check-prefix=STRICT
 #include <cstdio>
 

@@ -1,5 +1,5 @@
 // std::max<long>(i, x > 1): a comparison as an integer of a type that is said.
-// RUN: %symreal generate %s -o %t.c --decisions=guard && %symreal verify %s %t.c
+// RUN: %symreal generate %s -o %t.c --decisions=guard && %symreal verify --samples=100 --min-samples=10 %s %t.c
 // RUN: %rewrite %s | FileCheck %s
 // RUN: %same %s
 #include <algorithm>

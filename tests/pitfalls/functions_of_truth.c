@@ -1,6 +1,6 @@
 /* A function of the library is given the truth value of a comparison, and an integer starts with a fraction. */
-// RUN: %symreal generate %s -o %t.c --decisions=select && FileCheck %s --input-file=%t.c && %symreal verify %s %t.c
-// RUN: cp %s %t.cpp && %symreal generate %t.cpp -o %t2.c --decisions=select && %symreal verify %t.cpp %t2.c
+// RUN: %symreal generate %s -o %t.c --decisions=select && FileCheck %s --input-file=%t.c && %symreal verify --samples=100 --min-samples=10 %s %t.c
+// RUN: cp %s %t.cpp && %symreal generate %t.cpp -o %t2.c --decisions=select && %symreal verify --samples=100 --min-samples=10 %t.cpp %t2.c
 #include <math.h>
 #include <stdlib.h>
 

@@ -1,6 +1,6 @@
 // The functions of <math.h>: those with more than one result, with an integer as result, with a truth value.
 // RUN: %same %s
-// RUN: %symreal generate %s -o %t.c --decisions=guard && %symreal verify %s %t.c --min-samples 1
+// RUN: %symreal generate %s -o %t.c --decisions=guard && %symreal verify --samples=100 %s %t.c --min-samples 1
 // RUN: not %symreal generate %s -o %t_error.c 2>&1 | FileCheck %s
 #include <cmath>
 #include <cstdio>

@@ -1,7 +1,7 @@
 // A program's own functions are called, whatever the recording library calls its own: for double the language looks
 // into no namespace.
 // RUN: rm -rf %t && mkdir %t && cd %t && %symreal generate %s -o own.c 2> log && FileCheck %s < own.c
-// RUN: cd %t && %symreal verify %s own.c
+// RUN: cd %t && %symreal verify --samples=100 --min-samples=10 %s own.c
 // RUN: %same %s
 #include <algorithm>
 #include <cmath>

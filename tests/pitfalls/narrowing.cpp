@@ -3,7 +3,7 @@
 // RUN: %same %s
 // RUN: not %symreal generate %s -o %t.c 2>&1 | FileCheck %s
 // RUN: not ls %t.c
-// RUN: %symreal generate --decisions=guard %s -o %t.g.c && %symreal verify %s %t.g.c 2>&1 | FileCheck %s --check-prefix=SAME
+// RUN: %symreal generate --decisions=guard %s -o %t.g.c && %symreal verify --samples=100 --min-samples=10 %s %t.g.c 2>&1 | FileCheck %s --check-prefix=SAME
 // SAME: return {{ *}}1 {{ *}}0 {{ *}}0
 #include <cstdio>
 

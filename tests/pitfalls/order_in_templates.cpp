@@ -1,7 +1,7 @@
 // An iterator that a function of the library steps back is its own; and a template may be instantiated for numbers, whose
 // operators are the language's, and for a class.
 // RUN: %rewrite %s | FileCheck %s
-// RUN: %symreal generate %s -o %t.c --decisions=guard && %symreal verify %s %t.c 2>&1 | FileCheck %s --check-prefix=SAME
+// RUN: %symreal generate %s -o %t.c --decisions=guard && %symreal verify --samples=100 --min-samples=10 %s %t.c 2>&1 | FileCheck %s --check-prefix=SAME
 // SAME: y {{ *}}1 {{ *}}0 {{ *}}0
 #include <complex>
 #include <cstdio>

@@ -1,7 +1,7 @@
 // A macro that prints its argument, and uses it besides: what is printed is a value, what is used depends as before.
 // RUN: %rewrite %s | FileCheck %s
 // RUN: %same %s
-// RUN: %symreal generate %s -o %t.c && %symreal verify %s %t.c 2>&1 | FileCheck %s --check-prefix=SAME
+// RUN: %symreal generate %s -o %t.c && %symreal verify --samples=100 --min-samples=10 %s %t.c 2>&1 | FileCheck %s --check-prefix=SAME
 // SAME: return {{ *}}1 {{ *}}0 {{ *}}0
 #include <cmath>
 #include <cstdio>

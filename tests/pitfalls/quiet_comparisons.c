@@ -1,7 +1,7 @@
 /* The comparisons that raise no exception are decisions like others. */
-// RUN: %symreal generate %s -o %t.c --decisions=select && FileCheck %s --input-file=%t.c && %symreal verify %s %t.c
-// RUN: %if all %{ cp %s %t.cpp && %symreal generate %t.cpp -o %t2.c --decisions=select && %symreal verify %t.cpp %t2.c %}
-// RUN: %symreal generate %s -o %t.strict.c --decisions=select --fp=strict && %symreal verify %s %t.strict.c
+// RUN: %symreal generate %s -o %t.c --decisions=select && FileCheck %s --input-file=%t.c && %symreal verify --samples=100 --min-samples=10 %s %t.c
+// RUN: %if all %{ cp %s %t.cpp && %symreal generate %t.cpp -o %t2.c --decisions=select && %symreal verify --samples=100 --min-samples=10 %t.cpp %t2.c %}
+// RUN: %symreal generate %s -o %t.strict.c --decisions=select --fp=strict && %symreal verify --samples=100 --min-samples=10 %s %t.strict.c
 // CHECK: input[0] > t0 ? input[0] : t0;
 // CHECK: 2.0 < input[2] ? t0 : -input[2];
 // CHECK: (input[0] < input[2]) || (input[0] > input[2]) ? t0 : input[0];

@@ -1,5 +1,5 @@
 // A std::function converts what its callable returns.
-// RUN: %symreal generate %s -o %t.c && %symreal verify %s %t.c
+// RUN: %symreal generate %s -o %t.c && %symreal verify --samples=100 --min-samples=10 %s %t.c
 // RUN: %rewrite %s | FileCheck %s
 // RUN: %same %s
 #include <cstdio>

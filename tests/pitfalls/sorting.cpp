@@ -4,7 +4,7 @@
 // RUN: not %symreal generate %s -o %t.c 2>&1 | FileCheck %s
 // RUN: not ls %t.c
 // RUN: %symreal generate %s -o %t.c --decisions=guard 2>&1 | FileCheck %s --check-prefix=GUARD
-// RUN: %symreal verify %s %t.c --min-samples 1
+// RUN: %symreal verify --samples=100 %s %t.c --min-samples 1
 #include <algorithm>
 #include <cstdio>
 #include <set>

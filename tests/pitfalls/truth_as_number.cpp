@@ -1,6 +1,6 @@
 // Truth values as numbers keep their dependency: a select, or a decision at its place.
 // RUN: rm -f %t.c
-// RUN: %symreal generate %s -o %t.c --decisions=select && %symreal verify %s %t.c
+// RUN: %symreal generate %s -o %t.c --decisions=select && %symreal verify --samples=100 --min-samples=10 %s %t.c
 // RUN: FileCheck %s --input-file=%t.c
 // RUN: not %symreal generate %s -o %t.c 2>&1 | FileCheck %s --check-prefix=ERROR
 #include <cmath>

@@ -1,5 +1,5 @@
 // What a macro names by `...` is one argument here and several there.
-// RUN: %symreal generate %s -o %t.c && %symreal verify %s %t.c 2>&1 | FileCheck %s
+// RUN: %symreal generate %s -o %t.c && %symreal verify --samples=100 --min-samples=10 %s %t.c 2>&1 | FileCheck %s
 // CHECK: y {{ *}}1 {{ *}}0 {{ *}}0
 #include <cstdio>
 #include <cstdlib>

@@ -7,7 +7,7 @@
    CHECK: if (v[{{[0-9]+}}] == 0.0) return 1;
    CHECK: compute_{{[0-9]+}}(v, output);
    CHECK: return 0;
-   RUN: %symreal verify %s %t/g.c 2>&1 | FileCheck %s --check-prefix=SAME
+   RUN: %symreal verify --samples=100 --min-samples=10 %s %t/g.c 2>&1 | FileCheck %s --check-prefix=SAME
    SAME: refused by a guard: {{[1-9]}}
    SAME: value_return {{ *}}1 {{ *}}0 {{ *}}0{{$}}
 */

@@ -1,7 +1,7 @@
 /* Functions as they were declared before C89: C++ is told of their parameters. */
 // RUN: %rewrite %s > %t.out && FileCheck %s < %t.out
 // RUN: %same %s -- -std=gnu89
-// RUN: rm -rf %t && mkdir %t && cp %s %t/old.c && cd %t && %symreal generate old.c -o k.c -- -std=gnu89 2> log && %symreal verify old.c k.c -- -std=gnu89
+// RUN: rm -rf %t && mkdir %t && cp %s %t/old.c && cd %t && %symreal generate old.c -o k.c -- -std=gnu89 2> log && %symreal verify --samples=100 --min-samples=10 old.c k.c -- -std=gnu89
 // RUN: cd %t && %symreal rewrite old.c --out-root once -- -std=gnu89 && cd once && %symreal rewrite old.c --diff -- -std=gnu89 | count 0
 #include <stdio.h>
 

@@ -1,7 +1,7 @@
 /* In C an enumeration is an integer: what converts to it and from it by itself is written out. */
 // RUN: %rewrite %s | FileCheck %s
 // RUN: %same %s
-// RUN: %symreal generate %s -o %t.c && %symreal verify %s %t.c 2>&1 | FileCheck %s --check-prefix=SAME
+// RUN: %symreal generate %s -o %t.c && %symreal verify --samples=100 --min-samples=10 %s %t.c 2>&1 | FileCheck %s --check-prefix=SAME
 // SAME: y {{ *}}1 {{ *}}0 {{ *}}0
 #include <stdio.h>
 

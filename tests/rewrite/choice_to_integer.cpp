@@ -1,7 +1,7 @@
 // What is chosen by a number is a number, although both of its arms are literals.
 // RUN: %symreal generate %s -o %t.c --decisions=select && FileCheck %s < %t.c
-// RUN: %symreal verify %s %t.c 2>&1 | FileCheck %s --check-prefix=VERIFY
-// RUN: %symreal generate %s -o %t.guard.c --decisions=guard && %symreal verify %s %t.guard.c
+// RUN: %symreal verify --samples=100 --min-samples=10 %s %t.c 2>&1 | FileCheck %s --check-prefix=VERIFY
+// RUN: %symreal generate %s -o %t.guard.c --decisions=guard && %symreal verify --samples=100 --min-samples=10 %s %t.guard.c
 // CHECK: input[0] > 0.25
 // VERIFY: y {{ *}}1 {{ *}}0 {{ *}}0
 // VERIFY: z {{ *}}1 {{ *}}0 {{ *}}0

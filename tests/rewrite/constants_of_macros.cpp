@@ -1,7 +1,7 @@
 // A macro's text is converted for all of its uses, and some are constants that stay double.
 // RUN: %rewrite %s | FileCheck %s
 // RUN: %same %s
-// RUN: %symreal generate %s -o %t.c --decisions=guard && %symreal verify %s %t.c
+// RUN: %symreal generate %s -o %t.c --decisions=guard && %symreal verify --samples=100 --min-samples=10 %s %t.c
 #include <cstdio>
 #include <limits>
 #define NUMBER double

@@ -1,7 +1,7 @@
 // A constexpr function of numbers becomes one of REAL; constants that it computes stay double.
 // RUN: %rewrite %s | FileCheck %s
 // RUN: %same %s
-// RUN: %symreal generate %s -o %t.c && %symreal verify %s %t.c 2>&1 | FileCheck %s --check-prefix=SAME
+// RUN: %symreal generate %s -o %t.c && %symreal verify --samples=100 --min-samples=10 %s %t.c 2>&1 | FileCheck %s --check-prefix=SAME
 // RUN: FileCheck %s --check-prefix=TEXT < %t.c
 // SAME: y {{ *}}1 {{ *}}0 {{ *}}0
 // TEXT: double const y = input[0]*1.8*2.5 + 3.0 + 3.0;

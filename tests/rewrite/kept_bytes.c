@@ -1,7 +1,7 @@
 /* One allocation for numbers and integers: the run tells that no number is read as an integer, or a comment does. */
-// RUN: %symreal generate %s -o %t.c && %symreal verify %s %t.c 2>&1 | FileCheck %s
+// RUN: %symreal generate %s -o %t.c && %symreal verify --samples=100 --min-samples=10 %s %t.c 2>&1 | FileCheck %s
 // CHECK: y {{ *}}1 {{ *}}0 {{ *}}0
-// RUN: %symreal generate %s -o %t.c -- -DUNKEPT && %symreal verify %s %t.c -- -DUNKEPT 2>&1 | FileCheck %s
+// RUN: %symreal generate %s -o %t.c -- -DUNKEPT && %symreal verify --samples=100 --min-samples=10 %s %t.c -- -DUNKEPT 2>&1 | FileCheck %s
 #include <stdio.h>
 #include <stdlib.h>
 

@@ -2,7 +2,7 @@
 // RUN: %rewrite %s -- -std=c++17 | FileCheck %s
 // RUN: %symreal verify --numeric %s -- -std=c++17 -O1
 // RUN: %rewrite %s -- -std=c++17 > %t.rewritten.cpp && %rewrite %t.rewritten.cpp -- -std=c++17 | diff %t.rewritten.cpp -
-// RUN: %symreal generate %s -o %t.c -- -std=c++17 && %symreal verify %s %t.c -- -std=c++17
+// RUN: %symreal generate %s -o %t.c -- -std=c++17 && %symreal verify --samples=100 --min-samples=10 %s %t.c -- -std=c++17
 #include <cstdio>
 #include <memory>
 

@@ -3,9 +3,9 @@
 // RUN: %rewrite %s | FileCheck %s
 // RUN: %same %s
 // RUN: %symreal generate %s -o %t_guard.c --decisions=guard
-// RUN: %symreal verify %s %t_guard.c
+// RUN: %symreal verify --samples=100 --min-samples=10 %s %t_guard.c
 // RUN: %symreal generate %s -o %t_select.c --decisions=select
-// RUN: %symreal verify %s %t_select.c
+// RUN: %symreal verify --samples=100 --min-samples=10 %s %t_select.c
 // RUN: FileCheck %s --check-prefix=SELECT < %t_select.c
 #pragma symreal function input(x[0:3]) range(-4, 4) constant(n, m) output(y[0:4])
 void joined(const double *x, double *y, int n, int m) {

@@ -1,6 +1,6 @@
 // No blank stands behind a brace or before a parenthesis, and what is inserted there makes no word with its neighbour.
 // RUN: %rewrite %s | FileCheck %s
-// RUN: %symreal generate %s -o %t.c && %symreal verify %s %t.c
+// RUN: %symreal generate %s -o %t.c && %symreal verify --samples=100 --min-samples=10 %s %t.c
 // RUN: %same %s
 #include <cstdio>
 // CHECK: {{SYMREAL_OUTPUTS_END REAL_WRITTEN\(}}

@@ -1,7 +1,7 @@
 // Structures in a symbolic main that was written by hand.
 // RUN: %symreal generate %s -o %t.c && FileCheck %s < %t.c
 // RUN: FileCheck %s --check-prefix=HEADER < %t.h
-// RUN: %symreal verify %s %t.c 2>&1 | FileCheck %s --check-prefix=VERIFY
+// RUN: %symreal verify --samples=100 --min-samples=10 %s %t.c 2>&1 | FileCheck %s --check-prefix=VERIFY
 #include <symreal/symbolic_main.h>
 
 #include <vector>

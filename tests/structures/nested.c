@@ -4,7 +4,7 @@
    RUN: %symreal generate %s -o %t/step.c --wrapper --graph %t/step.graph -- -std=c99 2>&1 | FileCheck %s --check-prefix=LIST
    RUN: FileCheck %s --check-prefix=HEADER < %t/step.h
    RUN: FileCheck %s --check-prefix=GRAPH < %t/step.graph
-   RUN: %symreal verify %s %t/step.c -- -std=c99 2>&1 | FileCheck %s --check-prefix=SAME
+   RUN: %symreal verify --samples=100 --min-samples=10 %s %t/step.c -- -std=c99 2>&1 | FileCheck %s --check-prefix=SAME
    RUN: %symreal opt %t/step.graph -o %t/again.c --lang c
    RUN: grep -vE "_H|functions of the original" %t/step.h > %t/header && grep -v _H %t/again.h | diff %t/header -
    RUN: %cc -std=c99 -DUSE -I%t %s %t/step.c -lm -o %t/use && %cc -std=c99 -Wno-unknown-pragmas %s -lm -o %t/original

@@ -1,6 +1,6 @@
 // A class that owns its numbers by a plain pointer and lets them be seen as a sequence, and one that derives from it.
 // RUN: %symreal generate %s -o %t.c && FileCheck %s --input-file=%t.c
-// RUN: %symreal verify %s %t.c 2>&1 | FileCheck %s --check-prefix=SAME
+// RUN: %symreal verify --samples=100 --min-samples=10 %s %t.c 2>&1 | FileCheck %s --check-prefix=SAME
 // CHECK: input[2] + input[0]*input[1];
 // SAME: e[0] {{ *}}1 {{ *}}0 {{ *}}0
 #include <cstddef>

@@ -1,7 +1,7 @@
 // Structures in region pragmas, in an array that the pragma takes a section of.
 // RUN: %symreal generate %s -o %t.c
 // RUN: FileCheck %s < %t.c --check-prefix=CODE
-// RUN: %symreal verify %s %t.c 2>&1 | FileCheck %s --check-prefix=SAME
+// RUN: %symreal verify --samples=100 --min-samples=10 %s %t.c 2>&1 | FileCheck %s --check-prefix=SAME
 #include <cstdio>
 
 class Joint {

@@ -1,7 +1,7 @@
 /* A function that takes a structure and returns one, in C and as C++.
    RUN: %symreal generate %s -o %t.c
-   RUN: %symreal verify %s %t.c 2>&1 | FileCheck %s
-   RUN: cp %s %t.cpp && %symreal generate %t.cpp -o %t.2.c && %symreal verify %t.cpp %t.2.c 2>&1 | FileCheck %s
+   RUN: %symreal verify --samples=100 --min-samples=10 %s %t.c 2>&1 | FileCheck %s
+   RUN: cp %s %t.cpp && %symreal generate %t.cpp -o %t.2.c && %symreal verify --samples=100 --min-samples=10 %t.cpp %t.2.c 2>&1 | FileCheck %s
    RUN: grep -v include %t.c > %t.code && grep -v include %t.2.c | diff %t.code -
 */
 #include <stdio.h>

@@ -1,6 +1,6 @@
 // A value for an object is one for all of its numbers that a program can name; the others are as it is made.
 // RUN: %symreal generate %s --kernel 'energy(body=0.5) -> return' -o %t.c 2>&1 | FileCheck %s
-// RUN: %symreal verify %s %t.c --kernel 'energy(body=0.5) -> return' 2>&1 | FileCheck %s --check-prefix=VERIFY
+// RUN: %symreal verify --samples=100 --min-samples=10 %s %t.c --kernel 'energy(body=0.5) -> return' 2>&1 | FileCheck %s --check-prefix=VERIFY
 // RUN: FileCheck %s --check-prefix=HEADER < %t.h
 // CHECK: kernel energy: 7 inputs, 0 parameters, 1 outputs
 // VERIFY: return {{ *}}1 {{ *}}0 {{ *}}0

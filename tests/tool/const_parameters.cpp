@@ -1,6 +1,6 @@
 // What the caller gives to const parameters are inputs like others.
 // RUN: %symreal generate %s -o %t.c
-// RUN: %symreal verify %s %t.c -- -O2 2>&1 | FileCheck %s
+// RUN: %symreal verify --samples=100 --min-samples=10 %s %t.c -- -O2 2>&1 | FileCheck %s
 #include <cstdio>
 
 #pragma symreal function input(x[0:2], d, table[0:2]) parameter(m) output(y[0:2])

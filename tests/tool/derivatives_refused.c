@@ -18,10 +18,10 @@
 // RUN: %symreal generate %s -o %t/k.c --differentiate 'gradient(s)' 2>&1 | FileCheck %s --check-prefix=JUMP
 // JUMP: derivatives_refused.c:[[@LINE+14]]:{{[0-9]+}}: warning: gradient_s leads through 'floor', which jumps [SYM182]
 // It is the slope between the jumps, and verified there.
-// RUN: %symreal verify %s %t/k.c
+// RUN: %symreal verify --samples=100 --min-samples=10 %s %t/k.c
 // What verification cannot see is not passed over: code in single precision.
 // RUN: %symreal generate %s -o %t/single.c --real=float --differentiate 'jacobian(y, x)'
-// RUN: not %symreal verify %s %t/single.c 2>&1 | FileCheck %s --check-prefix=SINGLE
+// RUN: not %symreal verify --samples=100 --min-samples=10 %s %t/single.c 2>&1 | FileCheck %s --check-prefix=SINGLE
 // SINGLE: error: the derivatives cannot be checked: the code is in single precision [SYM184]
 #include <math.h>
 #include <stdio.h>

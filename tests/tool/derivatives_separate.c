@@ -14,7 +14,7 @@
 // ALONE: enum { k_derivatives_jacobian_y_x_rows = 2
 // ALONE: void k_derivatives_compute(
 // RUN: cc -std=c99 -Wall -Wextra -Werror -shared -fPIC %t/k.c %t/k_derivatives.c %t/k_wrapper.c -lm -o %t/both.so
-// RUN: %symreal verify %s %t/k.c %t/k_derivatives.c 2>&1 | FileCheck %s
+// RUN: %symreal verify --samples=100 --min-samples=10 %s %t/k.c %t/k_derivatives.c 2>&1 | FileCheck %s
 // CHECK: y[{{[01]}}] {{ *}}2 {{ *}}0 {{ *}}0
 // CHECK: kernel k, mode finite
 // CHECK-NOT: output {{ *}}elements
@@ -22,7 +22,7 @@
 // CHECK-NEXT: gradient_cost[{{.*}}] {{ *}}3 {{.*}} 0 {{ *}}{{[0-9]+}} of
 // RUN: sed 's/cos(/sin(/' %t/k_derivatives.c > %t/wrong.c && cp %t/k_derivatives.h %t/wrong.h
 // RUN: sed -i 's/k_derivatives.h/wrong.h/' %t/wrong.c
-// RUN: not %symreal verify %s %t/wrong.c 2>&1 | FileCheck %s --check-prefix=WRONG
+// RUN: not %symreal verify --samples=100 --min-samples=10 %s %t/wrong.c 2>&1 | FileCheck %s --check-prefix=WRONG
 // WRONG: elements of derivatives differ from those of the original [SYM091]
 // Without it one function computes both, and shares their work.
 // RUN: %symreal generate %s -o %t/one.c && FileCheck %s --check-prefix=ONE --input-file=%t/one.h

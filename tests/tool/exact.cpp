@@ -1,6 +1,6 @@
 // A stretch that mode fast keeps as it is written: the correction of a compensated sum.
 // RUN: %symreal generate %s -o %t.c --fp=fast --effort=1
-// RUN: %symreal verify %s %t.c 2>&1 | FileCheck %s
+// RUN: %symreal verify --samples=100 --min-samples=10 %s %t.c 2>&1 | FileCheck %s
 // RUN: FileCheck %s --check-prefix=CODE --input-file=%t.c
 // The same without the pragmas.
 // RUN: sed '/exact/d' %s > %t.plain.cpp && %symreal generate %t.plain.cpp -o %t.plain.c --fp=fast --effort=1

@@ -1,6 +1,6 @@
 // Guards that no sample failed are listed in runs.
 // RUN: %symreal generate %s --decisions=guard -o %t.c
-// RUN: %symreal verify %s %t.c 2>&1 | FileCheck %s
+// RUN: %symreal verify --samples=100 --min-samples=10 %s %t.c 2>&1 | FileCheck %s
 #include <cstdio>
 
 #pragma symreal function input(x[0:6]) range(1, 2) output(return)

@@ -1,7 +1,7 @@
 // An infinity that is a constant of the program, and is compared with and handed on, does not put a sample outside of
 // premise P1: "none yet", "no limit". Whether one is left is asked where the code runs.
 // RUN: %symreal generate %s -o %t.c --decisions=select 2>/dev/null && FileCheck %s --input-file=%t.c
-// RUN: %symreal verify %s %t.c 2>&1 | FileCheck %s --check-prefix=SAME
+// RUN: %symreal verify --samples=100 --min-samples=10 %s %t.c 2>&1 | FileCheck %s --check-prefix=SAME
 // RUN: %cc -std=c99 -Wall -Wextra -Wconversion -pedantic -Werror -c %t.c -o %t.o
 #include <cmath>
 #include <cstdio>

@@ -4,7 +4,7 @@
 // RUN: %symreal generate %s -o %t/a.c --run-on > %t/log 2>&1
 // RUN: FileCheck %s --implicit-check-not=SYM < %t/log
 // RUN: sed -n 's/^program| //p' %t/log | diff - %t/expected
-// RUN: %symreal verify %s %t/a.c
+// RUN: %symreal verify --samples=100 --min-samples=10 %s %t/a.c
 #include <cfenv>
 #include <cmath>
 #include <cstdio>

@@ -6,12 +6,12 @@
 // FILES: cube.h
 // FILES: square.c
 // FILES: square.h
-// RUN: %symreal verify %s %t/all/cube.c %t/all/square.c > %t.log 2>&1
+// RUN: %symreal verify --samples=100 --min-samples=10 %s %t/all/cube.c %t/all/square.c > %t.log 2>&1
 // RUN: FileCheck %s --check-prefix=BOTH < %t.log
 // BOTH: kernel cube
 // BOTH: kernel square
 // RUN: sed 's/= \(.*\)\*/= \1+/' %t/all/cube.c > %t/all/changed.c
-// RUN: python3 %tools/expect_status.py 3 %symreal verify %s %t/all/changed.c %t/all/square.c > %t.log 2>&1
+// RUN: python3 %tools/expect_status.py 3 %symreal verify --samples=100 --min-samples=10 %s %t/all/changed.c %t/all/square.c > %t.log 2>&1
 // RUN: FileCheck %s --check-prefix=ONE < %t.log
 // ONE: {{.*}}changed.c: error: 1 of 1 outputs differ
 // ONE: kernel square

@@ -4,10 +4,10 @@
 // RUN: not ls %t.c
 // The ways out.
 // RUN: %symreal generate %s -o %t.c --fp=fast --snap 2>&1 | FileCheck %s --check-prefix=NEARER
-// RUN: %symreal verify %s %t.c
+// RUN: %symreal verify --samples=100 --min-samples=10 %s %t.c
 // RUN: %symreal generate %s -o %t.c --fp=fast --snap=1e-8 --tol=1e-6
-// RUN: not %symreal verify %s %t.c 2>&1 | FileCheck %s --check-prefix=VERIFIED
-// RUN: %symreal verify %s %t.c --tol=1e-6
+// RUN: not %symreal verify --samples=100 --min-samples=10 %s %t.c 2>&1 | FileCheck %s --check-prefix=VERIFIED
+// RUN: %symreal verify --samples=100 --min-samples=10 %s %t.c --tol=1e-6
 #include <cmath>
 #include <cstdio>
 

@@ -5,7 +5,7 @@
 // RUN: FileCheck %s --input-file=%t.json --check-prefix=MAP
 // RUN: %cc -std=c99 -Wall -Wextra -Wconversion -pedantic -Werror -O1 -ffp-contract=off %t.c %t_main.c -lm -o %t.run
 // RUN: %t.run | FileCheck %s --check-prefix=VALUE
-// RUN: %symreal verify %s %t.c
+// RUN: %symreal verify --samples=100 --min-samples=10 %s %t.c
 // The text of the graph carries names and places, so the same code comes from it, but for the line of the original's library.
 // RUN: %symreal generate %s -o %t.c --graph %t.graph 2>/dev/null
 // RUN: %symreal opt %t.graph --lang=c -o %t.again.c && grep -vE "include|functions of the original" %t.c > %t.1 && grep -v include %t.again.c | diff %t.1 -

@@ -1,12 +1,12 @@
 // --bisect names the pass that is the first to change an output, and in it the rewrite with its place.
 // RUN: rm -rf %t && mkdir %t
 // RUN: %symreal generate %s -o %t/k.c --fp=fast
-// RUN: python3 %tools/expect_status.py 3 %symreal verify %s %t/k.c --tol 1e-18 --bisect 2>&1 | FileCheck %s --check-prefix=PASS
+// RUN: python3 %tools/expect_status.py 3 %symreal verify --samples=100 --min-samples=10 %s %t/k.c --tol 1e-18 --bisect 2>&1 | FileCheck %s --check-prefix=PASS
 // PASS: note: bisection: pass recover is the first to change an output: y[1] from {{.*}} to {{[^;]*$}}
 // A file that was edited is not the work of a pass.
 // RUN: %symreal generate %s -o %t/k.c
 // RUN: sed 's/nextafter(input.0./nextafter(input[1]/' %t/k.c > %t/edited.c
-// RUN: python3 %tools/expect_status.py 3 %symreal verify %s %t/edited.c --bisect 2>&1 | FileCheck %s --check-prefix=EDITED
+// RUN: python3 %tools/expect_status.py 3 %symreal verify --samples=100 --min-samples=10 %s %t/edited.c --bisect 2>&1 | FileCheck %s --check-prefix=EDITED
 // EDITED: note: bisection: no pass of the usual ones changes an output there
 #include <math.h>
 #include <stdio.h>

@@ -1,17 +1,17 @@
 // Mode fast, where the original itself is off: the recorded graph in extended precision says which of them is.
 // RUN: %symreal generate %s -o %t.c --fp=fast --effort=1
-// RUN: %symreal verify %s %t.c --kernel square --json > %t.json 2> %t.told
+// RUN: %symreal verify --samples=100 --min-samples=10 %s %t.c --kernel square --json > %t.json 2> %t.told
 // RUN: FileCheck %s --input-file=%t.told
 // RUN: FileCheck %s --check-prefix=JSON --input-file=%t.json
 // Code that is worse than the original is refused.
 // RUN: sed 's/\(  output.*\);/\1 + 100.0;/' %t.c > %t.worse.c && cp %t.h %t.worse.h
-// RUN: not %symreal verify %s %t.worse.c 2>&1 | FileCheck %s --check-prefix=WORSE
+// RUN: not %symreal verify --samples=100 --min-samples=10 %s %t.worse.c 2>&1 | FileCheck %s --check-prefix=WORSE
 // In mode finite numbers are equal, and nobody asks.
-// RUN: %symreal generate %s -o %t.finite.c && %symreal verify %s %t.finite.c 2>&1 | FileCheck %s --check-prefix=FINITE
+// RUN: %symreal generate %s -o %t.finite.c && %symreal verify --samples=100 --min-samples=10 %s %t.finite.c 2>&1 | FileCheck %s --check-prefix=FINITE
 // What depends on how numbers are stored has no value in extended precision.
 // RUN: sed 's/2e8 \* x;/2e8 * x + std::nextafter(x, 1.0);/; s,<cstdio>,<cmath>,; /std::printf/d' %s > %t.single.cpp
 // RUN: %symreal generate %t.single.cpp -o %t.single.c --fp=fast --effort=1
-// RUN: not %symreal verify %t.single.cpp %t.single.c 2>&1 | FileCheck %s --check-prefix=SINGLE
+// RUN: not %symreal verify --samples=100 --min-samples=10 %t.single.cpp %t.single.c 2>&1 | FileCheck %s --check-prefix=SINGLE
 #include <cstdio>
 
 #pragma symreal function input(x) range(0, 1) output(y)

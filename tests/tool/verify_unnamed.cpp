@@ -1,37 +1,13 @@
 // State that a recording misses shows when the original runs on other bytes in what no clause names: verify watches what
-// its kernel meets in memory, and changes that.
-// DEFINE: %{of} =
-// DEFINE: %{generate} = %symreal generate %s --kernel 'kern(x=0.5) -> return' -o %t.c -- -std=c++20 -D%{of}
-// DEFINE: %{verify} = %symreal verify %s --kernel 'kern(x=0.5) -> return' %t.c --samples=20 --min-samples=5 -- -std=c++20 -D%{of}
-// DEFINE: %{finds} = %{generate} && not %{verify} 2>&1 | FileCheck %s --check-prefix=%{of}
-// DEFINE: %{passes} = %{generate} && %{verify}
-// REDEFINE: %{of} = REFERENCE
-// RUN: %{finds}
-// REFERENCE: error: kernel 'kern': the outputs of the original depend on 'gain' ({{.*}}verify_unnamed.cpp:{{[0-9:]+}}), which no clause names [SYM017]
-// REDEFINE: %{of} = BITS
-// RUN: %{finds}
-// BITS: error: kernel 'kern': the outputs of the original depend on 'limits' ({{.*}}), which no clause names [SYM017]
-// REDEFINE: %{of} = HEAP
-// RUN: %{finds}
-// HEAP: error: kernel 'kern': the outputs of the original depend on a block of 4 bytes on the heap ({{.*}}), which no clause names [SYM017]
-// REDEFINE: %{of} = RANGE
-// RUN: %{finds}
-// RANGE: error: kernel 'kern': the original overwrites 'cells' ({{.*}}) with the bytes that it holds [SYM121]
-
-// Bytes that are read without effect on the outputs are not reported, nor is what never changes, or what the clauses need
-// to name numbers.
-// REDEFINE: %{of} = PRINTED
-// RUN: %{passes}
-// REDEFINE: %{of} = LOCKED
-// RUN: %{passes}
-// REDEFINE: %{of} = NEVER_CHANGED
-// RUN: %{passes}
-// REDEFINE: %{of} = MADE_AT_START
-// RUN: %{passes}
-// REDEFINE: %{of} = CONSTANT
-// RUN: %{passes}
-// REDEFINE: %{of} = MADE_HERE
-// RUN: %{passes}
+// its kernel meets in memory, and changes that. Bytes that are read without effect on the outputs are not reported, nor is
+// what never changes, or what the clauses need to name numbers.
+// RUN: rm -rf %t && mkdir %t && cd %t
+// RUN: cd %t && %symreal generate %s -o ./ -- -std=c++20
+// RUN: cd %t && not %symreal verify %s reference.c bits.c heap.c range.c printed.c locked.c never_changed.c made_at_start.c constant.c made_here.c --samples=20 --min-samples=5 -- -std=c++20 2>&1 | FileCheck %s --implicit-check-not=error:
+// CHECK-DAG: error: kernel 'reference': the outputs of the original depend on 'referred::gain' ({{.*}}verify_unnamed.cpp:{{[0-9:]+}}), which no clause names [SYM017]
+// CHECK-DAG: error: kernel 'bits': the outputs of the original depend on 'limits' ({{.*}}), which no clause names [SYM017]
+// CHECK-DAG: error: kernel 'heap': the outputs of the original depend on a block of 4 bytes on the heap ({{.*}}), which no clause names [SYM017]
+// CHECK-DAG: error: kernel 'range': the original overwrites 'cells' ({{.*}}) with the bytes that it holds [SYM121]
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -41,92 +17,100 @@
 #include <string>
 #include <vector>
 
-#if defined(REFERENCE)
+namespace referred {
 struct Law {
   double &of;
 };
 static double gain = 2;
 void change(double to) { gain = to; }
-double kern(double x) {
-  auto [of] = Law{gain};
+} // namespace referred
+#pragma symreal function input(x) output(return)
+double reference(double x) {
+  auto [of] = referred::Law{referred::gain};
   return of * x;
 }
 
-#elif defined(BITS)
 struct Limits {
   unsigned order : 3, sign : 1;
 };
 static Limits limits{2, 1};
-void change(int to) { limits.order = to & 7; }
-double kern(double x) { return limits.order * x; }
+void change_limits(int to) { limits.order = to & 7; }
+#pragma symreal function input(x) output(return)
+double bits(double x) { return limits.order * x; }
 
-#elif defined(HEAP)
 struct Settings {
   int *order = new int(2);
   int *find() const { return order; }
 };
 static Settings *settings = new Settings;
-void change(int to) { *settings->order = to; }
-double kern(double x) { return x * __atomic_load_n(settings->find(), __ATOMIC_RELAXED); }
+void change_settings(int to) { *settings->order = to; }
+#pragma symreal function input(x) output(return)
+double heap(double x) { return x * __atomic_load_n(settings->find(), __ATOMIC_RELAXED); }
 
-#elif defined(RANGE)
 static int cells[2] = {1, 2};
 static int const made[2] = {1, 2};
-int first() { return ++cells[0]; }
-double kern(double x) {
+int first_cell() { return ++cells[0]; }
+#pragma symreal function input(x) output(return)
+double range(double x) {
   std::ranges::copy(made, cells);
   return 2 * x;
 }
 
-#elif defined(PRINTED)
 struct Told {
   unsigned often : 3, late : 1;
 };
 static Told told{1, 0};
 void tell(int often) { told.often = often & 7; }
-double kern(double x) {
+#pragma symreal function input(x) output(return)
+double printed(double x) {
   if (told.often > 0) std::puts("called");
   return 2 * x;
 }
 
-#elif defined(LOCKED)
 struct Guarded {
   std::mutex mutex;
   std::shared_ptr<int> order = std::make_shared<int>(2);
 };
 static Guarded *const guarded = new Guarded;
 static std::mutex other;
-double kern(double x) {
+#pragma symreal function input(x) output(return)
+double locked(double x) {
   std::scoped_lock const lock(guarded->mutex, other);
   std::shared_ptr<int> const copy = guarded->order;
   return 2 * x;
 }
 
-#elif defined(NEVER_CHANGED)
 static int order = 2;
 static double const table[2] = {std::sqrt(2), std::sqrt(3)};
 static std::vector<double> const more = {1, 2, 3};
-double kern(double x) { return x * order + table[1] * more[2]; }
+#pragma symreal function input(x) output(return)
+double never_changed(double x) { return x * order + table[1] * more[2]; }
 
-#elif defined(MADE_AT_START)
 static std::map<std::string, double> const gains = {{"slow", 1}, {"fast", 2}};
-double kern(double x) { return x * gains.at("fast"); }
+#pragma symreal function input(x) output(return)
+double made_at_start(double x) { return x * gains.at("fast"); }
 
-#elif defined(CONSTANT)
-static int const order = 3;
-double kern(double x) {
-  static std::vector<double> const powers(order, 2.0);
+static int const count = 3;
+#pragma symreal function input(x) output(return)
+double constant(double x) {
+  static std::vector<double> const powers(count, 2.0);
   double sum = 0;
   for (double one : powers) sum += one * x;
   return sum;
 }
 
-#else
-double kern(double x) {
+#pragma symreal function input(x) output(return)
+double made_here(double x) {
   auto numbers = std::make_unique<std::vector<double>>(3, x);
   std::sort(numbers->begin(), numbers->end());
   std::map<int, double> sums;
   for (int k = 0; k < 3; ++k) sums[k] += (*numbers)[k];
   return sums[1];
 }
-#endif
+
+int main() {
+  double sum = 0;
+  for (double (*kernel)(double) : {reference, bits, heap, range, printed, locked, never_changed, made_at_start, constant, made_here})
+    sum += kernel(0.5);
+  return sum > 1000;
+}

@@ -1,9 +1,9 @@
 /* An output that the original does not write keeps what its caller has there. verify sees that in the calls in a row, before
    each of which something else is put there. What differs here does so by the switches of the builds.
-   RUN: %symreal generate %s -o %t.c && %symreal verify %s %t.c
-   RUN: not %symreal verify %s %t.c -- -DKEEPS 2>&1 | FileCheck %s
-   RUN: cp %s %t.cpp && %symreal generate %t.cpp -o %t.k.c && %symreal verify %t.cpp %t.k.c
-   RUN: not %symreal verify %t.cpp %t.k.c -- -DKEEPS 2>&1 | FileCheck %s
+   RUN: %symreal generate %s -o %t.c && %symreal verify --samples=100 --min-samples=10 %s %t.c
+   RUN: not %symreal verify --samples=100 --min-samples=10 %s %t.c -- -DKEEPS 2>&1 | FileCheck %s
+   RUN: cp %s %t.cpp && %symreal generate %t.cpp -o %t.k.c && %symreal verify --samples=100 --min-samples=10 %t.cpp %t.k.c
+   RUN: not %symreal verify --samples=100 --min-samples=10 %t.cpp %t.k.c -- -DKEEPS 2>&1 | FileCheck %s
    CHECK: error: called again, 1 of 6 outputs differ from the original: it keeps something that is no output
    CHECK: note: y[1]: original
 */

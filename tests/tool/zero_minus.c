@@ -3,7 +3,7 @@
 // RUN: %symreal generate %s -o %t.c --fp=strict && FileCheck %s < %t.c
 // CHECK: double const [[SIZE:.*]] = fabs(
 // CHECK: 0.0 - [[SIZE]]
-// RUN: %symreal verify %s %t.c
+// RUN: %symreal verify --samples=100 --min-samples=10 %s %t.c
 #include <math.h>
 #include <stdio.h>
 

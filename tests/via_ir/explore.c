@@ -2,10 +2,10 @@
 // RUN: rm -rf %t && mkdir %t && cd %t
 // RUN: not %symreal generate %s -o code.c --via-ir 2>&1 | FileCheck %s --check-prefix=ERROR
 // ERROR: error: {{.*}} [SYM016]
-// RUN: %symreal generate %s -o guard.c --via-ir --decisions=guard && %symreal verify %s guard.c
+// RUN: %symreal generate %s -o guard.c --via-ir --decisions=guard && %symreal verify --samples=100 --min-samples=10 %s guard.c
 // RUN: %symreal generate %s -o paths.c --via-ir --decisions=explore 2>&1 | FileCheck %s --check-prefix=PATHS
 // PATHS: explored {{[0-9]+}} path{{s?}}, {{[0-9]+}} selects between them; complete: no guards
-// RUN: %symreal verify %s paths.c > verified 2>&1 && FileCheck %s --check-prefix=SAME < verified
+// RUN: %symreal verify --samples=100 --min-samples=10 %s paths.c > verified 2>&1 && FileCheck %s --check-prefix=SAME < verified
 // SAME: every path is recorded: no sample is left to a guard
 
 static void exchange(double *a, double *b) {
