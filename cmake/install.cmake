@@ -9,6 +9,7 @@ install(TARGETS symreal-record-instructions LIBRARY DESTINATION lib/symreal)
 install(DIRECTORY engine/include/ runtime/include/ DESTINATION lib/symreal/include)
 install(FILES ${PROJECT_BINARY_DIR}/runtime/include/symreal/names_hide.h
   ${PROJECT_BINARY_DIR}/runtime/include/symreal/names_show.h DESTINATION lib/symreal/include/symreal)
+install(FILES tool/completion.bash DESTINATION share/bash-completion/completions RENAME symreal)
 install(FILES LICENSE README.md DESTINATION share/doc/symreal)
 install(DIRECTORY docs DESTINATION share/doc/symreal)
 

@@ -5,10 +5,13 @@
 #include "program/build/read_files.h"
 #include "tool/commands/subcommands.h"
 #include "tool/configuration/unknown_words.h"
+#include "tool/options/help.h"
 
 #include <algorithm>
 #include <cstdio>
 #include <iostream>
+#include <string>
+#include <vector>
 
 namespace symreal::tool {
 
@@ -31,12 +34,22 @@ static int run(int argc, char **argv) {
 #define SUBCOMMAND(name) add_##name(app, session);
 #include "tool/commands/subcommands.def"
 #undef SUBCOMMAND
+  arrange_help(app);
+  std::vector<std::string> words(argv + 1, separator);
+  if (words.empty()) {
+    std::cout << app.help();
+    return error;
+  }
+  if (words.front() == "help") { // help SUBCOMMAND, as SUBCOMMAND --help
+    words.erase(words.begin());
+    words.emplace_back("--help");
+  }
   try {
-    app.parse(static_cast<int>(separator - argv), argv);
+    app.parse(std::vector<std::string>(words.rbegin(), words.rend())); // CLI11 takes the last word first
     return session.status;
   } catch (CLI::ParseError const &problem) {
     if (problem.get_exit_code() == 0) return app.exit(problem);
-    std::string const explained = explain_unknown(app, {argv + 1, separator});
+    std::string const explained = explain_unknown(app, words);
     print(std::cerr, {DiagnosticId::bad_option, {}, explained.empty() ? problem.what() : explained});
   } catch (DiagnosticError const &problem) {
     print(std::cerr, located(problem.diagnostic(), session.configured));

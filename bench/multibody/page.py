@@ -1,4 +1,4 @@
-"""docs/multibody-study.md, from what was measured."""
+"""bench/multibody/multibody-study.md, from what was measured."""
 import pathlib
 import subprocess
 
@@ -6,7 +6,7 @@ import gnuplot
 import tables
 from families import BOTH, COMPILED, KERNELS
 
-DOCS = pathlib.Path("docs")
+HERE = pathlib.Path(__file__).resolve().parent
 
 
 def cache_sizes():
@@ -79,8 +79,8 @@ def write(parts):
     members, growth = families["members"], families["growth"]
     models, largest, drawn = parts["simulations"]["models"], parts["largest"], parts["plots"]
     caches = cache_sizes()
-    gnuplot.draw_all(members, DOCS, caches)
-    tables.write_csv(members, DOCS / "multibody-study.csv")
+    gnuplot.draw_all(members, HERE, caches)
+    tables.write_csv(members, HERE / "multibody-study.csv")
     text = (pathlib.Path(__file__).parent / "page.template").read_text()
     level1, level2 = caches.get("L1i", 32), caches.get("L2", 512)
     andrews = next(model for model in models if model["name"] == "andrews")
@@ -113,7 +113,7 @@ def write(parts):
         text = text.replace("{{" + key + "}}", str(value).rstrip("\n"))
     if "{{" in text:
         raise SystemExit("study: page.template asks for what was not measured: " + text[text.index("{{"):][:40])
-    (DOCS / "multibody-study.md").write_text(text)
+    (HERE / "multibody-study.md").write_text(text)
 
 
 def compile_rate(members):

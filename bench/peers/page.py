@@ -1,4 +1,4 @@
-"""docs/benchmarks.md with its plots and CSV, bench/peers/results.md and the README's table, from what was measured."""
+"""bench/peers/benchmarks.md with its plots and CSV, bench/peers/results.md and the README's table, from what was measured."""
 import pathlib
 import subprocess
 import sys
@@ -13,7 +13,7 @@ sys.path += ["bench", "bench/multibody"]
 from gnuplot import draw  # noqa: E402
 from hardware import processor  # noqa: E402
 
-DOCS, HERE = pathlib.Path("docs"), contenders.HERE
+HERE = contenders.HERE
 GENERATORS = [*contenders.MODES, *contenders.PYTHON, "CppADCodeGen"]
 SHOWN = ["original", *contenders.PEERS, *contenders.MODES, *contenders.FURTHER]
 COLOURS = dict(zip(SHOWN, ["#000000", "#8a6bb1", "#3b6ea5", "#3f8f5f", "#7f8c3f", "#2aa1a1", "#999999", "#e3a29b", "#c98a3d", "#b5453b", "#2aa1a1",
@@ -69,11 +69,11 @@ def draw_all(rows):
              "write": ("million operations optimised and written in a second", tables.rate_of("write", None), GENERATORS, None)}
     for kernel in generate.KERNELS:
         for ending in ("svg", "png"):
-            draw(DOCS / f"benchmarks-{kernel}.{ending}", "set logscale xy\nset xlabel 'joints'\nset ylabel 'nanoseconds per call and joint'",
+            draw(HERE / f"benchmarks-{kernel}.{ending}", "set logscale xy\nset xlabel 'joints'\nset ylabel 'nanoseconds per call and joint'",
                  curves(rows, kernel, SHOWN, median, with_spread), "860,480")
     for name, (title, value, names, spread) in plots.items():
         for ending in ("svg", "png"):
-            draw(DOCS / f"benchmarks-{name}.{ending}", f"set logscale xy\nset format y '%g'\nset xlabel 'joints, forward dynamics'\nset ylabel '{title}'",
+            draw(HERE / f"benchmarks-{name}.{ending}", f"set logscale xy\nset format y '%g'\nset xlabel 'joints, forward dynamics'\nset ylabel '{title}'",
                  curves(rows, "aba", names, value, spread), "860,480")
 
 
@@ -137,7 +137,7 @@ def write(measured):
     rows = [figures.Row(row) for row in measured["rows"]]
     about = measured["machine"]
     draw_all(rows)
-    tables.write_csv(rows, DOCS / "benchmarks.csv")
+    tables.write_csv(rows, HERE / "benchmarks.csv")
     six = {row.kernel: row for row in rows if row.joints == 6}
     longest = max(row.joints for row in rows)
     values = {
@@ -155,7 +155,7 @@ def write(measured):
         "record": tables.growth(rows, "aba", GENERATORS, tables.as_text(tables.rate_of("record", None))),
         "write": tables.growth(rows, "aba", GENERATORS, tables.as_text(tables.rate_of("write", None))),
     }
-    for template, target in ((HERE / "page.template", DOCS / "benchmarks.md"), (HERE / "results.template", HERE / "results.md")):
+    for template, target in ((HERE / "page.template", HERE / "benchmarks.md"), (HERE / "results.template", HERE / "results.md")):
         text = template.read_text()
         for key, value in {**values, "six": six_table(rows, about["versions"])}.items():
             text = text.replace("{{" + key + "}}", str(value))

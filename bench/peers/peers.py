@@ -2,7 +2,7 @@
 
    prepare   generate ──▶ compile ──▶ compare outputs         build/bench/peers
    measure   turns ──▶ build/bench/peers/rows.json
-   page      docs/benchmarks.md, its plots and CSV, bench/peers/results.md, the README's table
+   page      bench/peers/benchmarks.md, its plots and CSV, bench/peers/results.md, the README's table
 """
 import argparse
 import json

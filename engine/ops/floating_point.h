@@ -1,4 +1,4 @@
-// The three floating-point modes. docs/floating-point.md is the law book.
+// The three floating-point modes. docs/reference/floating-point.md is the law book.
 #pragma once
 
 #include <optional>

@@ -44,7 +44,7 @@ using Words = std::vector<std::string>;
 
 void append(Words &words, Words const &more) { words.insert(words.end(), more.begin(), more.end()); }
 
-// The reference build of docs/floating-point.md, with debug information for places: lines and inlined calls.
+// The reference build of docs/reference/floating-point.md, with debug information for places: lines and inlined calls.
 Words const reference_flags = {
     "-O1",          "-g1",           "-ffp-contract=off", "-fno-tree-vectorize", "-fno-tree-slp-vectorize",
     "-fno-builtin", "-fno-fast-math"};

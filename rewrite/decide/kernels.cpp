@@ -18,6 +18,7 @@ void check_item(ClauseFact const &clause, ItemFact const &item, Result &result) 
   };
   if (item.is_return && clause.clause != Clause::output) return wrong("can only be an output");
   if (item.is_return) return;
+  if (item.type.empty()) return; // no function follows the pragma, which is reported
   bool const is_pointer = item.base_kind == Base::pointer || item.base_kind == Base::pointer_to_const ||
                           item.base_kind == Base::const_pointer_to_const;
   if (clause.clause == Clause::scratch) return; // whatever is left there, and wherever a pointer points to

@@ -1,4 +1,4 @@
-"""Evaluates every counterexample of docs/floating-point.md and finds the rules that it cites in rules.def.
+"""Evaluates every counterexample of docs/reference/floating-point.md and finds the rules that it cites in rules.def.
 
    check_counterexamples.py FLOATING_POINT_MD RULES_DEF
 """

@@ -1,15 +1,15 @@
-"""Every row of docs/pitfalls.md names a test that lit runs, and every test of tests/pitfalls is named in a row.
+"""Every row of docs/trust/pitfalls.md names a test that lit runs, and every test of tests/pitfalls is named in a row.
 check_pitfalls.py REPOSITORY"""
 import pathlib
 import re
 import sys
 
 root = pathlib.Path(sys.argv[1]).resolve()
-page = root / "docs" / "pitfalls.md"
+page = root / "docs" / "trust" / "pitfalls.md"
 rows = [line for line in page.read_text().splitlines() if line.startswith("| ") and not line.startswith("| Construct")]
 named, wrong = set(), []
 for row in rows:
-    tests = [(page.parent / link).resolve() for link in re.findall(r"\]\((\.\./tests/[^)]+)\)", row)]
+    tests = [(page.parent / link).resolve() for link in re.findall(r"\]\((\.\./\.\./tests/[^)]+)\)", row)]
     if not tests:
         wrong.append(f"no test in the row: {row[:60]}")
     for test in tests:

@@ -18,7 +18,7 @@ import subprocess
 import sys
 
 page, tools, work = (pathlib.Path(argument).resolve() for argument in sys.argv[1:4])
-root = page.parent.parent
+root = page.parents[2]
 
 BLOCK = re.compile(r"(?:^<!-- (part of|written to) (\S+) -->\n)?^```\w*\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 VARYING = re.compile(r"\b\d+\.\d+ s\b|-?\b\d+\.\d{6,}(?:e[-+]?\d+)?|\b\d{10,}\b|(?<=functions of the original: ).*")

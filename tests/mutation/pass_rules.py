@@ -4,7 +4,7 @@ at a time, and tells what notices: the unit tests, and of what these do not noti
 
 The changes: the row is left out; another letter, number or operation in the replacement; a letter that must stand for one node
 twice stands for two; an earlier mode; no condition. Nothing of the build is changed: only rule.cpp is compiled anew, and linked
-before the library. docs/mutation.md has the results."""
+before the library. docs/trust/mutation.md has the results."""
 import argparse
 import collections
 import concurrent.futures

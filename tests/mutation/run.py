@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Drops the rules, one at a time, and tells what notices: the net (`generate` and `verify`), and the tests.
 
-It needs a build that was configured with -DSYMREAL_MUTATION=ON. docs/mutation.md has the results.
+It needs a build that was configured with -DSYMREAL_MUTATION=ON. docs/trust/mutation.md has the results.
 """
 import argparse
 import os

@@ -37,5 +37,5 @@ int main(void)
 }
 // CODE: "kernel":"typename"
 // CODE: double const try_ = constants[0] + (input[1] + input[0]*input[3]);
-// VERIFIED: 1000 within the premises
+// VERIFIED: 100 within the premises
 // VERIFIED: value_return 1 0 0

@@ -88,7 +88,7 @@ int main(void)
    HEADER-NEXT: } input_values;
    HEADER: Baked in
    GRAPH: input "bodies[0:n]" [2] { "position" { "x" "y" } "velocity" { "x" "y" } "spin" [2] [2] } at
-   SAME: 1000 within the premises
+   SAME: 100 within the premises
    SAME: {{^}}  bodies[{{.*}}16 {{ *}}0 {{ *}}0
    SAME: {{^}}  out.{{.*}}2 {{ *}}0 {{ *}}0
 */

@@ -27,6 +27,6 @@ int main(void)
     return 0;
 }
 
-/* CHECK: 1000 within the premises
+/* CHECK: 100 within the premises
    CHECK: 2 {{ *}}0 {{ *}}0
 */

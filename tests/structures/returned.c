@@ -26,6 +26,6 @@ int main(void)
     return 0;
 }
 
-/* CHECK: 1000 within the premises
+/* CHECK: 100 within the premises
    CHECK: value_return.{{.*}} 2 {{ *}}0 {{ *}}0
 */

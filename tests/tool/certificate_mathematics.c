@@ -19,18 +19,18 @@
 // RUN: FileCheck %s --input-file=%t/c.json
 // CHECK: "mathematics": "{{.*}}, code {{.*}} ({{[0-9a-f]+}})"
 // CHECK-NOT: "mathematics"
-// RUN: %symreal verify --samples=100 --min-samples=10 %s %t/k.c --check %t/c.json 2>&1 | FileCheck %s --check-prefix=SAME
+// RUN: %symreal verify %s %t/k.c --check %t/c.json 2>&1 | FileCheck %s --check-prefix=SAME
 // SAME-NOT: the certificate was written with
 // SAME: holds
 // Where there are two kinds, the other one:
-// RUN: ! grep -qw fma /proc/cpuinfo || env GLIBC_TUNABLES=glibc.cpu.hwcaps=-FMA,-AVX2,-AVX2_Usable,-FMA_Usable %symreal verify --samples=100 --min-samples=10 %s %t/k.c --check %t/c.json > %t/other.txt 2>&1
+// RUN: ! grep -qw fma /proc/cpuinfo || env GLIBC_TUNABLES=glibc.cpu.hwcaps=-FMA,-AVX2,-AVX2_Usable,-FMA_Usable %symreal verify %s %t/k.c --check %t/c.json > %t/other.txt 2>&1
 // RUN: ! grep -qw fma /proc/cpuinfo || grep 'the certificate was written with .*code for processors with FMA .*; these functions are those of .*code for processors without FMA ' %t/other.txt
 // RUN: ! grep -qw fma /proc/cpuinfo || grep "k.c' was generated with .*code for processors with FMA .*; these functions are those of .*code for processors without FMA " %t/other.txt
 // Code with the same numbers is up to date; written anew, it is the certified code all the same:
 // RUN: ! grep -qw fma /proc/cpuinfo || env GLIBC_TUNABLES=glibc.cpu.hwcaps=-FMA,-AVX2,-AVX2_Usable,-FMA_Usable %symreal generate %s -o %t/k.c --lang=c,python --check
 // RUN: ! grep -qw fma /proc/cpuinfo || env GLIBC_TUNABLES=glibc.cpu.hwcaps=-FMA,-AVX2,-AVX2_Usable,-FMA_Usable %symreal generate %s -o %t/k.c --lang=c,python
 // RUN: ! grep -qw fma /proc/cpuinfo || grep 'are those of .*code for processors without FMA ' %t/k.c
-// RUN: ! grep -qw fma /proc/cpuinfo || env GLIBC_TUNABLES=glibc.cpu.hwcaps=-FMA,-AVX2,-AVX2_Usable,-FMA_Usable %symreal verify --samples=100 --min-samples=10 %s %t/k.c --check %t/c.json 2>&1 | FileCheck %s --check-prefix=ANEW
+// RUN: ! grep -qw fma /proc/cpuinfo || env GLIBC_TUNABLES=glibc.cpu.hwcaps=-FMA,-AVX2,-AVX2_Usable,-FMA_Usable %symreal verify %s %t/k.c --check %t/c.json 2>&1 | FileCheck %s --check-prefix=ANEW
 // ANEW: the certificate was written with
 // ANEW-NOT: error
 

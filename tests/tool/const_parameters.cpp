@@ -17,5 +17,5 @@ int main() {
   std::printf("%g %g\n", y[0], y[1]);
 }
 
-// CHECK: 1000 within the premises
+// CHECK: 100 within the premises
 // CHECK: y[0]{{ +}}2{{ +}}0{{ +}}0

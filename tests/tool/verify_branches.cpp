@@ -2,7 +2,7 @@
 // a template, in an operand, in a macro; not in what ran before the kernel, nor in the annotations.
 // RUN: rm -rf %t && mkdir %t
 // RUN: %symreal generate %s -o %t/k.c --decisions=select
-// RUN: %symreal verify --samples=100 --min-samples=10 %s %t/k.c --branches --json > %t/json 2> %t/told
+// RUN: %symreal verify %s %t/k.c --branches --json > %t/json 2> %t/told
 // RUN: grep -v 'always\|: never met$' %t/told | FileCheck %s --check-prefix=TOLD --implicit-check-not "never"
 // RUN: FileCheck %s --check-prefix=JSON < %t/json
 // TOLD: branches of the original: 15 of 22 directions taken by some sample
@@ -22,19 +22,19 @@
 // JSON-NEXT: "false": 2{{[0-9]+}}
 
 // Shards together say the same, and so does a certificate.
-// RUN: %symreal verify --samples=100 --min-samples=10 %s %t/k.c --branches --json --shard 1/2 > %t/1.json
-// RUN: %symreal verify --samples=100 --min-samples=10 %s %t/k.c --branches --json --shard 2/2 > %t/2.json
+// RUN: %symreal verify %s %t/k.c --branches --json --shard 1/2 > %t/1.json
+// RUN: %symreal verify %s %t/k.c --branches --json --shard 2/2 > %t/2.json
 // RUN: %tool verify --merge %t/1.json %t/2.json 2> %t/joined
 // RUN: diff %t/told %t/joined
-// RUN: %symreal verify --samples=100 --min-samples=10 %s %t/k.c --branches --certificate %t/c.json
+// RUN: %symreal verify %s %t/k.c --branches --certificate %t/c.json
 // RUN: FileCheck %s --check-prefix=JSON < %t/c.json
-// RUN: %symreal verify --samples=100 --min-samples=10 %s %t/k.c --check %t/c.json 2>&1 | FileCheck %s --check-prefix=HOLDS
+// RUN: %symreal verify %s %t/k.c --check %t/c.json 2>&1 | FileCheck %s --check-prefix=HOLDS
 // HOLDS: branches of the original: 15 of 22
 // HOLDS: certificate {{.*}}c.json holds
 // RUN: not %tool verify %s %t/k.c --branches --check %t/c.json 2>&1 | FileCheck %s --check-prefix=OPTION
 // OPTION: error: --branches has no effect with --check, which does what the certificate says [SYM010]
 // Without the option nothing is said.
-// RUN: %symreal verify --samples=100 --min-samples=10 %s %t/k.c 2>&1 | FileCheck %s --check-prefix=WITHOUT --implicit-check-not "branches of"
+// RUN: %symreal verify %s %t/k.c 2>&1 | FileCheck %s --check-prefix=WITHOUT --implicit-check-not "branches of"
 // WITHOUT: kernel k
 #include <cstdio>
 #define LARGE(a) ((a) > 90)

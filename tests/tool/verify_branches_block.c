@@ -2,7 +2,7 @@
    before and behind.
 RUN: rm -rf %t && mkdir %t
 RUN: %symreal generate %s -o %t/k.c --decisions=guard
-RUN: %symreal verify --samples=100 --min-samples=10 %s %t/k.c --branches 2>&1 | FileCheck %s --implicit-check-not ": never true" --implicit-check-not ": never false"
+RUN: %symreal verify %s %t/k.c --branches 2>&1 | FileCheck %s --implicit-check-not ": never true" --implicit-check-not ": never false"
 CHECK: branches of the original: 7 of 12 directions taken by some sample
 CHECK-NEXT: verify_branches_block.c:[[#@LINE + 25]]:10: never true: x > 90
 CHECK-NEXT: verify_branches_block.c:[[#@LINE + 34]]:7: never true: case 1
@@ -13,15 +13,15 @@ CHECK-NEXT: verify_branches_block.c:[[#@LINE + 35]]:24: never true: x < 0.25
 A program that clang does not compile is verified all the same, and what could not be counted is said, in each form of the
 result.
 RUN: %symreal generate %s -o %t/g.c --decisions=guard -- -DONLY_GCC
-RUN: %symreal verify --samples=100 --min-samples=10 %s %t/g.c --branches --certificate %t/c.json -- -DONLY_GCC 2>&1 | FileCheck %s --check-prefix=BUILD
+RUN: %symreal verify %s %t/g.c --branches --certificate %t/c.json -- -DONLY_GCC 2>&1 | FileCheck %s --check-prefix=BUILD
 RUN: FileCheck %s --check-prefix=JSON < %t/c.json
-RUN: %symreal verify --samples=100 --min-samples=10 %s %t/g.c --check %t/c.json -- -DONLY_GCC 2>&1 | FileCheck %s --check-prefix=BUILD
+RUN: %symreal verify %s %t/g.c --check %t/c.json -- -DONLY_GCC 2>&1 | FileCheck %s --check-prefix=BUILD
 BUILD: branches of the original: not counted: clang-19 does not build the original: {{.*}}unknown directive
 JSON: "branches": {
 JSON-NEXT: "obstacle": "clang-19 does not build the original
 
 RUN: %symreal generate %inputs/rotation/rotation_symbolic.cpp -o %t/r.c
-RUN: %symreal verify --samples=100 --min-samples=10 %inputs/rotation/rotation_symbolic.cpp %t/r.c --branches 2>&1 | FileCheck %s --check-prefix=HAND
+RUN: %symreal verify %inputs/rotation/rotation_symbolic.cpp %t/r.c --branches 2>&1 | FileCheck %s --check-prefix=HAND
 HAND: branches of the original: not counted: the program is written with REAL by hand, and has no original
 */
 #include <stdio.h>

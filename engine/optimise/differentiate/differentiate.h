@@ -1,6 +1,6 @@
 // Derivatives as further outputs of a graph: jacobian(y, x) [rows of y][columns of x], gradient(y, x) [x], hessian(y,
 // x) [x][x], jvp(y, x) [y] along the input direction_x, vjp(y, x) [x] of the outputs weighted with the input weights_y.
-// They are defined by the derivatives in the table of operations and the chain rule: docs/derivatives.md.
+// They are defined by the derivatives in the table of operations and the chain rule: docs/reference/derivatives.md.
 #pragma once
 
 #include "engine/graph/graph.h"

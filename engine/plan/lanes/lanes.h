@@ -3,7 +3,7 @@
 // A recorded program is one long sequence of operations, in which what a loop or three coordinates had in common can no
 // longer be seen by compilers: their vectorisers of straight-line code find little of it, and gcc's fuses what must not
 // be fused. Here isomorphic operations are sought in the graph and become operations on vectors, lane by lane: each
-// number is computed by the same operations as before. docs/lanes.md says more.
+// number is computed by the same operations as before. docs/reference/lanes.md says more.
 #pragma once
 
 #include "engine/plan/lanes/lane_program.h"

@@ -2,7 +2,7 @@
 //
 // A recorded program is one long sequence of operations. Where the source had a loop, windows of it are alike but for
 // their inputs, constants and what they take from other windows. One window becomes the body of a loop; what differs
-// becomes an index that grows, a table, or a variable that is carried on. docs/reroll.md says more.
+// becomes an index that grows, a table, or a variable that is carried on. docs/reference/reroll.md says more.
 #pragma once
 
 #include "engine/ops/floating_point.h"

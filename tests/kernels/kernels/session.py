@@ -16,7 +16,7 @@ from .second_recording import record_twice
 
 HERE = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 SUFFIX = {"c": ".c", "cxx": ".cpp"}
-# The reference build of docs/floating-point.md, and the flags that it gives for generated code.
+# The reference build of docs/reference/floating-point.md, and the flags that it gives for generated code.
 REFERENCE = ["-O1", "-ffp-contract=off", "-fno-builtin", "-fno-fast-math", "-w"]
 SANITIZERS = ["-fsanitize=address,undefined,float-cast-overflow", "-fno-sanitize-recover=all"]
 SUSPICIOUS = ["-Wall", "-Werror=uninitialized", "-Werror=maybe-uninitialized", "-Werror=return-type", "-Werror=array-bounds"]
